@@ -1,0 +1,24 @@
+#pragma once
+
+#include "microslip/simplified/row_solver.hpp"
+
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// Forces along one creepage while the other two are held.
+struct CreepCurve {
+  std::string variable;      ///< creepage_longitudinal, creepage_lateral or spin
+  std::string unit;          ///< of the variable
+  std::vector<double> value; ///< of the variable, from 0
+  std::vector<ContactForces> forces;
+  double point_value = 0; ///< of the contact itself
+};
+
+/// The creep curve through a contact. The larger of its longitudinal and lateral creepage varies, or spin if both are
+/// zero, from 0 to three times its value or well into sliding, whichever is more: 3 mu Fn/(G a b C) with Kalker's C
+/// (for spin 3 mu Fn/(G (a b)^(3/2) C23)).
+CreepCurve creep_curve(RowSolver& solver, const EllipticContact& contact);
+
+} // namespace microslip

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/quantity_table.hpp"
+#include "microslip/elasticity/hertz.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// Adds `microslip hertz`.
+void add_hertz_command(CLI::App& program);
+
+/// The ellipse, pressure, approach and stiffness of a contact, with units.
+void add_hertz(QuantityTable& table, const HertzContact& hertz);
+
+} // namespace microslip

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace microslip {
+
+/// Ctrl-C, or a request to end: work stops where it can leave nothing half-written.
+class Interrupted : public std::runtime_error {
+public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// While it lives, SIGINT and SIGTERM are only noted; a second one ends the program at once. One at a time.
+class InterruptGuard {
+public:
+  InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+  ~InterruptGuard();
+
+  static bool interrupted();
+  static void throw_if_interrupted();
+};
+
+} // namespace microslip

@@ -1,0 +1,73 @@
+#include "app/batch.hpp"
+#include "app/hertz.hpp"
+#include "app/init.hpp"
+#include "app/interrupt.hpp"
+#include "app/solve.hpp"
+#include "app/usage_error.hpp"
+#include "app/validate.hpp"
+#include "microslip/version.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+constexpr int bad_input = 2;
+constexpr int interrupted = 130; // as shells report an end by Ctrl-C
+
+std::string version_text() {
+  const auto build = build_info();
+  return fmt::format("microslip {} (commit {}, {}, {})", build.version, build.commit, build.compiler, build.build_type);
+}
+
+void add_commands(CLI::App& program, int& exit_code) {
+  add_solve_command(program, exit_code);
+  add_hertz_command(program);
+  add_batch_command(program, exit_code);
+  add_init_command(program);
+  add_validate_command(program, exit_code);
+  program.require_subcommand(1);
+  program.set_version_flag("--version", version_text(), "Print version, commit and compiler and exit");
+  program.footer("Exit codes: 0 done, 1 a result is not converged or figures are not met, 2 bad input.\n\n"
+                 "Example:\n  microslip init wheel.toml && microslip solve wheel.toml\n\n"
+                 "microslip COMMAND --help describes a command.");
+}
+
+int fail(const std::string& message, int exit_code) {
+  std::fflush(stdout);
+  fmt::print(stderr, "microslip: {}\n", message);
+  return exit_code;
+}
+
+int run(int count, char** arguments) {
+  CLI::App program("Frictional rolling contact of two bodies: forces, tractions and slip.", "microslip");
+  int exit_code = 0;
+  add_commands(program, exit_code);
+  try {
+    program.parse(count, arguments);
+    if (std::fflush(stdout) != 0) return fail("standard output cannot be written", bad_input);
+    return exit_code;
+  } catch (const CLI::Success& success) {
+    return program.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return fail(usage_error(program, error), bad_input);
+  } catch (const Interrupted& error) {
+    return fail(error.what(), interrupted);
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory", bad_input);
+  } catch (const std::exception& error) {
+    return fail(error.what(), bad_input);
+  }
+}
+
+} // namespace
+} // namespace microslip
+
+int main(int count, char** arguments) {
+  return microslip::run(count, arguments);
+}

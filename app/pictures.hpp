@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// Pictures of a result file.
+struct Pictures {
+  std::vector<std::string> files = {}; ///< names of the PNG files, in the order they were drawn
+  std::string problem = {}; ///< one line on why there are none or not all, and what helps; empty if all is well
+};
+
+/// Draws the pictures of an HDF5 result file into a folder with the Python package microslip.plot. Python is what the
+/// environment variable MICROSLIP_PYTHON names, or the one found at build time. Never throws for what Python lacks.
+Pictures draw_pictures(const std::filesystem::path& result_file, const std::filesystem::path& folder);
+
+} // namespace microslip

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace microslip {
+
+/// A bar with the time left on standard error, if that is a terminal; nothing otherwise. Erases itself at the end.
+class ProgressBar {
+public:
+  explicit ProgressBar(std::string label);
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
+
+  /// Shows the fraction done, 0 to 1; draws at most ten times a second. From one thread only.
+  void update(double fraction);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string label_;
+  bool visible_;
+  Clock::time_point start_, drawn_;
+};
+
+} // namespace microslip

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// What is wrong with the command line, with the nearest known word for an unknown command or option.
+std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
+
+} // namespace microslip

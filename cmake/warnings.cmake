@@ -1,0 +1,6 @@
+# Flags of every target of this project: strict warnings, and floating point that is the same on every machine
+# (no contraction to fused multiply-add), while square roots may still be vectorised.
+add_library(microslip_flags INTERFACE)
+target_compile_options(microslip_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  -ffp-contract=off -fno-math-errno -fno-trapping-math)

@@ -1,0 +1,161 @@
+#include "io/case_file.hpp"
+
+#include "io/toml_section.hpp"
+#include "microslip/error.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+namespace microslip {
+namespace {
+
+BodyInput read_body(const TomlSection& body) {
+  body.allow({"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus", "poisson_ratio"});
+  BodyInput input;
+  input.rolling_radius = body.radius("rolling_radius");
+  input.transverse_radius = body.radius("transverse_radius");
+  const auto key = body.one_of("young_modulus", "shear_modulus");
+  const auto modulus = body.modulus(key);
+  const auto poisson_ratio = body.between("poisson_ratio", "-", 0, 0.5);
+  input.material =
+      key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
+  return input;
+}
+
+void read_load(const TomlSection& load, RollingCase& input) {
+  load.allow({"normal_force", "approach"});
+  if (load.one_of("normal_force", "approach") == "normal_force")
+    input.normal_force = load.positive("normal_force", "N");
+  else
+    input.approach = load.positive("approach", "m");
+}
+
+/// A law that falls with the slip velocity in one or two terms.
+using FallingLaw = FrictionLaw (*)(double kinetic, FrictionTerm first, FrictionTerm second);
+
+FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) {
+  friction.allow({"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
+  const auto kinetic = friction.between("kinetic_coefficient", "-", 0, FrictionLaw::largest_coefficient);
+  const auto term = [&](std::string_view drop, std::string_view half_velocity) {
+    return FrictionTerm{friction.between(drop, "-", 0, FrictionLaw::largest_coefficient),
+                        friction.positive(half_velocity, "m/s")};
+  };
+  const auto first = term("drop", "half_velocity");
+  const bool has_second = friction.has("second_drop") || friction.has("second_half_velocity");
+  const auto second = has_second ? term("second_drop", "second_half_velocity") : FrictionTerm{};
+  FrictionLaw law;
+  friction.at("law", [&] { law = make(kinetic, first, second); });
+  return law;
+}
+
+FrictionLaw read_polach(const TomlSection& friction) {
+  friction.allow({"law", "static_coefficient", "ratio", "decay"});
+  const auto coefficient = friction.between("static_coefficient", "-", 0, FrictionLaw::largest_coefficient);
+  const auto ratio = friction.between("ratio", "-", 0, 1);
+  const auto decay = friction.positive("decay", "s/m");
+  FrictionLaw law;
+  friction.at("decay", [&] { law = FrictionLaw::polach(coefficient, ratio, decay); });
+  return law;
+}
+
+FrictionLaw read_coulomb(const TomlSection& friction) {
+  friction.allow({"law", "coefficient"});
+  return FrictionLaw::coulomb(friction.between("coefficient", "-", 0, FrictionLaw::largest_coefficient));
+}
+
+void read_friction(const TomlSection& friction, RollingCase& input) {
+  constexpr std::string_view laws[] = {"coulomb", "linear", "rational", "exponential", "polach"};
+  const auto law = friction.word("law", "coulomb", laws);
+  input.friction_law = law;
+  if (law == "coulomb") input.friction = read_coulomb(friction);
+  if (law == "linear") input.friction = read_falling_friction(friction, FrictionLaw::linear);
+  if (law == "rational") input.friction = read_falling_friction(friction, FrictionLaw::rational);
+  if (law == "exponential") input.friction = read_falling_friction(friction, FrictionLaw::exponential);
+  if (law == "polach") input.friction = read_polach(friction);
+}
+
+void read_motion(const TomlSection& motion, RollingCase& input) {
+  motion.allow({"creepage_longitudinal", "creepage_lateral", "spin", "rolling_speed", "direction"});
+  input.creepage.longitudinal = motion.finite("creepage_longitudinal", "-", 0);
+  input.creepage.lateral = motion.finite("creepage_lateral", "-", 0);
+  input.creepage.spin = motion.finite("spin", "1/m", 0);
+  input.rolling_speed = motion.positive("rolling_speed", "m/s");
+  input.options.direction = motion.option("direction", RollingDirection::forward);
+}
+
+void read_solution(const TomlSection& solution, RollingCase& input) {
+  solution.allow({"theory", "grid", "bound", "flexibility", "slope_reduction"});
+  input.theory = solution.option("theory", input.theory);
+  solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
+  input.options.bound = solution.option("bound", input.options.bound);
+  input.options.flexibility = solution.option("flexibility", input.options.flexibility);
+
+  const auto reduction = solution.optional_section("slope_reduction");
+  reduction.allow({"initial", "at_infinity", "decay"});
+  auto& slope = input.options.slope_reduction;
+  slope.initial = reduction.between("initial", "-", 1e-6, 1, slope.initial);
+  slope.at_infinity = reduction.between("at_infinity", "-", 0, 1, slope.at_infinity);
+  slope.decay = reduction.between("decay", "-", 0, 1e6, slope.decay);
+}
+
+} // namespace
+
+RollingCase parse_case(std::string_view text, const std::string& name) {
+  const auto table = parse_toml(text, name);
+  const TomlSection root(table, name);
+  root.allow({"title", "body1", "body2", "load", "friction", "motion", "solution"});
+  RollingCase input;
+  input.title = root.text("title", "");
+  input.body1 = read_body(root.required_section("body1"));
+  input.body2 = read_body(root.required_section("body2"));
+  read_load(root.required_section("load"), input);
+  read_friction(root.required_section("friction"), input);
+  read_motion(root.required_section("motion"), input);
+  read_solution(root.optional_section("solution"), input);
+  // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
+  try {
+    hertz_contact(input);
+  } catch (const Error& error) {
+    throw Error(name + ": [body1], [body2] and [load] together: " + error.what());
+  }
+  return input;
+}
+
+HertzContact hertz_contact(const RollingCase& input) {
+  const auto &body1 = input.body1, &body2 = input.body2;
+  const auto gap =
+      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
+  const auto material = combine(body1.material, body2.material);
+  return input.normal_force ? hertz_from_load(gap, material, *input.normal_force)
+                            : hertz_from_approach(gap, material, *input.approach);
+}
+
+EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz) {
+  const auto material = combine(input.body1.material, input.body2.material);
+  return {.a = hertz.a,
+          .b = hertz.b,
+          .shear_modulus = material.shear_modulus,
+          .poisson_ratio = material.poisson_ratio,
+          .normal_force = hertz.normal_force,
+          .friction = input.friction,
+          .creepage = input.creepage,
+          .rolling_speed = input.rolling_speed};
+}
+
+std::string read_case_text(const std::filesystem::path& path) {
+  constexpr std::streamsize longest = 1 << 20;
+  const auto fail = [&](const std::string& reason) { throw Error(path.string() + ": cannot be read: " + reason); };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(std::generic_category().message(errno));
+  std::string text(static_cast<std::size_t>(longest) + 1, '\0');
+  file.read(text.data(), longest + 1);
+  if (file.bad()) fail(std::generic_category().message(errno));
+  if (file.gcount() > longest) fail("it is longer than 1 MiB");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+} // namespace microslip

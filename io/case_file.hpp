@@ -1,0 +1,51 @@
+#pragma once
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/elasticity/material.hpp"
+#include "microslip/simplified/row_solver.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace microslip {
+
+/// One of the two bodies of a case file.
+struct BodyInput {
+  double rolling_radius = 0;    ///< [m], in the plane of rolling: positive convex, negative concave, infinite flat
+  double transverse_radius = 0; ///< [m], in the lateral plane
+  Material material = {};
+};
+
+/// What a case file says, in SI units; the annotated example in examples/ shows every key.
+struct RollingCase {
+  std::string title = {};
+  BodyInput body1 = {}; ///< the body that the forces act on, e.g. the wheel
+  BodyInput body2 = {};
+  std::optional<double> normal_force = {}; ///< [N]; either this
+  std::optional<double> approach = {};     ///< [m]; or this
+  std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
+  FrictionLaw friction = {};
+  Creepage creepage = {};
+  double rolling_speed = 0; ///< [m/s]
+  MarchingScheme theory = MarchingScheme::fastsim2;
+  SimplifiedOptions options = {.mx = 20, .my = 20};
+};
+
+/// Largest number of cells along either side of a grid whose fields are kept.
+inline constexpr int largest_field_grid = 2000;
+
+/// Reads a case from TOML text; `name` is the file's name for messages. Unknown keys, missing keys, wrong types and
+/// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
+/// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
+RollingCase parse_case(std::string_view text, const std::string& name);
+
+/// The Hertzian contact of a case, and the case for the simplified theory. They do not throw for what parse_case gave.
+HertzContact hertz_contact(const RollingCase& input);
+EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz);
+
+/// The text of a case file. Error if it cannot be read or is longer than 1 MiB.
+std::string read_case_text(const std::filesystem::path& path);
+
+} // namespace microslip

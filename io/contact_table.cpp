@@ -1,0 +1,245 @@
+#include "io/contact_table.hpp"
+
+#include "io/nearest_word.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <csv.h>
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t chunk_size = 32 * 1024;
+
+constexpr std::string_view label_start = "column ";
+
+struct Column {
+  std::string_view label; ///< "column " and its name, as messages have it
+  void (*set)(EllipticContact& contact, std::string_view label, double value);
+
+  constexpr std::string_view name() const { return label.substr(label_start.size()); }
+};
+
+constexpr std::array<Column, 9> known_columns = {{
+    {"column a", [](auto& contact, auto label, double value) { contact.a = require_positive(label, value, "m"); }},
+    {"column b", [](auto& contact, auto label, double value) { contact.b = require_positive(label, value, "m"); }},
+    {"column shear_modulus",
+     [](auto& contact, auto label, double value) { contact.shear_modulus = require_positive(label, value, "Pa"); }},
+    {"column poisson_ratio", [](auto& contact, auto label,
+                                double value) { contact.poisson_ratio = require_between(label, value, "-", 0, 0.5); }},
+    {"column friction",
+     [](auto& contact, auto label, double value) {
+       contact.friction = FrictionLaw::coulomb(require_between(label, value, "-", 0, FrictionLaw::largest_coefficient));
+     }},
+    {"column normal_force",
+     [](auto& contact, auto label, double value) { contact.normal_force = require_positive(label, value, "N"); }},
+    {"column creep_x", [](auto& contact, auto label,
+                          double value) { contact.creepage.longitudinal = require_finite(label, value, "-"); }},
+    {"column creep_y",
+     [](auto& contact, auto label, double value) { contact.creepage.lateral = require_finite(label, value, "-"); }},
+    {"column spin",
+     [](auto& contact, auto label, double value) { contact.creepage.spin = require_finite(label, value, "1/m"); }},
+}};
+
+constexpr auto known_names = [] {
+  std::array<std::string_view, known_columns.size()> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = known_columns[i].name();
+  return names;
+}();
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Takes the first line off `text`, without its end.
+std::string_view take_line(std::string_view& text) {
+  const auto end = text.find('\n');
+  auto line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+bool is_blank(std::string_view line) {
+  return trimmed(line).empty();
+}
+
+/// Splits lines into fields.
+class LineSplitter {
+public:
+  LineSplitter() { csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI); }
+  LineSplitter(const LineSplitter&) = delete;
+  LineSplitter& operator=(const LineSplitter&) = delete;
+  ~LineSplitter() { csv_free(&parser_); }
+
+  /// The fields of a line; they are valid until the next call. Throws Error if they cannot be told apart.
+  const std::vector<std::string_view>& split(std::string_view line) {
+    // The parser would take it for the end of a row.
+    if (line.find('\r') != std::string_view::npos) throw Error("a carriage return inside a line");
+    text_.clear();
+    ends_.clear();
+    const auto length = csv_parse(&parser_, line.data(), line.size(), add_field, nullptr, this);
+    if (length != line.size() || csv_fini(&parser_, add_field, nullptr, this) != 0)
+      throw Error("a quote is not closed or inside a field");
+    fields_.clear();
+    std::size_t begin = 0;
+    for (const auto end : ends_) {
+      fields_.push_back(trimmed(std::string_view(text_).substr(begin, end - begin)));
+      begin = end;
+    }
+    return fields_;
+  }
+
+private:
+  static void add_field(void* bytes, std::size_t size, void* self) {
+    auto& splitter = *static_cast<LineSplitter*>(self);
+    splitter.text_.append(static_cast<const char*>(bytes), size);
+    splitter.ends_.push_back(splitter.text_.size());
+  }
+
+  csv_parser parser_{};
+  std::string text_;
+  std::vector<std::size_t> ends_;
+  std::vector<std::string_view> fields_;
+};
+
+double number(std::string_view label, std::string_view field) {
+  const auto fail = [&](const std::string& what) { throw Error(std::string(label) + ": " + what); };
+  if (field.empty()) fail("there is nothing");
+  const auto digits = field.front() == '+' ? field.substr(1) : field;
+  const char* const end = digits.data() + digits.size();
+  double value = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (error == std::errc::result_out_of_range && stop == end) fail(printable(field) + " is too large or too small");
+  if (error != std::errc() || stop != end || digits.front() == '+') fail(printable(field) + " is not a number");
+  return value;
+}
+
+void append(std::string& text, double value) {
+  std::array<char, 32> digits{};
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+} // namespace
+
+ContactTableReader::ContactTableReader(std::istream& stream, std::string name)
+    : stream_(stream), name_(std::move(name)) {
+  fill(rest_);
+  if (rest_.starts_with("\xef\xbb\xbf")) rest_.erase(0, 3);
+  std::string_view text = rest_, line;
+  std::size_t number = 0;
+  while (!text.empty() && is_blank(line)) {
+    line = take_line(text);
+    ++number;
+  }
+  if (is_blank(line))
+    throw Error(name_ + ": is empty; the first line must name the columns " + listed(known_names, "and"));
+  parse_header(line, number);
+  rest_.erase(0, rest_.size() - text.size());
+  next_line_ = number + 1;
+}
+
+/// Reads until `text` has the size of a chunk or the file ends.
+void ContactTableReader::fill(std::string& text) {
+  const auto size = text.size();
+  text.resize(chunk_size);
+  stream_.read(text.data() + size, static_cast<std::streamsize>(chunk_size - size));
+  if (stream_.bad()) throw Error(name_ + ": cannot be read");
+  const auto count = static_cast<std::size_t>(stream_.gcount());
+  text.resize(size + count);
+  bytes_read_ += count;
+}
+
+void ContactTableReader::parse_header(std::string_view line, std::size_t number) {
+  const auto fail = [&](const std::string& what) { throw Error(name_ + ":" + std::to_string(number) + ": " + what); };
+  LineSplitter splitter;
+  try {
+    splitter.split(line);
+  } catch (const Error& error) {
+    fail(error.what());
+  }
+  for (const auto field : splitter.split(line)) {
+    const auto found = std::find(known_names.begin(), known_names.end(), field);
+    if (found == known_names.end()) fail("column " + printable(field) + ": unknown" + suggestion(field, known_names));
+    if (std::find(columns_.begin(), columns_.end(), *found) != columns_.end())
+      fail("column " + std::string(field) + ": is there twice");
+    columns_.push_back(*found);
+    kinds_.push_back(static_cast<std::size_t>(found - known_names.begin()));
+  }
+  for (const auto name : known_names)
+    if (std::find(columns_.begin(), columns_.end(), name) == columns_.end())
+      fail("column " + std::string(name) + ": is missing");
+}
+
+bool ContactTableReader::read(TextChunk& chunk) {
+  chunk.text = std::exchange(rest_, {});
+  fill(chunk.text);
+  chunk.first_line = next_line_;
+  if (chunk.text.size() == chunk_size) {
+    const auto end = chunk.text.rfind('\n');
+    if (end == std::string::npos)
+      throw Error(name_ + ":" + std::to_string(next_line_) + ": a line of more than 32 KiB");
+    rest_ = chunk.text.substr(end + 1);
+    chunk.text.resize(end + 1);
+  }
+  next_line_ += static_cast<std::size_t>(std::count(chunk.text.begin(), chunk.text.end(), '\n'));
+  return !chunk.text.empty();
+}
+
+ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
+  ContactRows rows;
+  LineSplitter splitter;
+  std::string_view text = chunk.text;
+  for (std::size_t line_number = chunk.first_line; !text.empty(); ++line_number) {
+    const auto line = take_line(text);
+    if (is_blank(line)) continue;
+    try {
+      const auto& fields = splitter.split(line);
+      const bool cut_off = text.empty() && chunk.text.back() != '\n';
+      if (fields.size() != columns_.size())
+        throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(columns_.size()) +
+                    (cut_off ? "; the file ends in the middle of a line" : ""));
+      auto& contact = rows.contacts.emplace_back();
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto& column = known_columns[kinds_[i]];
+        column.set(contact, column.label, number(column.label, fields[i]));
+        if (i > 0) rows.text += ',';
+        rows.text += fields[i];
+      }
+      rows.ends.push_back(rows.text.size());
+    } catch (const Error& error) {
+      throw Error(name_ + ":" + std::to_string(line_number) + ": " + error.what());
+    }
+  }
+  return rows;
+}
+
+std::string result_header(const std::vector<std::string_view>& columns) {
+  std::string line;
+  for (const auto column : columns) line.append(column).append(",");
+  return line + "fx,fy,mz,adhesion_area,slip_area,status\n";
+}
+
+std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces) {
+  std::string csv;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < rows.ends.size(); ++i) {
+    csv.append(rows.text, begin, rows.ends[i] - begin);
+    begin = rows.ends[i];
+    for (const auto value : {forces[i].fx, forces[i].fy, forces[i].mz, forces[i].adhesion_area, forces[i].slip_area}) {
+      csv += ',';
+      append(csv, value);
+    }
+    csv.append(",").append(to_string(forces[i].status)).append("\n");
+  }
+  return csv;
+}
+
+} // namespace microslip

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "microslip/simplified/contact.hpp"
+
+#include <cstddef>
+#include <istream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// Whole lines of a file.
+struct TextChunk {
+  std::string text = {};
+  std::size_t first_line = 1; ///< number of the first line in the file, from 1
+};
+
+/// Contacts of a table, with the text of their rows.
+struct ContactRows {
+  std::vector<EllipticContact> contacts = {};
+  std::string text = {};              ///< the rows' fields as they were, joined by commas, rows without separator
+  std::vector<std::size_t> ends = {}; ///< where in `text` each row ends
+};
+
+/// Reads a table of contacts from CSV, a chunk at a time, in constant memory. The first line names the columns, in any
+/// order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-], friction [-], normal_force [N], creep_x [-], creep_y
+/// [-], spin [1/m]; each of them once and no other. Blanks around fields, quotes, CRLF, a byte-order mark, blank lines
+/// and a last line without its end are fine. Everything else throws an Error with file, line and column: `in.csv:17:
+/// column friction: "abc" is not a number`, `in.csv:18: column poisson_ratio = 0.7 [-]: must be in [0, 0.5]`.
+class ContactTableReader {
+public:
+  /// Reads the header. `stream` must outlive the reader; `name` is the file's name for messages.
+  ContactTableReader(std::istream& stream, std::string name);
+
+  /// Names of the columns in the order of the file.
+  const std::vector<std::string_view>& columns() const { return columns_; }
+  /// The next rows, about 32 KiB of them; false at the end. Chunks do not depend on how they are used.
+  bool read(TextChunk& chunk);
+  std::size_t bytes_read() const { return bytes_read_; }
+  /// May be called from several threads at a time.
+  ContactRows parse(const TextChunk& chunk) const;
+
+private:
+  void fill(std::string& text);
+  void parse_header(std::string_view line, std::size_t number);
+
+  std::istream& stream_;
+  std::string name_;
+  std::vector<std::string_view> columns_;
+  std::vector<std::size_t> kinds_; ///< for each column, which of the known ones it is
+  std::string rest_;               ///< bytes that are read and not handed out: the beginning of a line
+  std::size_t next_line_ = 1;
+  std::size_t bytes_read_ = 0;
+};
+
+/// The header of a table of results: the given columns and fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area
+/// [m^2], status.
+std::string result_header(const std::vector<std::string_view>& columns);
+/// Its rows: the text of `rows` and the results, as the shortest decimal numbers that read back as the same.
+std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces);
+
+} // namespace microslip

@@ -1,0 +1,56 @@
+#include "io/option_words.hpp"
+
+#include "io/nearest_word.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace microslip {
+namespace {
+
+using Word = std::string_view;
+
+// Each list is in the order of its enumerators.
+template <class Option> constexpr std::array<Word, 0> words_of{};
+template <> constexpr auto words_of<MarchingScheme> = std::array<Word, 3>{"fastsim", "fastsim_half_step", "fastsim2"};
+template <> constexpr auto words_of<TractionBound> = std::array<Word, 2>{"parabolic", "elliptic"};
+template <> constexpr auto words_of<FlexibilityModel> = std::array<Word, 3>{"three", "one", "blended"};
+template <> constexpr auto words_of<RollingDirection> = std::array<Word, 2>{"forward", "backward"};
+
+} // namespace
+
+template <class Option> std::span<const std::string_view> option_words() {
+  return words_of<Option>;
+}
+
+template <class Option> std::string_view to_word(Option option) {
+  return words_of<Option>[static_cast<std::size_t>(option)];
+}
+
+template <class Option> Option from_word(std::string_view field, std::string_view word) {
+  constexpr auto& words = words_of<Option>;
+  require_word(field, word, words);
+  return static_cast<Option>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+template std::span<const std::string_view> option_words<MarchingScheme>();
+template std::span<const std::string_view> option_words<TractionBound>();
+template std::span<const std::string_view> option_words<FlexibilityModel>();
+template std::span<const std::string_view> option_words<RollingDirection>();
+template std::string_view to_word(MarchingScheme);
+template std::string_view to_word(TractionBound);
+template std::string_view to_word(FlexibilityModel);
+template std::string_view to_word(RollingDirection);
+template MarchingScheme from_word(std::string_view, std::string_view);
+template TractionBound from_word(std::string_view, std::string_view);
+template FlexibilityModel from_word(std::string_view, std::string_view);
+template RollingDirection from_word(std::string_view, std::string_view);
+
+void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
+  if (std::find(words.begin(), words.end(), word) != words.end()) return;
+  throw Error(std::string(field) + " = " + printable(word) + ": must be " + listed(words) + suggestion(word, words));
+}
+
+} // namespace microslip

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace microslip {
+
+/// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by commit().
+/// Without commit() nothing is left and an older file of that name stays as it was. Symbolic links are followed. What
+/// is no regular file (a pipe, a terminal, /dev/null) and what a name such as /dev/stdout stands for is written
+/// directly. Failures throw an Error with the path and the system's reason.
+class OutputFile {
+public:
+  explicit OutputFile(const std::filesystem::path& path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  void write(std::string_view bytes);
+  void commit();
+
+private:
+  [[noreturn]] void fail(int error_number) const;
+
+  std::filesystem::path path_;      ///< as the caller named it, for messages
+  std::filesystem::path target_;    ///< where links lead
+  std::filesystem::path temporary_; ///< empty if written directly
+  int descriptor_ = -1;
+};
+
+/// Creates a folder and those above it; Error if that is impossible.
+void create_folder(const std::filesystem::path& path);
+
+} // namespace microslip

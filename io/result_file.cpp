@@ -1,0 +1,182 @@
+#include "io/result_file.hpp"
+
+#include "io/output_file.hpp"
+#include "microslip/error.hpp"
+#include "microslip/version.hpp"
+
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include <hdf5.h>
+
+namespace microslip {
+namespace {
+
+/// An HDF5 handle that closes itself.
+class Handle {
+public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  hid_t get() const { return id_; }
+
+private:
+  hid_t id_;
+  Close close_;
+};
+
+std::string now() {
+  const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  char text[32];
+  const auto length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return {text, length};
+}
+
+/// Access properties of a file that lives in memory only.
+hid_t in_memory() {
+  constexpr std::size_t growth = 1 << 20;
+  // HDF5 prints every error by itself unless told not to; ours name the file.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const auto properties = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(properties, growth, 0);
+  return properties;
+}
+
+hid_t with_parent_groups() {
+  const auto properties = H5Pcreate(H5P_LINK_CREATE);
+  H5Pset_create_intermediate_group(properties, 1);
+  return properties;
+}
+
+hid_t utf8_text() {
+  const auto type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+} // namespace
+
+struct ResultFile::Contents {
+  explicit Contents(const std::filesystem::path& path)
+      : name(path.string()), output(path), access(in_memory(), H5Pclose), links(with_parent_groups(), H5Pclose),
+        text(utf8_text(), H5Tclose), file(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose) {
+    check(file.get(), "/");
+  }
+
+  /// Passes on what an HDF5 call returned, which is negative if the call failed.
+  template <class Result> Result check(Result result, const std::string& path) const {
+    if (result < 0) throw Error(name + ": HDF5 cannot write " + path);
+    return result;
+  }
+
+  void attribute(hid_t object, const std::string& path, const std::string& attribute_name, const std::string& value) {
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle created(
+        check(H5Acreate2(object, attribute_name.c_str(), text.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), path),
+        H5Aclose);
+    const char* pointer = value.c_str();
+    check(H5Awrite(created.get(), text.get(), static_cast<const void*>(&pointer)), path);
+  }
+
+  void dataset(const std::string& path, hid_t type, const Handle& space, const void* values, const std::string& unit,
+               const std::string& description) {
+    check(space.get(), path);
+    const Handle created(
+        check(H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path),
+        H5Dclose);
+    check(H5Dwrite(created.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
+    attribute(created.get(), path, "unit", unit);
+    attribute(created.get(), path, "description", description);
+  }
+
+  template <class Value>
+  void array(const std::string& path, hid_t type, std::span<const Value> values, const std::string& unit,
+             const std::string& description, const Shape& shape) {
+    const std::vector<hsize_t> extents =
+        shape.empty() ? std::vector<hsize_t>{values.size()} : std::vector<hsize_t>(shape.begin(), shape.end());
+    if (std::accumulate(extents.begin(), extents.end(), hsize_t{1}, std::multiplies<>()) != values.size())
+      throw Error(name + ": the shape of " + path + " does not fit its values");
+    const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
+    dataset(path, type, space, values.data(), unit, description);
+  }
+
+  std::string image() const {
+    check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "/");
+    std::string bytes(static_cast<std::size_t>(check(H5Fget_file_image(file.get(), nullptr, 0), "/")), '\0');
+    check(H5Fget_file_image(file.get(), bytes.data(), bytes.size()), "/");
+    return bytes;
+  }
+
+  std::string name;
+  OutputFile output;
+  Handle access, links, text, file;
+};
+
+ResultFile::ResultFile(const std::filesystem::path& path, const Provenance& provenance)
+    : contents_(std::make_unique<Contents>(path)) {
+  const auto build = build_info();
+  const std::pair<const char*, std::string> attributes[] = {
+      {"kind", provenance.kind},
+      {"title", provenance.title},
+      {"version", std::string(build.version)},
+      {"commit", std::string(build.commit)},
+      {"compiler", std::string(build.compiler)},
+      {"build_type", std::string(build.build_type)},
+      {"created", now()},
+      {"command_line", provenance.command_line},
+      {"case_file", provenance.case_file},
+      {"case_text", provenance.case_text},
+  };
+  for (const auto& [name, value] : attributes) attribute("/", name, value);
+}
+
+ResultFile::~ResultFile() = default;
+
+void ResultFile::scalar(const std::string& path, double value, const std::string& unit,
+                        const std::string& description) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  contents_->dataset(path, H5T_NATIVE_DOUBLE, space, &value, unit, description);
+}
+
+void ResultFile::text(const std::string& path, const std::string& value, const std::string& description) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const char* pointer = value.c_str();
+  contents_->dataset(path, contents_->text.get(), space, static_cast<const void*>(&pointer), "-", description);
+}
+
+void ResultFile::array(const std::string& path, std::span<const double> values, const std::string& unit,
+                       const std::string& description, const Shape& shape) {
+  contents_->array(path, H5T_NATIVE_DOUBLE, values, unit, description, shape);
+}
+
+void ResultFile::array(const std::string& path, std::span<const int> values, const std::string& unit,
+                       const std::string& description, const Shape& shape) {
+  contents_->array(path, H5T_NATIVE_INT, values, unit, description, shape);
+}
+
+void ResultFile::array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
+                       const std::string& description, const Shape& shape) {
+  contents_->array(path, H5T_NATIVE_UINT8, values, unit, description, shape);
+}
+
+void ResultFile::attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Handle object(contents_->check(H5Oopen(contents_->file.get(), path.c_str(), H5P_DEFAULT), path), H5Oclose);
+  contents_->attribute(object.get(), path, name, value);
+}
+
+void ResultFile::commit() {
+  contents_->output.write(contents_->image());
+  contents_->output.commit();
+}
+
+} // namespace microslip

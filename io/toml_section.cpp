@@ -1,0 +1,206 @@
+#include "io/toml_section.hpp"
+
+#include "io/nearest_word.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace microslip {
+namespace {
+
+std::string type_name(const toml::node& node) {
+  switch (node.type()) {
+  case toml::node_type::table:
+    return "a table";
+  case toml::node_type::array:
+    return "a list";
+  case toml::node_type::string:
+    return "text";
+  case toml::node_type::integer:
+  case toml::node_type::floating_point:
+    return "a number";
+  case toml::node_type::boolean:
+    return "true or false";
+  default:
+    return "a date or time";
+  }
+}
+
+std::string place(const std::string& file, std::size_t line) {
+  return file + ":" + std::to_string(line) + ": ";
+}
+
+std::string place(const std::string& file, const toml::source_region& source) {
+  return place(file, source.begin.line);
+}
+
+/// toml++ limits the nesting of values, but recurses without limit into tables of a key such as a.a.a.a.
+void refuse_deep_keys(std::string_view text, const std::string& file) {
+  constexpr int most = 500;
+  std::size_t line = 1;
+  int dots = 0;
+  for (const char letter : text) {
+    if (letter == '\n') {
+      ++line;
+      dots = 0;
+    } else if (letter == '.' && ++dots > most) {
+      throw Error(place(file, line) + "more than 500 dots in one line: nested too deeply");
+    }
+  }
+}
+
+bool meets_assertion(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const toml::parse_error&) {
+    return false;
+  } catch (const detail::TomlAssertion&) {
+    return true;
+  }
+  return false;
+}
+
+/// The line at which toml++ meets an assertion: the first lines up to it do, fewer do not.
+std::size_t line_of_assertion(std::string_view text) {
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') ends.push_back(i);
+  const auto end = std::partition_point(ends.begin(), ends.end(),
+                                        [&](std::size_t n) { return !meets_assertion(text.substr(0, n)); });
+  return static_cast<std::size_t>(end - ends.begin()) + 1;
+}
+
+} // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  refuse_deep_keys(text, file);
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw Error(place(file, error.source()) + std::string(error.description()));
+  } catch (const detail::TomlAssertion&) {
+    throw Error(place(file, line_of_assertion(text)) + "cannot be understood as TOML");
+  }
+}
+
+TomlSection TomlSection::required_section(std::string_view name) const {
+  if (!has(name)) throw Error(file_ + ": [" + full(name) + "] is missing");
+  return optional_section(name);
+}
+
+TomlSection TomlSection::optional_section(std::string_view name) const {
+  const auto* node = find(name);
+  if (node != nullptr && !node->is_table()) wrong_type(name, *node, "a table");
+  return {node == nullptr ? nullptr : node->as_table(), full(name), file_};
+}
+
+void TomlSection::allow(const Words& keys) const {
+  if (table_ == nullptr) return;
+  const toml::key* unknown = nullptr;
+  for (const auto& [key, value] : *table_) {
+    if (std::find(keys.begin(), keys.end(), std::string_view(key.str())) != keys.end()) continue;
+    if (unknown == nullptr || key.source().begin < unknown->source().begin) unknown = &key;
+  }
+  if (unknown == nullptr) return;
+  const auto near = suggestion(unknown->str(), keys);
+  throw Error(place(file_, unknown->source()) + full(unknown->str()) + ": unknown key" +
+              (near.empty() ? "; must be " + listed(keys) : near));
+}
+
+std::string_view TomlSection::one_of(std::string_view first, std::string_view second) const {
+  if (has(first) == has(second))
+    throw Error(line_of(second) + "[" + name_ + "] needs either " + std::string(first) + " or " + std::string(second));
+  return has(first) ? first : second;
+}
+
+double TomlSection::finite(std::string_view key, std::string_view unit, std::optional<double> missing) const {
+  return number(key, missing, [&](auto field, double value) { return require_finite(field, value, unit); });
+}
+
+double TomlSection::positive(std::string_view key, std::string_view unit, std::optional<double> missing) const {
+  return number(key, missing, [&](auto field, double value) { return require_positive(field, value, unit); });
+}
+
+double TomlSection::between(std::string_view key, std::string_view unit, double low, double high,
+                            std::optional<double> missing) const {
+  return number(key, missing, [&](auto field, double value) { return require_between(field, value, unit, low, high); });
+}
+
+double TomlSection::radius(std::string_view key) const {
+  return number(key, {}, [](auto field, double value) {
+    require_radius(field, value);
+    return value;
+  });
+}
+
+double TomlSection::modulus(std::string_view key) const {
+  return number(key, {}, [](auto field, double value) {
+    if (!(value > 0)) throw Error(field, value, "Pa", "positive (inf for a rigid body)");
+    return value;
+  });
+}
+
+std::string TomlSection::text(std::string_view key, std::string_view missing) const {
+  const auto* node = find(key);
+  if (node == nullptr) return std::string(missing);
+  if (!node->is_string()) wrong_type(key, *node, "text");
+  return node->as_string()->get();
+}
+
+std::string TomlSection::word(std::string_view key, std::string_view missing,
+                              std::span<const std::string_view> words) const {
+  const auto value = text(key, missing);
+  at(key, [&] { require_word(full(key), value, words); });
+  return value;
+}
+
+void TomlSection::counts(std::string_view key, int low, int high, int& first, int& second) const {
+  const auto* node = find(key);
+  if (node == nullptr) return;
+  const auto* list = node->as_array();
+  if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() || !list->get(1)->is_integer())
+    throw Error(place(file_, node->source()) + full(key) + ": must be a list of two whole numbers");
+  const auto count = [&](std::size_t index) {
+    const auto value = list->get(index)->as_integer()->get();
+    at(key, [&] { require_between(full(key), static_cast<double>(value), "-", low, high); });
+    return static_cast<int>(value);
+  };
+  first = count(0);
+  second = count(1);
+}
+
+void TomlSection::at(std::string_view key, const std::function<void()>& check) const {
+  try {
+    check();
+  } catch (const Error& error) {
+    throw Error(line_of(key) + error.what());
+  }
+}
+
+std::string TomlSection::full(std::string_view key) const {
+  return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+}
+
+std::string TomlSection::line_of(std::string_view key) const {
+  const auto* node = find(key);
+  if (node != nullptr) return place(file_, node->source());
+  return table_ != nullptr ? place(file_, table_->source()) : file_ + ": ";
+}
+
+void TomlSection::wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const {
+  throw Error(place(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
+}
+
+double TomlSection::number(std::string_view key, std::optional<double> missing, const Check& check) const {
+  const auto* node = find(key);
+  if (node == nullptr && missing) return *missing;
+  if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  if (!node->is_number()) wrong_type(key, *node, "a number");
+  const auto value =
+      node->is_integer() ? static_cast<double>(node->as_integer()->get()) : node->as_floating_point()->get();
+  at(key, [&] { check(full(key), value); });
+  return value;
+}
+
+} // namespace microslip

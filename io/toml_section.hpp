@@ -1,0 +1,70 @@
+#pragma once
+
+#include "io/option_words.hpp"
+#include "io/toml.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// Parses TOML; `file` is its name for messages. Error with file and line if it is malformed.
+toml::table parse_toml(std::string_view text, const std::string& file);
+
+/// A table of a TOML file whose values are read and checked key by key. What is wrong throws an Error with file, line,
+/// key, value and range. An optional table that is missing reads as an empty one. A value for `missing` makes a key
+/// optional. Keeps references to the parsed file and its name.
+class TomlSection {
+public:
+  using Words = std::vector<std::string_view>;
+
+  /// The whole file.
+  TomlSection(const toml::table& root, const std::string& file) : table_(&root), file_(file) {}
+  TomlSection required_section(std::string_view name) const;
+  TomlSection optional_section(std::string_view name) const;
+
+  /// Error for any key but these; of several wrong ones, the first in the file is named.
+  void allow(const Words& keys) const;
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  /// Which one of two keys is there; Error if it is none or both.
+  std::string_view one_of(std::string_view first, std::string_view second) const;
+
+  double finite(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
+  double positive(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
+  double between(std::string_view key, std::string_view unit, double low, double high,
+                 std::optional<double> missing = {}) const;
+  double radius(std::string_view key) const;
+  /// A modulus of elasticity [Pa]: infinite for a rigid body.
+  double modulus(std::string_view key) const;
+  std::string text(std::string_view key, std::string_view missing) const;
+  std::string word(std::string_view key, std::string_view missing, std::span<const std::string_view> words) const;
+  template <class Option> Option option(std::string_view key, Option missing) const {
+    return from_word<Option>(key, word(key, to_word(missing), option_words<Option>()));
+  }
+  /// A list of two whole numbers, which keep their values if the key is missing.
+  void counts(std::string_view key, int low, int high, int& first, int& second) const;
+
+  /// Runs a check and puts file and line before its message: those of the key, if it is there, or of the table.
+  void at(std::string_view key, const std::function<void()>& check) const;
+
+private:
+  using Check = std::function<double(std::string_view field, double value)>;
+
+  TomlSection(const toml::table* table, std::string name, const std::string& file)
+      : table_(table), name_(std::move(name)), file_(file) {}
+  const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
+  std::string full(std::string_view key) const;
+  std::string line_of(std::string_view key) const;
+  [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
+  double number(std::string_view key, std::optional<double> missing, const Check& check) const;
+
+  const toml::table* table_ = nullptr;
+  std::string name_;
+  const std::string& file_;
+};
+
+} // namespace microslip

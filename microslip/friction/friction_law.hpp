@@ -1,0 +1,84 @@
+#pragma once
+
+#include "microslip/numerics/dual.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace microslip {
+
+/// One term of a friction law that falls with the slip velocity.
+struct FrictionTerm {
+  double drop = 0;          ///< d [-], what it adds at v = 0; >= 0
+  double half_velocity = 1; ///< v_i [m/s], > 0
+};
+
+/// The friction coefficient as a function of the slip velocity v = |s| V [m/s].
+///
+/// | law         | mu(v)                                                        |
+/// |-------------|--------------------------------------------------------------|
+/// | Coulomb     | mu                                                           |
+/// | linear      | mu_k + sum_i d_i max(0, 1 - v/(2 v_i))                       |
+/// | rational    | mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2)                 |
+/// | exponential | mu_k + sum_i d_i 2^(-v/v_i)                                  |
+/// | Polach      | mu_s ((1 - A) exp(-B v) + A)                                 |
+///
+/// (Vollebregt, CONTACT user guide, section 4.2; Polach 2005.) v_i is where the i-th term has fallen to its half. No
+/// law rises with v. All makers throw Error if a coefficient, a drop or mu(0) is outside [0, largest_coefficient], or a
+/// velocity is not positive.
+class FrictionLaw {
+public:
+  enum class Kind { coulomb, linear, rational, exponential };
+
+  /// Beyond this a coefficient of friction is taken for a mistake [-].
+  static constexpr double largest_coefficient = 10;
+
+  /// Frictionless.
+  FrictionLaw() = default;
+  /// Coulomb friction, `coefficient` >= 0 [-].
+  static FrictionLaw coulomb(double coefficient);
+  static FrictionLaw linear(double kinetic, FrictionTerm first, FrictionTerm second = {});
+  static FrictionLaw rational(double kinetic, FrictionTerm first, FrictionTerm second = {});
+  static FrictionLaw exponential(double kinetic, FrictionTerm first, FrictionTerm second = {});
+  /// Polach's law: `ratio` A = mu_infinity/mu_static in [0, 1], `decay` B [s/m] > 0. Kept as an exponential law.
+  static FrictionLaw polach(double static_coefficient, double ratio, double decay);
+
+  Kind kind() const { return kind_; }
+  double kinetic_coefficient() const { return kinetic_; }
+  const std::array<FrictionTerm, 2>& terms() const { return terms_; }
+
+  /// mu(v), v >= 0 [m/s]; infinite gives the limit. Nothing is checked here. `Real` is double, or Dual for the
+  /// derivative.
+  template <class Real> Real coefficient(const Real& slip_velocity) const;
+  /// mu(0).
+  double static_coefficient() const { return kinetic_ + terms_[0].drop + terms_[1].drop; }
+
+private:
+  FrictionLaw(Kind kind, double kinetic, FrictionTerm first, FrictionTerm second);
+
+  Kind kind_ = Kind::coulomb;
+  double kinetic_ = 0;
+  std::array<FrictionTerm, 2> terms_ = {};
+};
+
+template <class Real> Real FrictionLaw::coefficient(const Real& v) const {
+  using std::exp2;
+  const auto& [first, second] = terms_;
+  const Real one(1.0), drop1(first.drop), drop2(second.drop);
+  const Real ratio1 = v / Real(first.half_velocity), ratio2 = v / Real(second.half_velocity);
+  const auto ramp = [&](const Real& ratio) { return value_of(ratio) < 2 ? one - ratio * Real(0.5) : Real(0.0); };
+  const Real kinetic(kinetic_);
+  switch (kind_) {
+  case Kind::coulomb:
+    break;
+  case Kind::linear:
+    return kinetic + drop1 * ramp(ratio1) + drop2 * ramp(ratio2);
+  case Kind::rational:
+    return kinetic + drop1 / (one + ratio1) + drop2 / (one + ratio2 * ratio2);
+  case Kind::exponential:
+    return kinetic + drop1 * exp2(-ratio1) + drop2 * exp2(-ratio2);
+  }
+  return kinetic;
+}
+
+} // namespace microslip

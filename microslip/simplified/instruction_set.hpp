@@ -1,0 +1,13 @@
+#pragma once
+
+namespace microslip {
+
+/// Vector instructions that the marching kernels are compiled for.
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// The widest one that this processor has.
+InstructionSet best_instruction_set();
+/// Whether this processor, and this build of the library, have it.
+bool is_available(InstructionSet instruction_set);
+
+} // namespace microslip

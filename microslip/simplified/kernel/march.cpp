@@ -1,0 +1,200 @@
+// The marching kernels, compiled once for every instruction set: MICROSLIP_KERNEL_FUNCTION is the name it gets.
+
+#include "microslip/simplified/kernel/fastsim2_step.hpp"
+#include "microslip/simplified/kernel/fastsim_step.hpp"
+#include "microslip/simplified/kernel/marching.hpp"
+
+#include <algorithm>
+
+namespace microslip::detail {
+namespace {
+
+using Register = std::experimental::native_simd<double>;
+using Vector = Lanes<Register>;
+using Mask = LaneMask<Register>;
+
+template <class Real> struct Numbers;
+template <> struct Numbers<Vector> {
+  static constexpr int count = 1;
+  MICROSLIP_INLINE static Vector load(const double* from, int) { return Vector::load(from); }
+  MICROSLIP_INLINE static void store(const Vector& number, double* to, int) { number.store(to); }
+};
+template <int N> struct Numbers<Dual<Vector, N>> {
+  static constexpr int count = 1 + N;
+  MICROSLIP_INLINE static Dual<Vector, N> load(const double* from, int stride) {
+    return Dual<Vector, N>::combine(Vector::load(from), [&](int k) { return Vector::load(from + (k + 1) * stride); });
+  }
+  MICROSLIP_INLINE static void store(const Dual<Vector, N>& number, double* to, int stride) {
+    number.value.store(to);
+    for (int k = 0; k < N; ++k) number.partial[k].store(to + (k + 1) * stride);
+  }
+};
+
+/// Traction bound as scale times a common profile; nothing that is differentiated moves it.
+struct ProfileBound {
+  using Value = Vector;
+  const MarchingRows* rows;
+  Vector scale;
+
+  void start(const MarchingRows& all, int first) {
+    rows = &all;
+    scale = Vector::load(all.bound_scale + first);
+  }
+  MICROSLIP_INLINE Value centre(int i) const { return scale * Vector(rows->profile_centre[i]); }
+  MICROSLIP_INLINE Value middle(int i) const { return scale * Vector(rows->profile_middle[i]); }
+  MICROSLIP_INLINE Value slope() const { return scale * Vector(rows->profile_slope); }
+};
+
+/// Traction bound of one vector of rows from tables.
+template <class Real> struct TableBound {
+  using Value = Real;
+  static constexpr int point = Numbers<Real>::count * Vector::width;
+  const MarchingRows* rows;
+
+  void start(const MarchingRows& all, int) { rows = &all; }
+  MICROSLIP_INLINE Value centre(int i) const { return load(rows->table_centre + i * point); }
+  MICROSLIP_INLINE Value middle(int i) const { return load(rows->table_middle + i * point); }
+  MICROSLIP_INLINE Value slope() const { return load(rows->table_slope); }
+
+private:
+  MICROSLIP_INLINE static Value load(const double* from) { return Numbers<Real>::load(from, Vector::width); }
+};
+
+/// Rigid slip of a vector of rows: constant in x, linear in y.
+template <class Real> struct RigidSlip {
+  Real x, y, dy;
+  void start(const MarchingRows& rows, int first) {
+    x = Numbers<Real>::load(rows.rigid_slip_x + first, rows.stride);
+    y = Numbers<Real>::load(rows.rigid_slip_y + first, rows.stride);
+    dy = Numbers<Real>::load(rows.rigid_slip_dy + first, rows.stride);
+  }
+  MICROSLIP_INLINE Real y_at(double position) const { return y + dy * Vector(position); }
+};
+
+constexpr bool has_half_first_step(MarchingScheme scheme) {
+  return scheme != MarchingScheme::fastsim;
+}
+
+/// The step that ends at the centre of cell i.
+template <MarchingScheme scheme, class Real, class Bound>
+MICROSLIP_INLINE Step<Real, typename Bound::Value> step_to(int i, const RigidSlip<Real>& w, const Bound& bound) {
+  const double end = i - 0.5;
+  const double length = i == 1 && has_half_first_step(scheme) ? 0.5 : 1.0;
+  // Backward Euler with a full first step takes w at the step's end (F16), the others over the step.
+  const double place = scheme == MarchingScheme::fastsim ? end : end - length / 2;
+  Step<Real, typename Bound::Value> step;
+  step.length = length;
+  step.rigid_x = w.x * Vector(length);
+  step.rigid_y = w.y_at(place) * Vector(length);
+  step.bound = bound.centre(i);
+  if constexpr (scheme == MarchingScheme::fastsim2) {
+    const Vector half_length(length / 2);
+    step.half_rigid_x = w.x * half_length;
+    step.half_rigid_y = w.y_at(end - 0.75 * length) * half_length;
+    step.bound_before = bound.centre(i - 1);
+    step.bound_middle = bound.middle(i - 1);
+  }
+  return step;
+}
+
+/// A vector of rows on its way through the contact.
+template <MarchingScheme scheme, class Real, class Bound> class March {
+public:
+  void start(const MarchingRows& rows, int first) {
+    w_.start(rows, first);
+    bound_.start(rows, first);
+    at_ = {};
+    sum_px_ = sum_py_ = sum_moment_ = Vector(0.0);
+    slip_cells_ = Vector(0.0);
+    if constexpr (scheme == MarchingScheme::fastsim2)
+      start_sliding<Real, Vector, Mask, typename Bound::Value>(at_, w_.x, w_.y, bound_.slope());
+  }
+
+  MICROSLIP_INLINE void step(int i) {
+    const auto step = step_to<scheme>(i, w_, bound_);
+    if constexpr (scheme == MarchingScheme::fastsim2)
+      slip_cells_ += fastsim2_step(at_, step);
+    else
+      slip_cells_ += fastsim_step(at_, step);
+    sum_px_ += at_.px;
+    sum_py_ += at_.py;
+    sum_moment_ += at_.py * Vector(i - 0.5);
+  }
+
+  void record(const MarchingRows& rows, int i) const {
+    const int place = (i - 1) * Vector::width;
+    at_.px.store(rows.px + place);
+    at_.py.store(rows.py + place);
+    at_.slip_x.store(rows.slip_x + place);
+    at_.slip_y.store(rows.slip_y + place);
+    select(at_.sliding, Vector(1.0), Vector(0.0)).store(rows.sliding + place);
+  }
+
+  void finish(const MarchingRows& rows, int first) {
+    const Vector last_half(has_half_first_step(scheme) ? 0.5 : 0.0);
+    slip_cells_ += select(at_.sliding, last_half, Vector(0.0));
+    Numbers<Real>::store(sum_px_, rows.sum_px + first, rows.stride);
+    Numbers<Real>::store(sum_py_, rows.sum_py + first, rows.stride);
+    Numbers<Real>::store(sum_moment_, rows.sum_moment + first, rows.stride);
+    slip_cells_.store(rows.slip_cells + first);
+  }
+
+private:
+  RigidSlip<Real> w_;
+  Bound bound_;
+  Particles<Real, Vector, Mask> at_;
+  Real sum_px_, sum_py_, sum_moment_;
+  Vector slip_cells_;
+};
+
+/// Marches all rows, a few vectors taking their steps in turn: the processor works on one while another waits for its
+/// roots.
+template <MarchingScheme scheme, class Real, int interleaved> void march(const MarchingRows& rows) {
+  static_assert(interleaved * Vector::width <= widest_group);
+  for (int first = 0; first < rows.count; first += interleaved * Vector::width) {
+    const int vectors = std::min(interleaved, (rows.count - first + Vector::width - 1) / Vector::width);
+    March<scheme, Real, ProfileBound> marches[interleaved];
+    for (int k = 0; k < vectors; ++k) marches[k].start(rows, first + k * Vector::width);
+    for (int i = 1; i <= rows.cells; ++i)
+      for (int k = 0; k < vectors; ++k) marches[k].step(i);
+    for (int k = 0; k < vectors; ++k) marches[k].finish(rows, first + k * Vector::width);
+  }
+}
+
+/// Marches one vector of rows, with the bound from tables.
+template <MarchingScheme scheme, class Real, bool recording> void march_with_table(const MarchingRows& rows) {
+  March<scheme, Real, TableBound<Real>> one;
+  one.start(rows, 0);
+  for (int i = 1; i <= rows.cells; ++i) {
+    one.step(i);
+    if constexpr (recording) one.record(rows, i);
+  }
+  one.finish(rows, 0);
+}
+
+template <MarchingScheme scheme> MarchingKernels kernels() {
+  using Gradient = Dual<Vector, creepage_partials>;
+  using FullGradient = Dual<Vector, row_partials>;
+  return {Vector::width,
+          march<scheme, Vector, 4>,
+          march<scheme, Gradient, 2>,
+          march_with_table<scheme, Vector, false>,
+          march_with_table<scheme, FullGradient, false>,
+          march_with_table<scheme, Vector, true>};
+}
+
+} // namespace
+
+MarchingKernels MICROSLIP_KERNEL_FUNCTION(MarchingScheme scheme) {
+  switch (scheme) {
+  case MarchingScheme::fastsim:
+    return kernels<MarchingScheme::fastsim>();
+  case MarchingScheme::fastsim_half_step:
+    return kernels<MarchingScheme::fastsim_half_step>();
+  case MarchingScheme::fastsim2:
+    break;
+  }
+  return kernels<MarchingScheme::fastsim2>();
+}
+
+} // namespace microslip::detail

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/simplified/flexibility.hpp"
+#include "microslip/simplified/instruction_set.hpp"
+
+namespace microslip {
+
+/// Along which axis of the contact's frame the bodies roll. The forces' frame stays as it is.
+enum class RollingDirection {
+  forward,  ///< along +x: particles enter at large x
+  backward, ///< along -x: particles enter at small x
+};
+
+/// How FASTSIM and FASTSIM2 discretise and model a contact.
+struct SimplifiedOptions {
+  int mx = 10; ///< cells along each row, 1 to 10,000
+  int my = 10; ///< rows, 1 to 10,000
+  TractionBound bound = TractionBound::parabolic;
+  FlexibilityModel flexibility = FlexibilityModel::three;
+  SlopeReduction slope_reduction = {};
+  RollingDirection direction = RollingDirection::forward;
+  InstructionSet instruction_set = best_instruction_set(); ///< results are the same to the last bit with all of them
+};
+
+} // namespace microslip

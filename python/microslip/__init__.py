@@ -1,0 +1,1 @@
+"""microslip: frictional rolling contact. `python3 -m microslip.plot RESULT.h5` draws the pictures of a result file."""

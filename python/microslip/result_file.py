@@ -1,0 +1,88 @@
+"""Reads the HDF5 files that microslip writes; whatever is missing or malformed is named in a ResultError."""
+
+import h5py
+import numpy as np
+
+
+class ResultError(Exception):
+    """A result file that cannot be drawn; the text is one line for the user."""
+
+
+def _decoded(value):
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+class ResultFile:
+    """An open result file. Use as a context manager."""
+
+    def __init__(self, path):
+        self.path = path
+        try:
+            self._file = h5py.File(path, "r")
+        except FileNotFoundError:
+            raise ResultError(f"{path}: no such file") from None
+        except OSError as error:
+            if not h5py.is_hdf5(path):
+                raise ResultError(f"{path}: not an HDF5 file, or not readable") from None
+            raise ResultError(f"{path}: {error}") from None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._file.close()
+
+    def __contains__(self, name):
+        return name in self._file
+
+    def attribute(self, name, default=None):
+        """A root attribute as text."""
+        if name in self._file.attrs:
+            return _decoded(self._file.attrs[name])
+        if default is None:
+            raise ResultError(f"{self.path}: no attribute '{name}'; was it written by microslip?")
+        return default
+
+    def group_attribute(self, group, name):
+        """An attribute of a group as text."""
+        if group not in self._file or name not in self._file[group].attrs:
+            raise ResultError(f"{self.path}: no attribute '{name}' of {group}")
+        return _decoded(self._file[group].attrs[name])
+
+    def _dataset(self, name):
+        dataset = self._file.get(name)
+        if not isinstance(dataset, h5py.Dataset):
+            raise ResultError(f"{self.path}: no dataset {name}")
+        return dataset
+
+    def text(self, name):
+        """A scalar dataset as text."""
+        return _decoded(self._dataset(name)[()])
+
+    def number(self, name):
+        """A scalar dataset as a finite number."""
+        return float(self.array(name, dimensions=0))
+
+    def array(self, name, dimensions=1, strides=None, finite=True):
+        """A dataset as an array of numbers; `strides` takes every stride-th entry along each axis."""
+        dataset = self._dataset(name)
+        if dataset.ndim != dimensions or dataset.size == 0 or dataset.dtype.kind not in "iuf":
+            raise ResultError(f"{self.path}: {name} has shape {dataset.shape} and type {dataset.dtype}, "
+                              f"expected {dimensions} dimensions of numbers")
+        slices = () if strides is None else tuple(slice(stride // 2, None, stride) for stride in strides)
+        values = np.asarray(dataset[slices])
+        if finite and not np.all(np.isfinite(values)):
+            raise ResultError(f"{self.path}: {name} has values that are not finite")
+        return values
+
+    def shape(self, name):
+        """Shape of a dataset."""
+        return self._dataset(name).shape
+
+    def arrays(self, names, **how):
+        """Datasets that must have one shape, in the order of the names."""
+        values = [self.array(name, **how) for name in names]
+        for name, value in zip(names, values):
+            if value.shape != values[0].shape:
+                raise ResultError(f"{self.path}: {name} has shape {value.shape}, {names[0]} has {values[0].shape}")
+        return values

@@ -1,0 +1,141 @@
+"""Pictures of one rolling contact: tractions, adhesion and slip areas, creep curve. Theories stand side by side."""
+
+import matplotlib
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.lines import Line2D
+from matplotlib.patches import Ellipse, Patch
+
+from microslip.contact_cells import ADHESION, SLIP, read_cells
+from microslip.creep_curve_picture import creep_curve_picture
+from microslip.picture_style import BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, new_figure, number, quantity, round_down
+from microslip.result_file import ResultError
+
+# The light part of a map of one hue: black arrows stand out on all of it.
+BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
+HATCH = {"hatch": "////", "edgecolor": "#8a5f00"}
+
+
+def rolling_contact_pictures(result):
+    """The pictures of a result file of kind rolling_contact, by file name."""
+    theories = [theory for theory in THEORIES if theory in result]
+    if not theories:
+        raise ResultError(f"{result.path}: no results of a theory ({', '.join(THEORIES)})")
+    cells = {theory: read_cells(result, theory) for theory in theories}
+    return {
+        "tractions.png": tractions_picture(result, cells),
+        "areas.png": areas_picture(result, cells),
+        "creep_curve.png": creep_curve_picture(result, theories),
+    }
+
+
+def tractions_picture(result, cells):
+    """Traction vectors on body 1 over the traction bound."""
+    figure, panels = contact_panels(result, cells, "Tractions on the wheel")
+    scale = Normalize(0, max(grid.bound.max() for grid in cells.values()))
+    longest = max(np.hypot(grid.px, grid.py).max() for grid in cells.values())
+    for axes, (theory, grid) in zip(panels, cells.items()):
+        corners, index = grid.rectangles()
+        fill = PolyCollection(corners, array=grid.bound[tuple(index.T)], cmap=BOUND_COLOURS, norm=scale,
+                              edgecolors="face", linewidths=0.4)
+        axes.add_collection(fill)
+        draw_boundary(axes, grid)
+        draw_arrows(axes, cells, grid, (grid.px, grid.py), grid.sample(), longest, "traction {} MPa")
+        axes.set_title(totals(result, theory))
+        if grid.boundary():
+            line = Line2D([], [], color=BLACK, linewidth=2, label="between adhesion\nand slip")
+            axes.legend(handles=[line], loc="lower right")
+    figure.colorbar(fill, ax=panels, label="traction bound [MPa]", shrink=0.8, pad=0.02)
+    return figure
+
+
+def areas_picture(result, cells):
+    """Adhesion and slip areas with the slip of body 1 over body 2."""
+    figure, panels = contact_panels(result, cells, "Adhesion and slip areas")
+    longest = max(np.hypot(grid.sx, grid.sy).max() for grid in cells.values())
+    for axes, (theory, grid) in zip(panels, cells.items()):
+        for state, colour in ((ADHESION, SKY_BLUE), (SLIP, ORANGE)):
+            axes.add_collection(PolyCollection(grid.strips(state), facecolors=colour, edgecolors=colour,
+                                               linewidths=0.4))
+        axes.add_collection(PolyCollection(grid.strips(SLIP), facecolors="none", linewidths=0, hatch=HATCH["hatch"],
+                                           edgecolors=HATCH["edgecolor"]))
+        draw_boundary(axes, grid)
+        draw_arrows(axes, cells, grid, (grid.sx, grid.sy), grid.sample() & (grid.state == SLIP), longest,
+                    r"slip {}$\,\cdot\,10^{{-3}}$")
+        axes.set_title(THEORIES[theory])
+        axes.legend(handles=area_patches(result, theory), loc="lower right")
+    return figure
+
+
+def draw_boundary(axes, grid):
+    """The line between adhesion and slip, with a white rim."""
+    for colour, width in (("white", 3.6), (BLACK, 2)):
+        axes.add_collection(LineCollection(grid.boundary(), colors=colour, linewidths=width, capstyle="projecting"))
+
+
+def area_patches(result, theory):
+    """Legend entries with the size of each area."""
+    sizes = {name: 1e6 * result.number(f"/{theory}/{name}_area") for name in ("adhesion", "slip")}
+    whole = sum(sizes.values())
+    looks = {"adhesion": {"facecolor": SKY_BLUE}, "slip": {"facecolor": ORANGE, **HATCH}}
+    return [Patch(label=f"{name} {quantity(size, 'mm²')} ({100 * size / whole if whole else 0:.1f} %)", **looks[name])
+            for name, size in sizes.items()]
+
+
+def contact_panels(result, cells, what):
+    """A figure with one panel per theory: axes in mm, the ellipse's outline and the rolling direction."""
+    grid = next(iter(cells.values()))
+    true_to_scale = grid.true_to_scale()
+    half_x, half_y = 1.1 * grid.a, 1.42 * grid.b
+    if true_to_scale:
+        half_x, half_y = max(half_x, half_y / 1.25), max(half_y, half_x / 1.6)
+    width = 4.8
+    height = width * (half_y / half_x if true_to_scale else 1)
+    figure = new_figure(width * len(cells) + 1.7, height + 1.5, layout="compressed")
+    figure.suptitle(f"{what}: {result.attribute('title', 'rolling contact')}")
+    panels = figure.subplots(1, len(cells), sharey=True, squeeze=False)[0]
+    backward = result.text("/inputs/direction") == "backward"
+    for axes in panels:
+        axes.set_xlim(-half_x, half_x)
+        axes.set_ylim(-half_y, half_y)
+        axes.set_aspect("equal" if true_to_scale else "auto")
+        axes.set_xlabel("x [mm]" if true_to_scale else "x [mm] (not to the scale of y)")
+        axes.add_patch(Ellipse((0, 0), 2 * grid.a, 2 * grid.b, fill=False, edgecolor=BLACK, linewidth=1.2, zorder=3))
+        rolling_arrow(axes, backward)
+    panels[0].set_ylabel("y [mm]")
+    return figure, panels
+
+
+def rolling_arrow(axes, backward):
+    """The big arrow above the contact that shows the rolling direction."""
+    tail, head = (0.72, 0.28) if backward else (0.28, 0.72)
+    axes.annotate("", xy=(head, 0.945), xytext=(tail, 0.945), xycoords="axes fraction",
+                  arrowprops={"arrowstyle": "simple,head_length=1.1,head_width=1.5,tail_width=0.95",
+                              "mutation_scale": 16, "facecolor": GREY, "edgecolor": "none"})
+    axes.text(0.5, 0.943, "rolling direction", transform=axes.transAxes, ha="center", va="center", fontsize=9,
+              color="white", fontweight="bold")
+
+
+def draw_arrows(axes, cells, grid, vectors, chosen, longest, key_text):
+    """Vectors as arrows at the chosen cells, to one scale for all theories, with a key."""
+    if longest <= 0 or not chosen.any():
+        return
+    length = max(other.arrow_length() for other in cells.values())
+    if not grid.true_to_scale():
+        scaling = {"angles": "uv", "scale_units": "width", "scale": longest / 0.08}
+    else:
+        scaling = {"angles": "xy", "scale_units": "xy", "scale": longest / length}
+    drawn = axes.quiver(grid.x[chosen], grid.y[chosen], vectors[0][chosen], vectors[1][chosen], pivot="middle",
+                        color=BLACK, units="dots", width=2.2, headwidth=4, headlength=5, headaxislength=4.5,
+                        minlength=0.6, zorder=4, **scaling)
+    key = round_down(longest)
+    axes.quiverkey(drawn, 0.12, 0.06, key, key_text.format(number(key)), labelpos="E", coordinates="axes",
+                   fontproperties={"size": 9})
+
+
+def totals(result, theory):
+    """A theory's name and its total forces, for a title."""
+    fx, fy, mz = (result.number(f"/{theory}/{name}") for name in ("fx", "fy", "mz"))
+    return (f"{THEORIES[theory]}\n$F_x$ = {quantity(1e-3 * fx, 'kN')},  $F_y$ = {quantity(1e-3 * fy, 'kN')},  "
+            f"$M_z$ = {quantity(mz, 'N m')}")

@@ -1,0 +1,258 @@
+"""The command line draws whole pictures or says in one line what is wrong; the pictures show the file's numbers."""
+
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import matplotlib
+import matplotlib.image
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.quiver import Quiver
+
+from microslip import plot
+from microslip.picture_style import SETTINGS, quantity, round_down, round_up
+from microslip.result_file import ResultFile
+from tests.synthetic_results import (GRIDS, write_fastsim2_table2, write_model_problem, write_rolling_contact)
+
+PYTHON_FOLDER = Path(__file__).resolve().parent.parent
+
+
+class FolderTest(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.path = self.folder / "result.h5"
+
+    def run_plot(self, *arguments):
+        """Exit code, lines on stdout, lines on stderr."""
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = plot.main([str(argument) for argument in arguments])
+        return code, out.getvalue().splitlines(), err.getvalue().splitlines()
+
+    def figures(self):
+        """The figures of the result file."""
+        with ResultFile(self.path) as result, matplotlib.rc_context(SETTINGS):
+            return plot.pictures(result)
+
+
+class CommandLineTest(FolderTest):
+    def expect_pictures(self, names):
+        code, out, err = self.run_plot(self.path, "-o", self.folder / "pictures")
+        self.assertEqual((code, err), (0, []))
+        self.assertEqual(out, [str(self.folder / "pictures" / name) for name in names])
+        self.assertEqual(sorted(os.listdir(self.folder / "pictures")), sorted(names))
+        for line in out:
+            pixels = matplotlib.image.imread(line)[..., :3]
+            self.assertGreater(min(pixels.shape[:2]), 400)
+            self.assertGreater(pixels.std(), 0.05, f"{line} is blank")
+
+    def test_rolling_contact(self):
+        write_rolling_contact(self.path)
+        self.expect_pictures(["tractions.png", "areas.png", "creep_curve.png"])
+
+    def test_fastsim2_table2(self):
+        write_fastsim2_table2(self.path)
+        self.expect_pictures(["fastsim2_figure4.png", "fastsim2_figure5.png"])
+
+    def test_model_problem(self):
+        write_model_problem(self.path)
+        self.expect_pictures(["model_problem.png"])
+
+    def test_module_runs_as_a_program_and_draws_beside_the_file(self):
+        write_model_problem(self.path)
+        done = subprocess.run([sys.executable, "-m", "microslip.plot", "result.h5"], cwd=self.folder, text=True,
+                              capture_output=True, env={**os.environ, "PYTHONPATH": str(PYTHON_FOLDER)}, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.split(), [os.path.join(".", "model_problem.png")])
+        self.assertTrue((self.folder / "model_problem.png").is_file())
+
+    def test_picture_names_its_version(self):
+        write_model_problem(self.path)
+        self.run_plot(self.path)
+        self.assertIn(b"microslip 0.1.0 (abc)", (self.folder / "model_problem.png").read_bytes())
+
+    def expect_error(self, *words):
+        code, out, err = self.run_plot(self.path)
+        self.assertEqual((code, out, len(err)), (2, [], 1))
+        for word in (str(self.path), *words):
+            self.assertIn(word, err[0])
+        self.assertEqual([name for name in os.listdir(self.folder) if "png" in name], [])
+
+    def test_missing_file(self):
+        self.expect_error("no such file")
+
+    def test_not_hdf5(self):
+        self.path.write_text("x,y\n1,2\n")
+        self.expect_error("not an HDF5 file")
+
+    def test_truncated_hdf5(self):
+        write_rolling_contact(self.path)
+        self.path.write_bytes(self.path.read_bytes()[:5000])
+        self.expect_error("truncated")
+
+    def test_unknown_kind(self):
+        with h5py.File(self.path, "w") as file:
+            file.attrs["kind"] = "weather"
+        self.expect_error("'weather'", "rolling_contact")
+
+    def test_no_kind(self):
+        with h5py.File(self.path, "w"):
+            pass
+        self.expect_error("'kind'")
+
+    def test_every_missing_dataset_is_named(self):
+        for name in ("/fastsim2/fields/px", "/fastsim2/fx", "/hertz/a", "/creep_curve/fy", "/inputs/normal_force"):
+            write_rolling_contact(self.path)
+            with h5py.File(self.path, "a") as file:
+                del file[name]
+            self.expect_error(f"no dataset {name}")
+
+    def test_no_theory(self):
+        write_rolling_contact(self.path, theories=("fastsim2",))
+        with h5py.File(self.path, "a") as file:
+            del file["/fastsim2"]
+        self.expect_error("no results")
+
+    def test_values_that_are_not_finite(self):
+        write_rolling_contact(self.path)
+        with h5py.File(self.path, "a") as file:
+            file["/fastsim2/fields/px"][3, 4] = np.nan
+        self.expect_error("/fastsim2/fields/px", "not finite")
+
+    def test_shapes_that_differ(self):
+        write_rolling_contact(self.path)
+        with h5py.File(self.path, "a") as file:
+            del file["/creep_curve/fx"]
+            file["/creep_curve/fx"] = np.zeros(3)
+        self.expect_error("/creep_curve/fx", "(3,)")
+
+    def test_folder_that_cannot_be_made(self):
+        write_model_problem(self.path)
+        code, out, err = self.run_plot(self.path, "-o", self.path / "inside")
+        self.assertEqual((code, out, len(err)), (2, [], 1))
+
+    def test_nothing_half_written_is_left(self):
+        (self.folder / "model_problem.png").mkdir()
+        write_model_problem(self.path)
+        code, _, err = self.run_plot(self.path)
+        self.assertEqual((code, len(err)), (2, 1))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["model_problem.png", "result.h5"])
+
+
+class RollingContactPicturesTest(FolderTest):
+    def test_tractions_stand_at_their_cells(self):
+        write_rolling_contact(self.path, mx=5, my=5)
+        axes = self.figures()["tractions.png"].axes[0]
+        arrows = next(part for part in axes.collections if isinstance(part, Quiver))
+        with h5py.File(self.path) as file:
+            fields = file["/fastsim2/fields"]
+            for drawn, name, factor in ((arrows.X, "x", 1e3), (arrows.Y, "y", 1e3), (arrows.U, "px", 1e-6),
+                                        (arrows.V, "py", 1e-6)):
+                np.testing.assert_allclose(drawn, factor * np.ravel(fields[name]), rtol=1e-14)
+
+    def test_theories_share_their_scales(self):
+        write_rolling_contact(self.path, theories=("fastsim2", "exact"))
+        figure = self.figures()["tractions.png"]
+        fills = [next(part for part in axes.collections if isinstance(part, PolyCollection)) for axes in figure.axes[:2]]
+        self.assertEqual(fills[0].get_clim(), fills[1].get_clim())
+        arrows = [next(part for part in axes.collections if isinstance(part, Quiver)) for axes in figure.axes[:2]]
+        self.assertEqual(arrows[0].scale, arrows[1].scale)
+        titles = [axes.get_title().splitlines()[0] for axes in figure.axes[:2]]
+        self.assertEqual(titles, ["FASTSIM2", "exact theory"])
+
+    def test_title_has_the_totals(self):
+        write_rolling_contact(self.path)
+        title = self.figures()["tractions.png"].axes[0].get_title()
+        with h5py.File(self.path) as file:
+            for name, factor, unit in (("fx", 1e-3, "kN"), ("fy", 1e-3, "kN"), ("mz", 1, "N m")):
+                self.assertIn(quantity(factor * file[f"/fastsim2/{name}"][()], unit), title)
+
+    def test_areas_add_up(self):
+        write_rolling_contact(self.path)
+        texts = [text.get_text() for text in self.figures()["areas.png"].axes[0].get_legend().get_texts()]
+        self.assertEqual([text.split()[0] for text in texts], ["adhesion", "slip"])
+        self.assertAlmostEqual(sum(float(text.split("(")[1].split()[0]) for text in texts), 100, delta=0.1001)
+
+    def test_extreme_contacts_are_drawn(self):
+        for a, b, mx, my, creepage in ((6e-3, 6e-7, 10, 10, (0, 0, 0.2)), (1e-6, 1e-2, 10, 10, (0.001, 0, 0)),
+                                       (6e-3, 4e-3, 1, 1, (0, 0, 0)), (6e-3, 4e-3, 10, 10, (1e3, -1e3, 1e3))):
+            write_rolling_contact(self.path, a=a, b=b, mx=mx, my=my, creepage=creepage)
+            for figure in self.figures().values():
+                figure.savefig(io.BytesIO(), dpi=40)
+
+    def test_creep_curve_goes_through_the_case(self):
+        for varied, factor in (("creepage_longitudinal", 1e3), ("creepage_lateral", 1e3), ("spin", 1)):
+            write_rolling_contact(self.path, varied=varied)
+            axes = self.figures()["creep_curve.png"].axes[0]
+            points = [line.get_xydata()[0] for line in axes.lines if "this case" in str(line.get_label())]
+            with h5py.File(self.path) as file:
+                here = factor * file[f"/inputs/{varied}"][()]
+                expected = [[here, 1e-3 * file[f"/fastsim2/{name}"][()]] for name in ("fx", "fy")]
+            np.testing.assert_allclose(points, expected, rtol=1e-12)
+            for line, point in zip(axes.lines, points):
+                self.assertAlmostEqual(np.interp(here, *line.get_xydata().T), point[1], delta=0.02 * abs(point[1]))
+
+
+class StudyPicturesTest(FolderTest):
+    def test_figure_4_holds_the_percentiles(self):
+        write_fastsim2_table2(self.path)
+        figure = self.figures()["fastsim2_figure4.png"]
+        with h5py.File(self.path) as file:
+            for axes, algorithm in zip(figure.axes, ("fastsim", "fastsim2")):
+                self.assertEqual(len(axes.lines), len(GRIDS))
+                for line, p80, p95 in zip(axes.lines, file[f"/{algorithm}/p80_fy"], file[f"/{algorithm}/p95_fy"]):
+                    for percentile, share in ((p80, 80), (p95, 95)):
+                        self.assertAlmostEqual(np.interp(percentile, *line.get_xydata().T), share, delta=0.5)
+
+    def test_figure_5_has_triangles_of_first_and_second_order(self):
+        write_fastsim2_table2(self.path)
+        for axes in self.figures()["fastsim2_figure5.png"].axes:
+            slopes = []
+            for triangle in axes.patches:
+                (left, high), _, (right, low) = triangle.get_xy()[:3]
+                slopes.append(np.log(high / low) / np.log(right / left))
+            np.testing.assert_allclose(slopes, [1, 2], rtol=1e-12)
+
+    def test_figure_5_has_a_line_at_a_tenth_of_the_theorys_error(self):
+        write_fastsim2_table2(self.path)
+        levels = [next(line.get_ydata()[0] for line in axes.lines if "tenth" in line.get_label())
+                  for axes in self.figures()["fastsim2_figure5.png"].axes]
+        np.testing.assert_allclose(levels, [0.0026, 0.0039])
+
+    def test_model_problem_shows_slip_that_is_infinite_at_the_end(self):
+        write_model_problem(self.path)
+        with h5py.File(self.path, "a") as file:
+            file["/case3/s_exact"][-20:] = np.inf
+        figure = self.figures()["model_problem.png"]
+        self.assertTrue(np.all(np.isfinite([axes.get_ylim() for axes in figure.axes])))
+
+
+class NumbersTest(unittest.TestCase):
+    def test_round_numbers_enclose_the_value(self):
+        for value in np.geomspace(1e-9, 1e9, 200):
+            self.assertLessEqual(round_down(value), value * (1 + 1e-9))
+            self.assertGreater(2.5 * round_down(value), value * (1 - 1e-9))
+            self.assertGreaterEqual(round_up(value), value * (1 - 1e-9))
+            self.assertLess(round_up(value), 2.5 * value * (1 + 1e-9))
+        for exact in (0.001, 0.02, 5.0, 1000.0):
+            self.assertEqual((round_down(exact), round_up(exact)), (exact, exact))
+
+    def test_quantities(self):
+        self.assertEqual(quantity(-12.3, "kN"), "\N{MINUS SIGN}12.30 kN")
+        self.assertEqual(quantity(1234.0, "mm²"), "1234 mm²")
+        self.assertEqual(quantity(-1e-16, "N m"), "0 N m")
+
+
+if __name__ == "__main__":
+    unittest.main()

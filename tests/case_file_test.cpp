@@ -1,0 +1,253 @@
+#include "io/case_file.hpp"
+
+#include "microslip/error.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const std::string good = R"(title = "t"
+[body1]
+rolling_radius = 0.46
+transverse_radius = inf
+young_modulus = 210e9
+poisson_ratio = 0.28
+[body2]
+rolling_radius = inf
+transverse_radius = 0.3
+shear_modulus = 82e9
+poisson_ratio = 0.3
+[load]
+normal_force = 80e3
+[friction]
+coefficient = 0.3
+[motion]
+rolling_speed = 30
+)";
+
+/// The good text with one part replaced.
+std::string with(const std::string& part, const std::string& replacement) {
+  auto text = good;
+  const auto at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), replacement);
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_case(text, "w.toml");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(CaseFile, ReadsTheShortestCase) {
+  const auto input = parse_case(good, "w.toml");
+  EXPECT_EQ(input.title, "t");
+  EXPECT_EQ(input.body1.rolling_radius, 0.46);
+  EXPECT_TRUE(std::isinf(input.body1.transverse_radius));
+  EXPECT_DOUBLE_EQ(input.body1.material.shear_modulus, 210e9 / 2.56);
+  EXPECT_EQ(input.body2.material.shear_modulus, 82e9);
+  EXPECT_EQ(input.body2.material.poisson_ratio, 0.3);
+  EXPECT_EQ(input.normal_force, 80e3);
+  EXPECT_FALSE(input.approach);
+  EXPECT_EQ(input.friction_law, "coulomb");
+  EXPECT_EQ(input.friction.coefficient(1.0), 0.3);
+  EXPECT_EQ(input.creepage.longitudinal, 0);
+  EXPECT_EQ(input.rolling_speed, 30);
+  EXPECT_EQ(input.theory, MarchingScheme::fastsim2);
+  EXPECT_EQ(input.options.mx, 20);
+  EXPECT_EQ(input.options.direction, RollingDirection::forward);
+}
+
+TEST(CaseFile, ReadsEveryKey) {
+  const auto input = parse_case(with("rolling_speed = 30", R"(creepage_longitudinal = 1e-3
+creepage_lateral = -2e-3
+spin = 0.5
+rolling_speed = 20.5
+direction = "backward"
+[solution]
+theory = "fastsim_half_step"
+grid = [1, 2000]
+bound = "elliptic"
+flexibility = "blended"
+slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
+                                "w.toml");
+  EXPECT_EQ(input.creepage.longitudinal, 1e-3);
+  EXPECT_EQ(input.creepage.lateral, -2e-3);
+  EXPECT_EQ(input.creepage.spin, 0.5);
+  EXPECT_EQ(input.rolling_speed, 20.5);
+  EXPECT_EQ(input.options.direction, RollingDirection::backward);
+  EXPECT_EQ(input.theory, MarchingScheme::fastsim_half_step);
+  EXPECT_EQ(input.options.mx, 1);
+  EXPECT_EQ(input.options.my, 2000);
+  EXPECT_EQ(input.options.bound, TractionBound::elliptic);
+  EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(input.options.slope_reduction.initial, 0.5);
+  EXPECT_EQ(input.options.slope_reduction.at_infinity, 0.25);
+  EXPECT_EQ(input.options.slope_reduction.decay, 2);
+}
+
+TEST(CaseFile, LoadAndApproachAreTheSameContact) {
+  const auto by_load = hertz_contact(parse_case(good, "w.toml"));
+  char approach[64];
+  std::snprintf(approach, sizeof approach, "approach = %.17g", by_load.approach);
+  const auto by_approach = hertz_contact(parse_case(with("normal_force = 80e3", approach), "w.toml"));
+  EXPECT_NEAR(by_approach.normal_force, 80e3, 80e3 * 1e-12);
+  EXPECT_NEAR(by_approach.a, by_load.a, by_load.a * 1e-12);
+}
+
+TEST(CaseFile, ReadsEveryFrictionLaw) {
+  const auto law = [](const std::string& keys) { return parse_case(with("coefficient = 0.3", keys), "w").friction; };
+  const std::string terms = "kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 2\n";
+  EXPECT_DOUBLE_EQ(law("law = \"linear\"\n" + terms).coefficient(1.0), 0.2 + 0.1 * 0.75);
+  EXPECT_DOUBLE_EQ(law("law = \"rational\"\n" + terms).coefficient(2.0), 0.25);
+  EXPECT_DOUBLE_EQ(law("law = \"exponential\"\n" + terms).coefficient(4.0), 0.225);
+  EXPECT_DOUBLE_EQ(
+      law("law = \"exponential\"\n" + terms + "second_drop = 0.04\nsecond_half_velocity = 4").coefficient(4.0), 0.245);
+  EXPECT_DOUBLE_EQ(law("law = \"polach\"\nstatic_coefficient = 0.4\nratio = 0.5\ndecay = 2").coefficient(1.0),
+                   0.4 * (0.5 * std::exp(-2) + 0.5));
+  EXPECT_EQ(law("law = \"coulomb\"\ncoefficient = 0").static_coefficient(), 0);
+}
+
+TEST(CaseFile, NamesTheNearestKnownWord) {
+  EXPECT_EQ(message_of(with("normal_force", "normal_forse")),
+            "w.toml:13: load.normal_forse: unknown key; did you mean normal_force?");
+  EXPECT_EQ(message_of(with("[friction]", "[frction]")), "w.toml:14: frction: unknown key; did you mean friction?");
+  EXPECT_EQ(message_of(with("coefficient = 0.3", "law = \"colomb\"")),
+            "w.toml:15: friction.law = \"colomb\": must be coulomb, linear, rational, exponential or polach; did you "
+            "mean coulomb?");
+  EXPECT_EQ(message_of(good + "[solution]\ntheory = \"fastsim3\""),
+            "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step or fastsim2; did you mean "
+            "fastsim?");
+  EXPECT_EQ(message_of(good + "velocity = 3\nbeyond = 1"),
+            "w.toml:18: motion.velocity: unknown key; must be creepage_longitudinal, creepage_lateral, spin, "
+            "rolling_speed or direction");
+  EXPECT_EQ(message_of(with("coefficient = 0.3", "coefficient = 0.3\ndrop = 0.1")),
+            "w.toml:16: friction.drop: unknown key; must be law or coefficient");
+}
+
+TEST(CaseFile, NamesWhatIsMissing) {
+  EXPECT_EQ(message_of(""), "w.toml: [body1] is missing");
+  EXPECT_EQ(message_of(with("[load]\nnormal_force = 80e3\n", "")), "w.toml: [load] is missing");
+  EXPECT_EQ(message_of(with("poisson_ratio = 0.3\n", "")), "w.toml:7: [body2]: poisson_ratio is missing");
+  EXPECT_EQ(message_of(with("normal_force = 80e3", "")), "w.toml:12: [load] needs either normal_force or approach");
+  EXPECT_EQ(message_of(with("normal_force = 80e3", "normal_force = 80e3\napproach = 1e-4")),
+            "w.toml:14: [load] needs either normal_force or approach");
+  EXPECT_EQ(message_of(with("young_modulus = 210e9\n", "")),
+            "w.toml:2: [body1] needs either young_modulus or shear_modulus");
+}
+
+TEST(CaseFile, NamesWrongTypes) {
+  EXPECT_EQ(message_of(with("80e3", "\"80 kN\"")), "w.toml:13: load.normal_force: must be a number, not text");
+  EXPECT_EQ(message_of(with("80e3", "true")), "w.toml:13: load.normal_force: must be a number, not true or false");
+  EXPECT_EQ(message_of(with("80e3", "[1, 2]")), "w.toml:13: load.normal_force: must be a number, not a list");
+  EXPECT_EQ(message_of(with("80e3", "2001-01-01")),
+            "w.toml:13: load.normal_force: must be a number, not a date or time");
+  EXPECT_EQ(message_of(with("\"t\"", "1")), "w.toml:1: title: must be text, not a number");
+  EXPECT_EQ(message_of("body1 = 3"), "w.toml:1: body1: must be a table, not a number");
+  EXPECT_EQ(message_of(with("[load]", "[[load]]")), "w.toml:12: load: must be a table, not a list");
+  for (const auto* grid : {"20", "[20]", "[20, 20, 20]", "[20.0, 20]", "\"20x20\"", "[[20], 20]"})
+    EXPECT_EQ(message_of(good + "[solution]\ngrid = " + grid),
+              "w.toml:19: solution.grid: must be a list of two whole numbers")
+        << grid;
+}
+
+TEST(CaseFile, NamesValuesOutOfRange) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> refused = {
+      {"rolling_radius = 0.46", {"0", "nan"}},
+      {"transverse_radius = 0.3", {"0", "-0.0", "nan"}},
+      {"young_modulus = 210e9", {"0", "-1", "nan"}},
+      {"shear_modulus = 82e9", {"0", "-1", "nan", "-inf"}},
+      {"poisson_ratio = 0.3", {"-0.1", "0.51", "nan", "inf"}},
+      {"normal_force = 80e3", {"0", "-80e3", "inf", "nan"}},
+      {"coefficient = 0.3", {"-0.3", "11", "inf", "nan"}},
+      {"rolling_speed = 30", {"0", "-1", "inf", "nan"}},
+  };
+  for (const auto& [line, values] : refused) {
+    const auto key = line.substr(0, line.find(' '));
+    for (const auto& value : values) {
+      const auto message = message_of(with(line, key + " = " + value));
+      EXPECT_NE(message.find("." + key + " = "), std::string::npos) << message;
+      EXPECT_NE(message.find("]: must be "), std::string::npos) << message;
+      EXPECT_EQ(message.rfind("w.toml:", 0), 0u) << message;
+    }
+  }
+  EXPECT_EQ(message_of(with("0.3\n[motion]", "-0.3\n[motion]")),
+            "w.toml:15: friction.coefficient = -0.3 [-]: must be in [0, 10]");
+  EXPECT_EQ(message_of(good + "spin = inf"), "w.toml:18: motion.spin = inf [1/m]: must be finite");
+  for (const auto* grid : {"[0, 20]", "[20, 0]", "[2001, 20]", "[20, 10000]", "[-1, 20]", "[20, 9223372036854775807]"})
+    EXPECT_NE(message_of(good + "[solution]\ngrid = " + grid).find("[-]: must be in [1, 2000]"), std::string::npos)
+        << grid;
+}
+
+TEST(CaseFile, RefusesWhatNoSingleKeyCanTell) {
+  const auto flat = with("transverse_radius = 0.3", "transverse_radius = inf");
+  EXPECT_EQ(message_of(flat).rfind("w.toml: [body1], [body2] and [load] together: ", 0), 0u) << message_of(flat);
+  const auto conformal = with("transverse_radius = inf", "transverse_radius = -0.3");
+  EXPECT_NE(message_of(conformal).find("together"), std::string::npos);
+  auto rigid = with("young_modulus = 210e9", "young_modulus = inf");
+  EXPECT_EQ(message_of(rigid), "no error");
+  rigid.replace(rigid.find("82e9"), 4, "inf");
+  EXPECT_NE(message_of(rigid).find("together"), std::string::npos);
+  EXPECT_NE(
+      message_of(with("coefficient = 0.3", "law = \"linear\"\nkinetic_coefficient = 8\ndrop = 8\nhalf_velocity = 1"))
+          .find("w.toml:15: "),
+      std::string::npos);
+}
+
+TEST(CaseFile, NamesTheLineOfASyntaxError) {
+  EXPECT_EQ(message_of(with("80e3", "80 kN")).rfind("w.toml:13: ", 0), 0u);
+  EXPECT_EQ(message_of(with("normal_force = 80e3", "normal_force = 1\nnormal_force = 2")).rfind("w.toml:14: ", 0), 0u);
+  EXPECT_EQ(message_of("a = 1\n\x01").rfind("w.toml:2: ", 0), 0u);
+  EXPECT_EQ(message_of(std::string(100000, '[')).rfind("w.toml:1: ", 0), 0u);
+  EXPECT_EQ(message_of(with("[load]", "[$load]")).rfind("w.toml:12: ", 0), 0u);
+  EXPECT_EQ(message_of("a = " + std::string(100000, '[')).rfind("w.toml:1: ", 0), 0u);
+}
+
+TEST(CaseFile, SurvivesDeepNesting) {
+  std::string dotted = "a";
+  while (dotted.size() < (1 << 20) - 10) dotted += ".a";
+  EXPECT_EQ(message_of(dotted + " = 1").rfind("w.toml:1: ", 0), 0u);
+  EXPECT_EQ(message_of("[" + dotted + "]").rfind("w.toml:1: ", 0), 0u);
+}
+
+TEST(CaseFile, TakesCarriageReturnsAndByteOrderMark) {
+  std::string text = "\xef\xbb\xbf";
+  for (const char letter : good) text += letter == '\n' ? "\r\n" : std::string(1, letter);
+  EXPECT_EQ(message_of(text), "no error");
+}
+
+TEST(CaseFile, ReadsAFileOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "w.toml", std::ios::binary) << good;
+  EXPECT_EQ(read_case_text(folder / "w.toml"), good);
+  EXPECT_EQ(parse_case(read_case_text(MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml"), "example").normal_force,
+            80e3);
+
+  std::ofstream(folder / "long.toml") << std::string((1 << 20) + 1, '#');
+  const auto message = [](const std::filesystem::path& path) {
+    try {
+      read_case_text(path);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(message("none.toml"), "none.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(message(folder.path()), folder.path().string() + ": cannot be read: it is a folder");
+  EXPECT_EQ(message(folder / "long.toml"),
+            (folder / "long.toml").string() + ": cannot be read: it is longer than 1 MiB");
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,126 @@
+#include "io/output_file.hpp"
+
+#include "microslip/error.hpp"
+#include "tests/file_size_limit.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+std::string contents(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+TEST(OutputFile, AppearsAtCommitOnly) {
+  const TemporaryFolder folder;
+  OutputFile file(folder / "f");
+  file.write("one");
+  EXPECT_FALSE(fs::exists(folder / "f"));
+  file.write("two");
+  file.commit();
+  EXPECT_EQ(contents(folder / "f"), "onetwo");
+  EXPECT_EQ(folder.entries(), Names{"f"});
+}
+
+TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
+  const TemporaryFolder folder;
+  write_file(folder / "f", "old");
+  { OutputFile(folder / "f").write("new"); }
+  EXPECT_EQ(contents(folder / "f"), "old");
+  EXPECT_EQ(folder.entries(), Names{"f"});
+}
+
+TEST(OutputFile, FollowsLinks) {
+  const TemporaryFolder folder;
+  write_file(folder / "f", "old");
+  fs::create_symlink("f", folder / "link");
+  write_file(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(contents(folder / "f"), "new");
+}
+
+TEST(OutputFile, WritesStreamsInPlace) {
+  write_file("/dev/null", "gone");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const TemporaryFolder folder;
+  write_file(folder / "f", "kept ");
+  const auto descriptor = ::open((folder / "f").c_str(), O_WRONLY | O_APPEND);
+  write_file("/dev/fd/" + std::to_string(descriptor), "added");
+  ::close(descriptor);
+  EXPECT_EQ(contents(folder / "f"), "kept added");
+}
+
+TEST(OutputFile, TakesAnotherNameThanTheRemainsOfAKilledProgram) {
+  const TemporaryFolder folder;
+  OutputFile first(folder / "f"), second(folder / "f");
+  first.write("first");
+  second.write("second");
+  first.commit();
+  second.commit();
+  EXPECT_EQ(contents(folder / "f"), "second");
+  EXPECT_EQ(folder.entries(), Names{"f"});
+}
+
+TEST(OutputFile, NamesFileAndReasonOfAFailure) {
+  const TemporaryFolder folder;
+  write_file(folder / "file", "x");
+  const auto message = [](const fs::path& path) {
+    try {
+      const OutputFile file(path);
+    } catch (const Error& error) {
+      return std::string(error.what()).substr(path.string().size());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(message(folder / "none/f"), ": cannot be written: No such file or directory");
+  EXPECT_EQ(message(folder / "file/f"), ": cannot be written: Not a directory");
+  EXPECT_EQ(message("/proc/f"), ": cannot be written: No such file or directory");
+  EXPECT_EQ(message(folder.path()), ": cannot be written: Is a directory");
+  EXPECT_EQ(folder.entries(), Names{"file"});
+}
+
+TEST(OutputFile, LeavesNothingOnAFullDisk) {
+  const TemporaryFolder folder;
+  {
+    OutputFile file(folder / "f");
+    const FileSizeLimit limit(4096);
+    EXPECT_THROW(file.write(std::string(100000, 'x')), Error);
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(OutputFile, CreatesFolders) {
+  const TemporaryFolder folder;
+  create_folder(folder / "a/b");
+  create_folder(folder / "a/b");
+  EXPECT_TRUE(fs::is_directory(folder / "a/b"));
+  write_file(folder / "file", "x");
+  EXPECT_THROW(create_folder(folder / "file"), Error);
+  EXPECT_THROW(create_folder(folder / "file/c"), Error);
+  EXPECT_THROW(create_folder("/proc/c"), Error);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,114 @@
+#include "microslip/friction/traction_bound.hpp"
+
+#include "expect_error.hpp"
+#include "microslip/elasticity/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr auto shapes = {TractionBound::parabolic, TractionBound::elliptic};
+
+/// The bound's integral over the ellipse, on curves where 1 - (x/a)^2 - (y/b)^2 = w^2: both bounds are then polynomials
+/// of degree below 4 in w, for which Simpson's rule is exact.
+double integral(TractionBound shape, double a, double b, double force, double friction) {
+  const int n = 20;
+  double sum = 0;
+  for (int i = 0; i <= n; ++i) {
+    const double w = static_cast<double>(i) / n;
+    const double simpson = (i == 0 || i == n ? 1 : i % 2 == 0 ? 2 : 4) / (3.0 * n);
+    const double r = std::sqrt(1 - w * w);
+    for (int j = 0; j < n; ++j) {
+      const double theta = (j + 0.5) * 2 * pi / n;
+      const double g = traction_bound(shape, a, b, force, friction, a * r * std::cos(theta), b * r * std::sin(theta));
+      sum += g * w * simpson;
+    }
+  }
+  return sum * a * b * 2 * pi / n;
+}
+
+TEST(TractionBound, IntegratesToTheSlidingForce) {
+  for (const auto shape : shapes) {
+    for (const double a : {0.004, 0.02}) {
+      for (const double mu : {0.0, 0.3, 1.2}) {
+        EXPECT_NEAR(integral(shape, a, 0.01, 82e3, mu), mu * 82e3, 1e-13 * mu * 82e3);
+      }
+    }
+  }
+}
+
+TEST(TractionBound, PeaksAreAsFourToThree) {
+  const double parabolic = traction_bound(TractionBound::parabolic, 0.006, 0.012, 82e3, 0.3, 0, 0);
+  const double elliptic = traction_bound(TractionBound::elliptic, 0.006, 0.012, 82e3, 0.3, 0, 0);
+  EXPECT_DOUBLE_EQ(parabolic / elliptic, 4.0 / 3.0);
+  EXPECT_DOUBLE_EQ(parabolic, 0.3 * 2 * 82e3 / (pi * 0.006 * 0.012));
+}
+
+TEST(TractionBound, EllipticBoundIsFrictionTimesHertzsPressure) {
+  const CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
+  const HertzContact contact = hertz_from_ellipse(0.004, 0.02, steel, 82e3);
+  for (int i = -8; i <= 8; ++i) {
+    for (int j = -8; j <= 8; ++j) {
+      const double x = i * 0.0006, y = j * 0.003;
+      EXPECT_NEAR(traction_bound(TractionBound::elliptic, 0.004, 0.02, 82e3, 0.3, x, y), 0.3 * contact.pressure(x, y),
+                  1e-14 * contact.peak_pressure);
+    }
+  }
+}
+
+TEST(TractionBound, ParabolicBoundIsTheSquareOfTheEllipticOne) {
+  const double peak_parabolic = traction_bound(TractionBound::parabolic, 0.006, 0.012, 82e3, 0.3, 0, 0);
+  const double peak_elliptic = traction_bound(TractionBound::elliptic, 0.006, 0.012, 82e3, 0.3, 0, 0);
+  for (const double x : {0.0, 0.001, -0.004, 0.0059}) {
+    for (const double y : {0.0, 0.002, -0.009}) {
+      const double p = traction_bound(TractionBound::parabolic, 0.006, 0.012, 82e3, 0.3, x, y) / peak_parabolic;
+      const double e = traction_bound(TractionBound::elliptic, 0.006, 0.012, 82e3, 0.3, x, y) / peak_elliptic;
+      EXPECT_NEAR(p, e * e, 1e-15);
+    }
+  }
+}
+
+TEST(TractionBound, VanishesOnAndBeyondTheEdge) {
+  for (const auto shape : shapes) {
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, 0.5, 0), 0);
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, 0, -0.25), 0);
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, 0.4, 0.2), 0);
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, -7, 0), 0);
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, infinity, 0), 0);
+    EXPECT_GT(traction_bound(shape, 0.5, 0.25, 1, 0.3, 0.499999, 0), 0);
+  }
+}
+
+TEST(TractionBound, IsSymmetric) {
+  for (const auto shape : shapes) {
+    const double g = traction_bound(shape, 0.5, 0.25, 1, 0.3, 0.2, 0.1);
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, -0.2, 0.1), g);
+    EXPECT_EQ(traction_bound(shape, 0.5, 0.25, 1, 0.3, 0.2, -0.1), g);
+    EXPECT_DOUBLE_EQ(traction_bound(shape, 0.25, 0.5, 1, 0.3, 0.1, 0.2), g);
+  }
+}
+
+TEST(TractionBound, RefusesWhatMakesNoSense) {
+  const auto shape = TractionBound::parabolic;
+  for (const double bad : {0.0, -1.0, infinity, nan}) {
+    expect_error([&] { traction_bound(shape, bad, 1, 1, 0.3, 0, 0); }, "a", "[m]: must be positive and finite");
+    expect_error([&] { traction_bound(shape, 1, bad, 1, 0.3, 0, 0); }, "b", "[m]: must be positive and finite");
+    expect_error([&] { traction_bound(shape, 1, 1, bad, 0.3, 0, 0); }, "normal_force",
+                 "[N]: must be positive and finite");
+  }
+  for (const double bad : {-0.1, 11.0, infinity, nan}) {
+    expect_error([&] { traction_bound(shape, 1, 1, 1, bad, 0, 0); }, "friction", "[-]: must be in [0, 10]");
+  }
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,28 @@
+#include "validation/study.hpp"
+
+#include "validation/model_problem.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace microslip::validation {
+namespace {
+
+constexpr std::array all_studies = {
+    Study{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies",
+          run_model_problem},
+};
+
+} // namespace
+
+std::span<const Study> studies() {
+  return all_studies;
+}
+
+const Study* find_study(std::string_view name) {
+  const auto found =
+      std::find_if(all_studies.begin(), all_studies.end(), [name](const Study& s) { return s.name == name; });
+  return found == all_studies.end() ? nullptr : &*found;
+}
+
+} // namespace microslip::validation

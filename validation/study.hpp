@@ -1,0 +1,32 @@
+#pragma once
+
+#include "microslip/progress.hpp"
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string_view>
+
+namespace microslip::validation {
+
+struct StudyOptions {
+  std::filesystem::path output = "results"; ///< folder for HDF5 files and pictures; created if it is not there
+  int threads = 1;
+  Progress progress = {}; ///< when it asks to stop, the study writes nothing more and returns false
+};
+
+/// Computed figures beside published ones.
+struct Study {
+  std::string_view name;
+  std::string_view summary; ///< one line
+  /// Prints the figures; true if all of them are met. Throws Error if the output folder cannot be written.
+  bool (*run)(const StudyOptions& options, std::ostream& out);
+};
+
+/// All studies, in the order of their names.
+std::span<const Study> studies();
+
+/// nullptr if there is none of that name.
+const Study* find_study(std::string_view name);
+
+} // namespace microslip::validation
