@@ -204,8 +204,8 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
       const auto& fields = splitter.split(line);
       const bool cut_off = text.empty() && chunk.text.back() != '\n';
       if (fields.size() != columns_.size())
-        throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(columns_.size()) +
-                    (cut_off ? "; the file ends in the middle of a line" : ""));
+        throw Error(std::to_string(fields.size()) + (fields.size() == 1 ? " field, not " : " fields, not ") +
+                    std::to_string(columns_.size()) + (cut_off ? "; the file ends in the middle of a line" : ""));
       auto& contact = rows.contacts.emplace_back();
       for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto& column = known_columns[kinds_[i]];

@@ -1,5 +1,6 @@
 #include "validation/study.hpp"
 
+#include "validation/fastsim2_table2.hpp"
 #include "validation/model_problem.hpp"
 
 #include <algorithm>
@@ -9,6 +10,8 @@ namespace microslip::validation {
 namespace {
 
 constexpr std::array all_studies = {
+    Study{"fastsim2-table2", "Table 2 of the FASTSIM2 paper: discretisation errors on 3,220 cases",
+          run_fastsim2_table2},
     Study{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies",
           run_model_problem},
 };

@@ -1,0 +1,483 @@
+#include "io/case_file.hpp"
+#include "microslip/simplified/creepage_coefficients.hpp"
+#include "microslip/simplified/fastsim.hpp"
+#include "microslip/simplified/fastsim2.hpp"
+#include "microslip/version.hpp"
+#include "tests/hdf5_reader.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+const std::string example = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
+const std::string example_table = MICROSLIP_SOURCE_DIR "/examples/contacts.csv";
+const std::string header = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
+
+std::string contents(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void save(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+struct Outcome {
+  int exit_code;
+  std::string output, errors;
+};
+
+/// Runs the program in a folder; `before` is what the shell does first.
+Outcome run(const TemporaryFolder& folder, const std::string& arguments, const std::string& before = "true") {
+  const TemporaryFolder streams;
+  const auto output = streams / "output", errors = streams / "errors";
+  std::string command = "cd '" + folder.path().string() + "' && " + before + " && exec '" + MICROSLIP_PROGRAM + "' ";
+  command += arguments + " >'" + output.string() + "' 2>'" + errors.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(output), contents(errors)};
+}
+
+/// The lines of a table of results, without the header, split at commas.
+std::vector<Names> rows_of(const fs::path& path) {
+  std::vector<Names> rows;
+  std::ifstream file(path);
+  std::string line, field;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    rows.emplace_back();
+    std::istringstream stream(line);
+    while (std::getline(stream, field, ',')) rows.back().push_back(field);
+  }
+  return rows;
+}
+
+EllipticContact contact_of(const Names& row) {
+  const auto number = [&](std::size_t column) { return std::stod(row.at(column)); };
+  return {.a = number(0),
+          .b = number(1),
+          .shear_modulus = number(2),
+          .poisson_ratio = number(3),
+          .normal_force = number(5),
+          .friction = FrictionLaw::coulomb(number(4)),
+          .creepage = {number(6), number(7), number(8)}};
+}
+
+/// Expects a refusal that leaves the folder as it is.
+void expect_refused(const TemporaryFolder& folder, const std::string& arguments, const std::string& message) {
+  const auto before = folder.entries();
+  const auto outcome = run(folder, arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << arguments;
+  EXPECT_EQ(outcome.errors.rfind("microslip: ", 0), 0u) << outcome.errors;
+  EXPECT_NE(outcome.errors.find(message), std::string::npos) << arguments << "\n" << outcome.errors;
+  EXPECT_EQ(folder.entries(), before) << arguments;
+}
+
+TEST(Program, SolvesTheExample) {
+  const TemporaryFolder folder;
+  const auto outcome = run(folder, "solve " + example + " --no-pictures");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  for (const auto* text : {"normal force ",
+                           " 80000 N\n",
+                           "semi-axis a",
+                           " mm\n",
+                           "peak pressure",
+                           " MPa\n",
+                           "approach",
+                           "force fx",
+                           " mu Fn\n",
+                           "moment mz",
+                           " N m ",
+                           "adhesion area",
+                           " mm^2 ",
+                           "slip area",
+                           "frictional power",
+                           " W\n",
+                           "discretisation error",
+                           "status",
+                           " ok\n",
+                           "results/wheel_on_rail/result.h5\n"})
+    EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
+  EXPECT_EQ(folder.entries(), (Names{"results", "results/wheel_on_rail", "results/wheel_on_rail/result.h5"}));
+}
+
+TEST(Program, WritesWhatTheLibraryComputes) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
+  const auto input = parse_case(read_case_text(example), example);
+  const auto hertz = hertz_contact(input);
+  const auto expected = Fastsim2(input.options).fields(elliptic_contact(input, hertz));
+
+  const Hdf5Reader reader(folder / "out/result.h5");
+  const auto scalar = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
+  EXPECT_EQ(reader.attribute("/", "kind"), "rolling_contact");
+  EXPECT_EQ(reader.attribute("/", "version"), build_info().version);
+  EXPECT_EQ(reader.attribute("/", "case_text"), contents(example));
+  EXPECT_NE(reader.attribute("/", "command_line").find("solve " + example + " -o out"), std::string::npos);
+  EXPECT_EQ(scalar("inputs/rolling_radius_1"), 0.46);
+  EXPECT_EQ(reader.attribute("inputs/rolling_radius_1", "unit"), "m");
+  EXPECT_EQ(scalar("inputs/friction_coefficient"), 0.3);
+  EXPECT_EQ(reader.text("inputs/bound"), "parabolic");
+  EXPECT_EQ(scalar("hertz/a"), hertz.a);
+  EXPECT_EQ(scalar("hertz/peak_pressure"), hertz.peak_pressure);
+  EXPECT_EQ(scalar("fastsim2/fx"), expected.forces.fx);
+  EXPECT_EQ(scalar("fastsim2/mz"), expected.forces.mz);
+  EXPECT_EQ(reader.text("fastsim2/status"), "ok");
+  EXPECT_EQ(reader.values<double>("fastsim2/fields/px", H5T_NATIVE_DOUBLE), expected.px);
+  EXPECT_EQ(reader.shape("fastsim2/fields/state"), (std::vector<hsize_t>{40, 40}));
+  EXPECT_GT(scalar("tolerances/grid_fx"), 0);
+  EXPECT_LT(scalar("tolerances/grid_fx"), 1e-3);
+}
+
+TEST(Program, CreepCurvePassesThroughTheCase) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
+  const Hdf5Reader reader(folder / "out/result.h5");
+  EXPECT_EQ(reader.attribute("creep_curve", "variable"), "creepage_longitudinal");
+  const auto value = reader.values<double>("creep_curve/value", H5T_NATIVE_DOUBLE);
+  const auto fx = reader.values<double>("creep_curve/fx", H5T_NATIVE_DOUBLE);
+  const auto point = reader.values<double>("creep_curve/point_value", H5T_NATIVE_DOUBLE).at(0);
+  EXPECT_EQ(point, 0.0018);
+  EXPECT_EQ(value.front(), 0);
+  EXPECT_GE(value.back(), 3 * point * (1 - 1e-15));
+  for (std::size_t i = 0; i + 1 < value.size(); ++i) {
+    EXPECT_LT(value[i], value[i + 1]);
+    if (value[i] > point || value[i + 1] < point) continue;
+    const auto point_fx = reader.values<double>("creep_curve/point_fx", H5T_NATIVE_DOUBLE).at(0);
+    EXPECT_LE(point_fx, fx[i]);
+    EXPECT_GE(point_fx, fx[i + 1]);
+  }
+}
+
+TEST(Program, SolvesEveryExampleWithPictures) {
+  const TemporaryFolder folder;
+  for (const auto* name : {"wheel_on_rail", "two_rollers"}) {
+    const auto file = MICROSLIP_SOURCE_DIR "/examples/" + std::string(name) + ".toml";
+    const auto outcome = run(folder, "solve " + file + " -o " + name);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    for (const auto* picture : {"/areas.png", "/creep_curve.png", "/tractions.png"}) {
+      EXPECT_GT(fs::file_size(folder / (name + std::string(picture))), 1000u);
+      EXPECT_NE(outcome.output.find(name + std::string(picture) + "\n"), std::string::npos);
+    }
+  }
+}
+
+TEST(Program, WarnsWithoutPythonAndKeepsTheResult) {
+  const TemporaryFolder folder;
+  const auto outcome = run(folder, "solve " + example + " -o out", "export MICROSLIP_PYTHON=/none");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors.rfind("microslip: warning: pictures are missing: /none cannot be started", 0), 0u);
+  EXPECT_NE(outcome.errors.find("install python3-h5py"), std::string::npos);
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+  EXPECT_EQ(folder.entries(), (Names{"out", "out/result.h5"}));
+}
+
+TEST(Program, InitWritesTheExampleOnce) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run(folder, "init").output, "case.toml\n");
+  EXPECT_EQ(contents(folder / "case.toml"), contents(example));
+  EXPECT_EQ(run(folder, "solve case.toml --no-pictures").exit_code, 0);
+  save(folder / "case.toml", "mine");
+  expect_refused(folder, "init", "case.toml: is there already");
+  EXPECT_EQ(contents(folder / "case.toml"), "mine");
+  EXPECT_EQ(run(folder, "init case.toml --force").exit_code, 0);
+  EXPECT_EQ(contents(folder / "case.toml"), contents(example));
+  expect_refused(folder, "init case.toml/x", "cannot be written");
+  expect_refused(folder, "init /proc/x", "cannot be written");
+}
+
+TEST(Program, HertzAgreesWithTheCaseFile) {
+  const TemporaryFolder folder;
+  const auto by_case = run(folder, "hertz " + example);
+  const auto by_options =
+      run(folder, "hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 --young-modulus 210e9 "
+                  "--poisson-ratio 0.28 --normal-force 80e3");
+  EXPECT_EQ(by_case.exit_code, 0) << by_case.errors;
+  EXPECT_EQ(by_case.output, by_options.output);
+  EXPECT_NE(by_case.output.find(" MPa\n"), std::string::npos);
+}
+
+TEST(Program, HertzRefusesBadOptions) {
+  const TemporaryFolder folder;
+  const std::string radii = "hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 ";
+  const std::string good = radii + "--shear-modulus 82e9 --poisson-ratio 0.28 ";
+  for (const auto* load : {"0", "-80e3", "inf", "nan"}) {
+    expect_refused(folder, good + "--normal-force=" + load, "normal_force = ");
+    expect_refused(folder, good + "--approach=" + load, "approach = ");
+  }
+  for (const auto* nu : {"-0.1", "0.51", "nan"})
+    expect_refused(folder, radii + "--shear-modulus 82e9 --normal-force 1 --poisson-ratio=" + nu,
+                   "must be in [0, 0.5]");
+  for (const auto* modulus : {"0", "-1", "nan", "inf"})
+    expect_refused(folder, radii + "--poisson-ratio 0.3 --normal-force 1 --shear-modulus=" + modulus,
+                   "shear_modulus = ");
+  expect_refused(folder,
+                 "hertz --rolling-radius 0 inf --transverse-radius inf 0.3 --shear-modulus 1 --poisson-ratio 0 "
+                 "--normal-force 1",
+                 "= 0 [m]: must be ");
+  expect_refused(folder, good, "either --normal-force or --approach");
+  expect_refused(folder, "hertz " + example + " --approach 1e-4", "not both");
+}
+
+TEST(Program, BatchGivesWhatTheLibraryComputes) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "batch " + example_table + " -o out.csv").exit_code, 0);
+  ASSERT_EQ(run(folder, "batch " + example_table +
+                            " -o first.csv --theory fastsim --grid 7x5 --bound elliptic "
+                            "--flexibility blended")
+                .exit_code,
+            0);
+  EXPECT_EQ(contents(folder / "out.csv")
+                .rfind(header.substr(0, header.size() - 1) + ",fx,fy,mz,adhesion_area,slip_area,status\n", 0),
+            0u);
+  Fastsim2 fastsim2;
+  Fastsim fastsim({.mx = 7, .my = 5, .bound = TractionBound::elliptic, .flexibility = FlexibilityModel::blended});
+  const auto expect_row = [](const Names& row, RowSolver& solver) {
+    const auto expected = solver.solve(contact_of(row));
+    EXPECT_EQ(std::stod(row.at(9)), expected.fx);
+    EXPECT_EQ(std::stod(row.at(10)), expected.fy);
+    EXPECT_EQ(std::stod(row.at(11)), expected.mz);
+    EXPECT_EQ(std::stod(row.at(12)), expected.adhesion_area);
+    EXPECT_EQ(std::stod(row.at(13)), expected.slip_area);
+    EXPECT_EQ(row.at(14), "ok");
+  };
+  const auto rows = rows_of(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 6u);
+  for (const auto& row : rows) expect_row(row, fastsim2);
+  for (const auto& row : rows_of(folder / "first.csv")) expect_row(row, fastsim);
+}
+
+TEST(Program, BatchDoesNotDependOnThreads) {
+  const TemporaryFolder folder;
+  std::string table = header;
+  for (int i = 0; i < 20000; ++i) {
+    const auto step = std::to_string(i);
+    table += "0.006,0.005,82e9,0.28,0.3,8" + step + ",0.000" + step + ",-0.0003,0." + step + "\n";
+  }
+  save(folder / "in.csv", table);
+  ASSERT_EQ(run(folder, "batch in.csv -o 1.csv --grid 3x3 --threads 1").exit_code, 0);
+  ASSERT_EQ(run(folder, "batch in.csv -o 5.csv --grid 3x3 --threads 5").exit_code, 0);
+  const auto streamed = run(folder, "batch /dev/stdin -o /dev/stdout --grid 3x3 < in.csv");
+  EXPECT_EQ(streamed.output, contents(folder / "1.csv"));
+  EXPECT_EQ(rows_of(folder / "1.csv").size(), 20000u);
+  EXPECT_EQ(contents(folder / "1.csv"), contents(folder / "5.csv"));
+}
+
+TEST(Program, BatchSolvesExtremeContacts) {
+  const TemporaryFolder folder;
+  std::string table = header;
+  const Names ellipses = {"0.005,0.005", "5e-6,5", "5,5e-6"};
+  const Names creepages = {"0,0,0", "1e-12,0,0", "0,1e-12,0", "0,0,1e-12", "1e3,0,0", "0,-1e3,0", "1e3,-1e3,1e3"};
+  for (const auto& ellipse : ellipses)
+    for (const auto& creepage : creepages) table += ellipse + ",82e9,0.28,0.3,80e3," + creepage + "\n";
+  save(folder / "in.csv", table);
+  for (const auto* options : {"--grid 10x10", "--grid 1x1", "--grid 10000x1", "--grid 1x10000", "--theory fastsim",
+                              "--flexibility one", "--flexibility blended", "--bound elliptic"}) {
+    const auto outcome = run(folder, "batch in.csv -o out.csv " + std::string(options));
+    EXPECT_EQ(outcome.exit_code, 0) << options << outcome.errors;
+    for (const auto& row : rows_of(folder / "out.csv")) {
+      const auto contact = contact_of(row);
+      const auto force = std::hypot(std::stod(row.at(9)), std::stod(row.at(10))), limit = 24e3;
+      const auto& creepage = contact.creepage;
+      const auto translation = std::hypot(creepage.longitudinal, creepage.lateral);
+      EXPECT_LE(force, limit * (1 + 1e-12)) << options;
+      EXPECT_NEAR(std::stod(row.at(12)) + std::stod(row.at(13)), M_PI * contact.a * contact.b, 1e-18);
+      const bool spins = creepage.spin != 0;
+      if (translation == 0 && !spins) {
+        EXPECT_EQ(force, 0) << options;
+      } else if (translation > 1 && !spins) {
+        EXPECT_NEAR(force, limit, limit * 1e-12) << options;
+      }
+    }
+  }
+}
+
+TEST(Program, BatchFollowsLinearTheoryAtVanishingCreepage) {
+  const TemporaryFolder folder;
+  save(folder / "in.csv", header + "0.005,0.004,82e9,0.28,0.3,80e3,1e-12,0,0\n");
+  ASSERT_EQ(run(folder, "batch in.csv -o out.csv --grid 400x400").exit_code, 0);
+  const auto linear = -82e9 * 0.005 * 0.004 * creepage_coefficients(1.25, 0.28).c11 * 1e-12;
+  EXPECT_NEAR(std::stod(rows_of(folder / "out.csv").at(0).at(9)), linear, std::abs(linear) * 1e-4);
+}
+
+TEST(Program, BatchRefusesBadTables) {
+  const TemporaryFolder folder;
+  const std::string row = "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n";
+  std::string many = header, binary;
+  for (int i = 0; i < 3000; ++i) many += row;
+  for (unsigned i = 0; i < 100000; ++i) binary += static_cast<char>((i * 7919) >> 3);
+  save(folder / "empty.csv", "");
+  save(folder / "binary.csv", binary);
+  save(folder / "missing.csv", "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y\n");
+  save(folder / "truncated.csv", many + row.substr(0, 20));
+  save(folder / "bad.csv", many + "0.006,0.005,82e9,0.7,0.3,80e3,0.001,0,0\n" + row);
+  save(folder / "late.csv", many + many.substr(header.size()) + "x\n");
+  save(folder / "out.csv", "old");
+  for (const auto* threads : {" -o out.csv --threads 1", " -o out.csv --threads 3", " -o new.csv"}) {
+    const auto refused = [&](const std::string& name, const std::string& message) {
+      expect_refused(folder, "batch " + name + threads, message);
+    };
+    refused("empty.csv", "microslip: empty.csv: is empty");
+    refused("binary.csv", "microslip: binary.csv:1: ");
+    refused("missing.csv", "microslip: missing.csv:1: column spin: is missing");
+    refused("truncated.csv", "truncated.csv:3002: 4 fields, not 9; the file ends in the middle of a line");
+    refused("bad.csv", "bad.csv:3002: column poisson_ratio = 0.7 [-]: must be in [0, 0.5]");
+    refused("late.csv", "late.csv:6002: 1 field, not 9");
+    refused("none.csv", "none.csv: cannot be read: No such file or directory");
+    refused(".", ".: cannot be read: it is a folder");
+  }
+  EXPECT_EQ(contents(folder / "out.csv"), "old");
+}
+
+TEST(Program, BatchRefusesBadOptions) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& options, const std::string& message) {
+    expect_refused(folder, "batch " + example_table + " -o out.csv " + options, message);
+  };
+  for (const auto* grid : {"0x10", "10x0", "-1x10", "10001x10", "10x10001"})
+    refused(std::string("--grid=") + grid, "[-]: must be in [1, 10000]");
+  for (const auto* grid : {"10", "10x", "x10", "10x10x10", "axb", "10,10", "99999999999x1"})
+    refused(std::string("--grid=") + grid, "must be two whole numbers, e.g. 10x10");
+  refused("--theory fastsim3", "did you mean fastsim?");
+  refused("--bound parabolik", "did you mean parabolic?");
+  refused("--flexibility two", "must be three, one or blended");
+  refused("--threads 0", "--threads = 0 [-]: must be in [1, 1024]");
+  refused("--threads many", "--threads");
+  refused("--gird 10x10", "unknown option \"--gird\"; did you mean --grid?");
+}
+
+TEST(Program, LeavesNothingInAFolderThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  save(folder / "file", "x");
+  for (const auto* place : {"file/out", "/proc/out"}) {
+    expect_refused(folder, "solve " + example + " -o " + place, place + std::string(": cannot be"));
+    expect_refused(folder, "batch " + example_table + " -o " + place, place + std::string(": cannot be written"));
+  }
+  expect_refused(folder, "batch " + example_table + " -o none/out.csv", "none/out.csv: cannot be written");
+}
+
+TEST(Program, LeavesNothingOnAFullDisk) {
+  const TemporaryFolder folder;
+  std::string table = header;
+  for (int i = 0; i < 3000; ++i) table += "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n";
+  save(folder / "in.csv", table);
+  const auto outcome = run(folder, "batch in.csv -o out.csv", "ulimit -f 8 && trap '' XFSZ");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors, "microslip: out.csv: cannot be written: File too large\n");
+  EXPECT_EQ(folder.entries(), Names{"in.csv"});
+}
+
+TEST(Program, LeavesNothingAfterAnInterrupt) {
+  const TemporaryFolder folder;
+  const auto input = (folder / "in.csv").string(), output = (folder / "out.csv").string();
+  ASSERT_EQ(mkfifo(input.c_str(), 0600), 0);
+  const auto child = fork();
+  if (child == 0) {
+    execl(MICROSLIP_PROGRAM, "microslip", "batch", input.c_str(), "-o", output.c_str(), nullptr);
+    _exit(127);
+  }
+  {
+    std::ofstream pipe(input); // waits until the program reads
+    pipe << header << "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n" << std::flush;
+    std::signal(SIGPIPE, SIG_IGN);
+    const std::string rows(40 * 1024, '\n');
+    pipe << rows << std::flush; // more than one chunk, so that the header is read and the output is open
+    while (folder.entries().size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    kill(child, SIGINT);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(folder.entries(), Names{"in.csv"});
+}
+
+TEST(Program, RefusesBadCaseFiles) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& message) {
+    auto text = contents(example);
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    save(folder / "w.toml", text.replace(at, from.size(), to));
+    expect_refused(folder, "solve w.toml", "microslip: w.toml:");
+    expect_refused(folder, "solve w.toml", message);
+  };
+  refused("normal_force", "normal_forse", "load.normal_forse: unknown key; did you mean normal_force?");
+  for (const auto* value : {"0", "-80e3", "inf", "nan"}) refused("80e3", value, "load.normal_force = ");
+  refused("= 0.460", "= 0", "body1.rolling_radius = 0 [m]: must be ");
+  refused("= 0.460", "= nan", "body1.rolling_radius = nan [m]: must be ");
+  refused("= 210e9", "= -1", "body1.young_modulus = -1 [Pa]: must be ");
+  refused("= 0.28", "= 0.6", "body1.poisson_ratio = 0.6 [-]: must be in [0, 0.5]");
+  refused("coefficient = 0.3", "coefficient = -0.3", "friction.coefficient = -0.3 [-]: must be in [0, 10]");
+  refused("[40, 40]", "[0, 40]", "solution.grid = 0 [-]: must be in [1, 2000]");
+  refused("[40, 40]", "[40, 10000]", "solution.grid = 10000 [-]: must be in [1, 2000]");
+  refused("0.0018", "nan", "motion.creepage_longitudinal = nan [-]: must be finite");
+  save(folder / "w.toml", std::string(1000, '\0'));
+  expect_refused(folder, "solve w.toml", "w.toml:1: ");
+  expect_refused(folder, "solve none.toml", "none.toml: cannot be read: No such file or directory");
+}
+
+TEST(Program, SolvesExtremeCases) {
+  const TemporaryFolder folder;
+  const auto solves = [&](const std::string& from, const std::string& to) {
+    auto text = contents(example);
+    save(folder / "w.toml", text.replace(text.find(from), from.size(), to));
+    const auto outcome = run(folder, "solve w.toml -o out --no-pictures");
+    EXPECT_EQ(outcome.exit_code, 0) << to << outcome.errors;
+    EXPECT_EQ(outcome.output.find("nan"), std::string::npos) << to << outcome.output;
+  };
+  solves("[40, 40]", "[1, 1]");
+  solves("[40, 40]", "[2000, 3]");
+  solves("coefficient = 0.3", "coefficient = 0");
+  for (const auto* creepage : {"0", "1e-12", "1e3"}) solves("0.0018", creepage);
+  solves("0.0018     # default 0\ncreepage_lateral = 0.0006          # default 0\nspin = 0.40 ", "0\nspin = 0 ");
+  solves("normal_force = 80e3", "normal_force = 1e-6");
+}
+
+TEST(Program, ExplainsItself) {
+  const TemporaryFolder folder;
+  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "validate "}) {
+    const auto outcome = run(folder, command + std::string("--help"));
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.output.find("Example:"), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.errors, "");
+  }
+  const auto version = run(folder, "--version");
+  EXPECT_EQ(version.exit_code, 0);
+  const auto build = build_info();
+  for (const auto part : {build.version, build.commit, build.compiler})
+    EXPECT_NE(version.output.find(part), std::string::npos);
+}
+
+TEST(Program, RefusesWhatItDoesNotKnow) {
+  const TemporaryFolder folder;
+  expect_refused(folder, "", "see microslip --help");
+  expect_refused(folder, "slove " + example, "unknown command \"slove\"; did you mean solve?");
+  expect_refused(folder, "solve " + example + " --no-picture", "did you mean --no-pictures?");
+  expect_refused(folder, "solve " + example + " extra", "unexpected argument \"extra\"");
+  expect_refused(folder, "solve", "CASE.toml");
+}
+
+} // namespace
+} // namespace microslip
