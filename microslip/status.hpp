@@ -8,10 +8,25 @@ namespace microslip {
 enum class Status {
   ok,            ///< the result satisfies the equations to the tolerance it states
   invalid_input, ///< an input is not a number or outside its range; the result's numbers are NaN
+  not_converged, ///< the result is the best one found; its residual is stated and larger than the tolerance
+  no_contact,    ///< the bodies do not touch; all tractions are zero
+  no_solution,   ///< the prescribed force is beyond what friction can bear; the result slides fully in its direction
 };
 
 constexpr std::string_view to_string(Status status) {
-  return status == Status::ok ? "ok" : "invalid_input";
+  switch (status) {
+  case Status::ok:
+    return "ok";
+  case Status::invalid_input:
+    return "invalid_input";
+  case Status::not_converged:
+    return "not_converged";
+  case Status::no_contact:
+    return "no_contact";
+  case Status::no_solution:
+    return "no_solution";
+  }
+  return "";
 }
 
 } // namespace microslip

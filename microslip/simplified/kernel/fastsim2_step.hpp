@@ -22,7 +22,7 @@ template <class Real> struct Crossing { Real place, slope; };
 template <class Real, class Plain>
 MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle, const Real& end) {
   const Plain zero(0.0), two(2.0), four(4.0);
-  const Real start = select(zero < value_of(before), Real(zero), before); // on the bound but for rounding
+  const Real start = select(zero <= value_of(before), Real(zero), before); // on the bound but for rounding
   const Real c = (start + end - middle * two) * two;
   const Real b = middle * four - start * Plain(3.0) - end;
   const Real root = sqrt(b * b - c * start * four);

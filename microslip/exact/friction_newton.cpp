@@ -1,0 +1,200 @@
+#include "microslip/exact/friction_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+/// Tractions of the elements in contact as one vector (x components, then y components, then the constants of c), and
+/// what the equations make of it.
+class Iterate {
+public:
+  Iterate(const FrictionProblem& problem, double rho)
+      : problem_(problem), rho_(rho), wide_px_(problem.bound.size()), wide_py_(wide_px_), wide_sx_(wide_px_),
+        wide_sy_(wide_px_) {
+    for (std::size_t k = 0; k < problem.bound.size(); ++k)
+      if (problem.bound[k] > 0) elements_.push_back(k);
+    if (problem.force_x) forces_.push_back(0);
+    if (problem.force_y) forces_.push_back(1);
+    n_ = elements_.size();
+    // With this unit a unit of the unknown constant weighs as much as a unit of all tractions together.
+    unit_ = 1 / (rho_ * std::sqrt(double(std::max<std::size_t>(n_, 1))));
+    g_.resize(n_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      g_[k] = problem.bound[elements_[k]];
+      scale_ += g_[k] * g_[k];
+    }
+    scale_ = std::sqrt(scale_);
+    state_.resize(n_);
+    normal_x_.resize(n_), normal_y_.resize(n_), alpha_.resize(n_);
+  }
+
+  std::size_t size() const { return 2 * n_ + forces_.size(); }
+  std::size_t elements() const { return n_; }
+  double scale() const { return scale_; }
+
+  /// ds = D dp + constants, for a vector of unknowns; both in the order x, y.
+  void slip_growth(std::span<const double> unknowns, std::span<double> growth) {
+    for (std::size_t k = 0; k < n_; ++k) {
+      wide_px_[elements_[k]] = unknowns[k];
+      wide_py_[elements_[k]] = unknowns[n_ + k];
+    }
+    problem_.response.apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      growth[k] = wide_sx_[elements_[k]];
+      growth[n_ + k] = wide_sy_[elements_[k]];
+    }
+    for (std::size_t f = 0; f < forces_.size(); ++f)
+      for (std::size_t k = 0; k < n_; ++k) growth[forces_[f] * n_ + k] += unit_ * unknowns[2 * n_ + f];
+  }
+
+  void add_constants(std::span<double> slip) const {
+    for (std::size_t k = 0; k < n_; ++k) {
+      slip[k] += problem_.cx[elements_[k]];
+      slip[n_ + k] += problem_.cy[elements_[k]];
+    }
+  }
+
+  /// F and, behind it, the equations of the forces; its norm.
+  double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f) const {
+    double norm2 = 0;
+    for (std::size_t k = 0; k < n_; ++k) {
+      const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+      const double size = std::hypot(zx, zy), factor = size > g_[k] ? g_[k] / size : 1;
+      f[k] = unknowns[k] - factor * zx;
+      f[n_ + k] = unknowns[n_ + k] - factor * zy;
+      norm2 += f[k] * f[k] + f[n_ + k] * f[n_ + k];
+    }
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      const double target = forces_[i] == 0 ? *problem_.force_x : *problem_.force_y;
+      double sum = -target / problem_.element_area;
+      for (std::size_t k = 0; k < n_; ++k) sum += unknowns[forces_[i] * n_ + k];
+      f[2 * n_ + i] = sum / std::sqrt(double(n_));
+      norm2 += f[2 * n_ + i] * f[2 * n_ + i];
+    }
+    return std::sqrt(norm2);
+  }
+
+  /// Fixes adhesion, slip and directions for the derivative at this point.
+  void linearise(std::span<const double> unknowns, std::span<const double> slip) {
+    for (std::size_t k = 0; k < n_; ++k) {
+      const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+      const double size = std::hypot(zx, zy);
+      state_[k] = size > g_[k];
+      if (!state_[k]) continue;
+      normal_x_[k] = zx / size;
+      normal_y_[k] = zy / size;
+      alpha_[k] = g_[k] / size;
+    }
+  }
+
+  /// The derivative of F times a vector whose slip_growth is `growth`.
+  void derivative(std::span<const double> v, std::span<const double> growth, std::span<double> out) const {
+    for (std::size_t k = 0; k < n_; ++k) {
+      const double gx = rho_ * growth[k], gy = rho_ * growth[n_ + k];
+      if (!state_[k]) {
+        out[k] = gx;
+        out[n_ + k] = gy;
+        continue;
+      }
+      const double nx = normal_x_[k], ny = normal_y_[k], a = alpha_[k];
+      const double along = nx * v[k] + ny * v[n_ + k];
+      const double across = (1 - a) * (nx * v[n_ + k] - ny * v[k]) + a * (nx * gy - ny * gx);
+      out[k] = along * nx - across * ny;
+      out[n_ + k] = along * ny + across * nx;
+    }
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      double sum = 0;
+      for (std::size_t k = 0; k < n_; ++k) sum += v[forces_[i] * n_ + k];
+      out[2 * n_ + i] = sum / std::sqrt(double(n_));
+    }
+  }
+
+  void start(std::span<const double> px, std::span<const double> py, std::span<double> unknowns) const {
+    std::fill(unknowns.begin(), unknowns.end(), 0.0);
+    if (px.empty()) return;
+    for (std::size_t k = 0; k < n_; ++k) {
+      unknowns[k] = px[elements_[k]];
+      unknowns[n_ + k] = py[elements_[k]];
+    }
+  }
+
+  void copy_to(FrictionSolution& s, std::span<const double> unknowns, std::span<const double> slip) const {
+    for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(problem_.bound.size(), 0.0);
+    s.sliding.assign(problem_.bound.size(), 0);
+    for (std::size_t k = 0; k < n_; ++k) {
+      // P_g(p - rho s), which differs from p by the residual and obeys the bound to rounding.
+      const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+      const double size = std::hypot(zx, zy), factor = size > g_[k] ? g_[k] / size : 1;
+      s.px[elements_[k]] = factor * zx;
+      s.py[elements_[k]] = factor * zy;
+      s.sx[elements_[k]] = slip[k];
+      s.sy[elements_[k]] = slip[n_ + k];
+      s.sliding[elements_[k]] = size > g_[k];
+    }
+    for (std::size_t i = 0; i < forces_.size(); ++i)
+      (forces_[i] == 0 ? s.constant_x : s.constant_y) = unit_ * unknowns[2 * n_ + i];
+  }
+
+private:
+  const FrictionProblem& problem_;
+  double rho_, unit_ = 1, scale_ = 0;
+  std::size_t n_ = 0;
+  std::vector<std::size_t> elements_;
+  std::vector<std::size_t> forces_; ///< directions in which the force is given
+  Field g_, normal_x_, normal_y_, alpha_;
+  std::vector<char> state_; ///< 1 in slip
+  Field wide_px_, wide_py_, wide_sx_, wide_sy_;
+};
+
+} // namespace
+
+FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options,
+                                       std::span<const double> start_px, std::span<const double> start_py) {
+  const long products_before = problem.response.products();
+  const double rho = 2 / (problem.response.diagonal_xx() + problem.response.diagonal_yy());
+  Iterate at(problem, rho);
+  const std::size_t n = at.size();
+  Field x(n), slip(2 * at.elements()), f(n), right(n), step(n), step_slip(slip), trial(n), trial_slip(slip), trial_f(n);
+
+  at.start(start_px, start_py, x);
+  at.slip_growth(x, slip);
+  at.add_constants(slip);
+  double norm = at.evaluate(x, slip, f);
+  FrictionSolution s;
+  while (norm > options.tolerance * at.scale() && s.newton_steps < options.most_steps) {
+    at.linearise(x, slip);
+    std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
+    const auto product = [&](std::span<const double> v, std::span<double> out) {
+      at.slip_growth(v, step_slip);
+      at.derivative(v, step_slip, out);
+    };
+    // Far from the solution a rough direction is enough.
+    const double forcing = std::clamp(0.5 * options.tolerance * at.scale() / norm, 1e-3, 0.1);
+    gmres_.solve(product, right, step, forcing, options.most_inner);
+    at.slip_growth(step, step_slip);
+
+    double length = 1, trial_norm = norm;
+    for (int halving = 0; halving < 12; ++halving, length /= 2) {
+      for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
+      for (std::size_t k = 0; k < slip.size(); ++k) trial_slip[k] = slip[k] + length * step_slip[k];
+      trial_norm = at.evaluate(trial, trial_slip, trial_f);
+      if (trial_norm < (1 - 1e-4 * length) * norm) break;
+    }
+    std::swap(x, trial);
+    std::swap(slip, trial_slip);
+    std::swap(f, trial_f);
+    norm = trial_norm;
+    ++s.newton_steps;
+  }
+  at.copy_to(s, x, slip);
+  s.residual = at.scale() > 0 ? norm / at.scale() : 0;
+  s.products = problem.response.products() - products_before;
+  s.status = norm <= options.tolerance * at.scale() ? Status::ok : Status::not_converged;
+  return s;
+}
+
+} // namespace microslip

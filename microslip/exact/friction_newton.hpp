@@ -1,0 +1,53 @@
+#pragma once
+
+#include "microslip/exact/surface_response.hpp"
+#include "microslip/numerics/gmres.hpp"
+#include "microslip/status.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The discrete tangential problem in its simplest form: find p with |p| <= g and, with s = c + D p, p = -g s/|s| where
+/// s is not zero. Where a force is given, the constant part of c in that direction is an unknown too.
+struct FrictionProblem {
+  TangentialResponse& response;           ///< D
+  std::span<const double> bound;          ///< g [Pa], >= 0; zero outside the contact
+  std::span<const double> cx, cy;         ///< slip without tractions
+  double element_area;                    ///< [m^2]
+  std::optional<double> force_x, force_y; ///< [N]; where given, cx or cy is known but for a constant
+};
+
+struct FrictionSolution {
+  std::vector<double> px, py;            ///< tractions [Pa]
+  std::vector<double> sx, sy;            ///< slip c + D p, with the constants
+  std::vector<char> sliding;             ///< 1 in slip, 0 in adhesion and outside the contact
+  double constant_x = 0, constant_y = 0; ///< added to cx, cy where a force is given
+  double residual = 0;                   ///< |p - P_g(p - rho s)| over |g|, 2-norms over the elements
+  int newton_steps = 0;
+  long products = 0;
+  Status status = Status::ok;
+};
+
+/// Solves F(p) = p - P_g(p - rho s(p)) = 0, where P_g projects each element's traction on the disk of radius g, by a
+/// semi-smooth Newton method. With z = p - rho s, n = z/|z|, t orthogonal to n, alpha = g/|z| a Newton step solves rho
+/// D dp = -F in adhesion (|z| <= g), and n.dp = -n.F, (1 - alpha) t.dp + alpha rho t.D dp = -t.F in slip.
+class FrictionNewton {
+public:
+  struct Options {
+    double tolerance = 1e-6;
+    int most_steps = 100;
+    int most_inner = 300; ///< products in the linear solver of one step
+  };
+
+  /// `start` is where it begins; empty spans mean zero tractions.
+  FrictionSolution solve(const FrictionProblem& problem, const Options& options, std::span<const double> start_px = {},
+                         std::span<const double> start_py = {});
+
+private:
+  Gmres gmres_;
+};
+
+} // namespace microslip

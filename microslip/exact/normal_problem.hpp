@@ -1,0 +1,50 @@
+#pragma once
+
+#include "microslip/exact/element_grid.hpp"
+#include "microslip/exact/surface_response.hpp"
+#include "microslip/status.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// What is given about the normal direction.
+struct NormalLoad {
+  enum class Given { approach, force };
+  Given given = Given::force;
+  double value = 0; ///< approach delta [m] or normal force Fn [N]
+};
+
+/// The contact area and the pressure on it.
+struct NormalSolution {
+  std::vector<double> pressure;     ///< p_n [Pa], >= 0
+  std::vector<double> displacement; ///< u_n = A_zz p_n [m]
+  double approach = 0;              ///< delta [m]
+  double normal_force = 0;          ///< [N]
+  double peak_pressure = 0;         ///< of the elements [Pa]
+  int contact_elements = 0;
+  bool touches_border = false; ///< contact reaches the rim of the grid: the potential contact is too small
+  double residual = 0;         ///< largest |e| in contact and largest -e outside, over the largest displacement
+  int iterations = 0;
+  long products = 0;
+  Status status = Status::ok;
+};
+
+/// The normal contact problem on a grid of elements with constant pressure (R2), (R4), (R5): p_n >= 0, e = h - delta +
+/// u_n >= 0, p_n e = 0, by conjugate gradients with an active set (after Polonsky & Keer 1999). For elastically similar
+/// bodies.
+class NormalProblem {
+public:
+  NormalProblem(const CombinedMaterial& material, const ElementGrid& grid);
+
+  /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN or a load out of
+  /// range.
+  NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8);
+
+private:
+  ElementGrid grid_;
+  NormalResponse response_;
+};
+
+} // namespace microslip

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "microslip/elasticity/material.hpp"
+#include "microslip/exact/element_grid.hpp"
+#include "microslip/numerics/toeplitz.hpp"
+
+#include <span>
+
+namespace microslip {
+
+/// Normal displacement difference u_z = A_zz p_n on a grid of elements with constant pressure, for elastically similar
+/// bodies.
+class NormalResponse {
+public:
+  NormalResponse(const CombinedMaterial& material, const ElementGrid& grid);
+  void apply(std::span<const double> pressure, std::span<double> displacement);
+  long products() const { return transform_.products(); }
+
+private:
+  ToeplitzTransform transform_;
+  ToeplitzTransform::Spectrum zz_;
+};
+
+/// What the tangential displacement difference u = A p on a grid of elements with constant tractions contributes to the
+/// slip, D p. Elastically similar bodies.
+class TangentialResponse {
+public:
+  /// u at the points `shift` [m] further along x, over the way `length` [m]: D = A(x + shift)/length.
+  static TangentialResponse displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift = 0,
+                                         double length = 1);
+  /// Growth of u for particles that come from x + step, over the way |step| [m]: D = (A(x) - A(x + step))/|step|.
+  static TangentialResponse growth(const CombinedMaterial& material, const ElementGrid& grid, double step);
+
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux, std::span<double> uy);
+
+  /// Of the element on itself, D_xx and D_yy.
+  double diagonal_xx() const { return diagonal_xx_; }
+  double diagonal_yy() const { return diagonal_yy_; }
+  long products() const { return transform_.products(); }
+
+private:
+  template <class Kernel> TangentialResponse(const ElementGrid& grid, Kernel kernel);
+
+  ToeplitzTransform transform_;
+  ToeplitzTransform::Spectrum xx_, xy_, yy_;
+  double diagonal_xx_, diagonal_yy_;
+};
+
+} // namespace microslip

@@ -1,0 +1,141 @@
+#include "microslip/exact/tangential_problem.hpp"
+
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+void check_input(const TangentialInput& input, std::span<const double> bound, std::size_t count) {
+  const std::string wanted = std::to_string(count);
+  if (bound.size() != count) throw Error("bound: must have mx times my = " + wanted + " values");
+  for (std::size_t k = 0; k < count; ++k)
+    if (!(bound[k] >= 0) || !std::isfinite(bound[k]))
+      throw Error("bound[" + std::to_string(k) + "]", bound[k], "Pa", "finite and not negative");
+  for (const TangentialState* state : {input.previous, input.start})
+    if (state && !state->px.empty() && (state->px.size() != count || state->py.size() != count))
+      throw Error("previous, start: must have tractions for all " + wanted + " elements");
+  require_finite("creepage.longitudinal", input.creepage.longitudinal, "-");
+  require_finite("creepage.lateral", input.creepage.lateral, "-");
+  require_finite("creepage.spin", input.creepage.spin, "1/m");
+  if (input.force_x) require_finite("force_x", *input.force_x, "N");
+  if (input.force_y) require_finite("force_y", *input.force_y, "N");
+  require_between("step", input.step, "m", 0, std::numeric_limits<double>::max());
+  require_between("spin_offset", input.spin_offset, "-", 0, 1);
+  require_positive("rolling_speed", input.rolling_speed, "m/s");
+  require_between("tolerance", input.tolerance, "-", 1e-14, 1);
+}
+
+} // namespace
+
+TangentialProblem::TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid)
+    : material_(material), grid_(grid), displacement_(TangentialResponse::displacement(material, grid)) {}
+
+TangentialResponse& TangentialProblem::slip_response(ContactMotion motion, double step) {
+  if (motion == ContactMotion::shift) return displacement_;
+  if (!slip_response_ || motion_ != motion || step_ != step) {
+    slip_response_ = motion == ContactMotion::steady
+                         ? TangentialResponse::growth(material_, grid_, step)
+                         : TangentialResponse::displacement(material_, grid_, 0, std::abs(step));
+    motion_ = motion;
+    step_ = step;
+  }
+  return *slip_response_;
+}
+
+TangentialSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
+  check_input(input, bound, grid_.count());
+  const double length = input.step > 0 ? input.step : grid_.dx;
+  const double step = input.direction == RollingDirection::forward ? length : -length;
+  const bool shift = input.motion == ContactMotion::shift;
+  const std::size_t n = grid_.count();
+
+  TangentialSolution out;
+  out.bound.assign(bound.begin(), bound.end());
+  out.creepage = input.creepage;
+  if (input.force_x) out.creepage.longitudinal = 0;
+  if (input.force_y) out.creepage.lateral = 0;
+
+  // Slip without tractions: rigid slip in the middle of a particle's way, and what it loses of its previous
+  // displacement.
+  Field cx(n), cy(n);
+  for (int j = 0; j < grid_.my; ++j)
+    for (int i = 0; i < grid_.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
+      const double x = grid_.x(i) + (shift ? 0 : input.spin_offset * step);
+      cx[k] = out.creepage.longitudinal - out.creepage.spin * grid_.y(j);
+      cy[k] = out.creepage.lateral + out.creepage.spin * x;
+    }
+  if (input.motion != ContactMotion::steady && input.previous && !input.previous->px.empty()) {
+    Field ux(n), uy(n);
+    TangentialResponse::displacement(material_, grid_, shift ? 0 : step, shift ? 1 : length)
+        .apply(input.previous->px, input.previous->py, ux, uy);
+    for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
+  }
+
+  const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
+  const FrictionProblem problem{slip_response(input.motion, step), bound, cx, cy, area, input.force_x, input.force_y};
+  const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
+  FrictionSolution s;
+  if (wanted >= capacity && wanted > 0) {
+    // No creepage gives this force: full sliding in its direction.
+    s.status = Status::no_solution;
+    s.residual = wanted / capacity - 1;
+    for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(n, 0.0);
+    s.sliding.assign(n, 1);
+    for (std::size_t k = 0; k < n; ++k) {
+      s.px[k] = bound[k] * input.force_x.value_or(0) / wanted;
+      s.py[k] = bound[k] * input.force_y.value_or(0) / wanted;
+    }
+  } else {
+    const auto start = [&](const Field TangentialState::*component) -> std::span<const double> {
+      if (!input.start) return {};
+      return input.start->*component;
+    };
+    s = newton_.solve(problem, {.tolerance = input.tolerance}, start(&TangentialState::px),
+                      start(&TangentialState::py));
+  }
+  out.creepage.longitudinal += s.constant_x;
+  out.creepage.lateral += s.constant_y;
+  out.residual = s.residual;
+  out.newton_steps = s.newton_steps;
+  out.products = s.products;
+  out.ux.resize(n), out.uy.resize(n);
+  displacement_.apply(s.px, s.py, out.ux, out.uy);
+
+  out.state.assign(n, CellState::exterior);
+  ContactForces& f = out.forces;
+  f.status = s.status;
+  for (int j = 0; j < grid_.my; ++j)
+    for (int i = 0; i < grid_.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
+      if (!(bound[k] > 0)) continue;
+      const double px = s.px[k], py = s.py[k], size = std::hypot(px, py);
+      f.fx += px * area;
+      f.fy += py * area;
+      f.mz += (grid_.x(i) * py - grid_.y(j) * px) * area;
+      const bool slides = s.sliding[k];
+      out.state[k] = slides ? CellState::slip : CellState::adhesion;
+      (slides ? f.slip_area : f.adhesion_area) += area;
+      out.elastic_energy += 0.5 * (px * out.ux[k] + py * out.uy[k]) * area;
+      out.frictional_power -= (px * s.sx[k] + py * s.sy[k]) * area;
+      out.peak_traction = std::max(out.peak_traction, size);
+    }
+  const double speed = shift ? 1 : input.rolling_speed;
+  out.frictional_power *= speed;
+  out.power_by_creepage =
+      -speed * (out.creepage.longitudinal * f.fx + out.creepage.lateral * f.fy + out.creepage.spin * f.mz);
+  out.tractions = {std::move(s.px), std::move(s.py)};
+  out.sx = std::move(s.sx);
+  out.sy = std::move(s.sy);
+  return out;
+}
+
+} // namespace microslip

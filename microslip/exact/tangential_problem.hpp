@@ -1,0 +1,80 @@
+#pragma once
+
+#include "microslip/exact/friction_newton.hpp"
+#include "microslip/simplified/contact.hpp"
+#include "microslip/simplified/options.hpp"
+
+#include <optional>
+
+namespace microslip {
+
+/// How the bodies move over each other.
+enum class ContactMotion {
+  shift, ///< a rigid shift without rolling (T = 1 in CONTACT); creepages are shifts [m] and a rotation [rad], slip is
+         ///< in m
+  transient, ///< one step of rolling, the contact moving over the bodies (T = 2)
+  steady,    ///< steady rolling, solved directly (T = 3)
+};
+
+/// Tractions that a step starts from: those of the step before, on the same grid in the contact's frame.
+struct TangentialState {
+  std::vector<double> px, py; ///< [Pa]; empty: none
+};
+
+/// What drives the tangential problem.
+struct TangentialInput {
+  ContactMotion motion = ContactMotion::steady;
+  Creepage creepage; ///< xi [-], eta [-], phi [1/m]; where a force is given its creepage is an unknown
+  std::optional<double> force_x, force_y; ///< [N], on body 1
+  double step = 0;                        ///< dq [m], the way rolled in a step; 0: the elements' length
+  double spin_offset = 1.0 / 6; ///< where in the step the rigid slip is taken, 0 to 1 from the element's centre on
+  RollingDirection direction = RollingDirection::forward;
+  double rolling_speed = 1;                  ///< V [m/s], for the frictional power
+  const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
+  const TangentialState* start = nullptr;    ///< where the iteration begins; none: no tractions
+  double tolerance = 1e-6;
+};
+
+struct TangentialSolution {
+  TangentialState tractions;
+  std::vector<double> bound;  ///< g [Pa]
+  std::vector<double> ux, uy; ///< displacement difference u1 - u2 [m]
+  std::vector<double> sx, sy; ///< relative slip [-], for a shift the slip distance [m]; 0 outside the contact
+  std::vector<CellState> state;
+  ContactForces forces;
+  Creepage creepage;           ///< as given, or as found where a force is given
+  double elastic_energy = 0;   ///< of the tangential tractions, sum of p.u dx dy/2 [J]
+  double frictional_power = 0; ///< -V sum of p.s dx dy [W]; for a shift the work, without V [J]
+  double power_by_creepage =
+      0;                    ///< -V (xi fx + eta fy + phi mz) [W], equal to it in steady rolling as the grid is refined
+  double peak_traction = 0; ///< [Pa]
+  double residual = 0;      ///< as in FrictionSolution
+  int newton_steps = 0;
+  long products = 0;
+};
+
+/// The tangential contact problem of the exact theory (R3), (R6)-(R8) on a grid of elements with constant tractions,
+/// elastically similar bodies. With the step dq and particles that come from x + dq: steady rolling s = w(x + dq/2) +
+/// (u(x) - u(x + dq))/dq, transient rolling the same with the previous u' in the place of u(x + dq), a shift s = w + u
+/// - u'.
+class TangentialProblem {
+public:
+  TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid);
+
+  /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
+  /// converging and a force beyond friction are statuses.
+  TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
+
+private:
+  TangentialResponse& slip_response(ContactMotion motion, double step);
+
+  CombinedMaterial material_;
+  ElementGrid grid_;
+  TangentialResponse displacement_;
+  std::optional<TangentialResponse> slip_response_; ///< of the last motion and step
+  ContactMotion motion_ = ContactMotion::shift;
+  double step_ = 0;
+  FrictionNewton newton_;
+};
+
+} // namespace microslip

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The generalised minimal residual method (Saad & Schultz 1986) for A x = b with any square matrix, given by its
+/// product. The object keeps the memory of its basis, which grows as needed and is used again.
+class Gmres {
+public:
+  using Product = std::function<void(std::span<const double> in, std::span<double> out)>;
+
+  struct Result {
+    int products;    ///< with the matrix
+    double residual; ///< |b - A x| as the method's recurrence has it
+  };
+
+  /// Starts from x = 0 and stops when |b - A x| <= tolerance |b| or after `most` products. Cost: products, and for k of
+  /// them 2 k^2 operations with vectors.
+  Result solve(const Product& matrix, std::span<const double> b, std::span<double> x, double tolerance, int most);
+
+private:
+  std::vector<std::vector<double>> basis_;
+};
+
+} // namespace microslip
