@@ -48,7 +48,7 @@ public:
       growth[n_ + k] = wide_sy_[elements_[k]];
     }
     for (std::size_t f = 0; f < forces_.size(); ++f)
-      for (std::size_t k = 0; k < n_; ++k) growth[forces_[f] * n_ + k] += unit_ * unknowns[2 * n_ + f];
+      for (std::size_t k = 0; k < n_; ++k) growth[forces_[f] * n_ + k] += share(k) * unit_ * unknowns[2 * n_ + f];
   }
 
   void add_constants(std::span<double> slip) const {
@@ -140,6 +140,10 @@ public:
   }
 
 private:
+  double share(std::size_t k) const {
+    return problem_.constant_share.empty() ? 1 : problem_.constant_share[elements_[k]];
+  }
+
   const FrictionProblem& problem_;
   double rho_, unit_ = 1, scale_ = 0;
   std::size_t n_ = 0;
@@ -155,7 +159,7 @@ private:
 FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options,
                                        std::span<const double> start_px, std::span<const double> start_py) {
   const long products_before = problem.response.products();
-  const double rho = 2 / (problem.response.diagonal_xx() + problem.response.diagonal_yy());
+  const double rho = 1 / problem.response.diagonal();
   Iterate at(problem, rho);
   const std::size_t n = at.size();
   Field x(n), slip(2 * at.elements()), f(n), right(n), step(n), step_slip(slip), trial(n), trial_slip(slip), trial_f(n);

@@ -13,11 +13,12 @@ namespace microslip {
 /// The discrete tangential problem in its simplest form: find p with |p| <= g and, with s = c + D p, p = -g s/|s| where
 /// s is not zero. Where a force is given, the constant part of c in that direction is an unknown too.
 struct FrictionProblem {
-  TangentialResponse& response;           ///< D
-  std::span<const double> bound;          ///< g [Pa], >= 0; zero outside the contact
-  std::span<const double> cx, cy;         ///< slip without tractions
-  double element_area;                    ///< [m^2]
-  std::optional<double> force_x, force_y; ///< [N]; where given, cx or cy is known but for a constant
+  SlipResponse& response;                           ///< D
+  std::span<const double> bound;                    ///< g [Pa], >= 0; zero outside the contact
+  std::span<const double> cx, cy;                   ///< slip without tractions
+  double element_area;                              ///< [m^2]
+  std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known but for a constant ...
+  std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
 };
 
 struct FrictionSolution {

@@ -51,8 +51,7 @@ TangentialResponse::TangentialResponse(const ElementGrid& grid, Kernel kernel) :
     xy[k] = a.xy;
     yy[k] = a.yy;
   });
-  diagonal_xx_ = xx[xx.size() / 2];
-  diagonal_yy_ = yy[yy.size() / 2];
+  diagonal_ = (xx[xx.size() / 2] + yy[yy.size() / 2]) / 2;
   xx_ = transform_.kernel_spectrum(xx);
   xy_ = transform_.kernel_spectrum(xy);
   yy_ = transform_.kernel_spectrum(yy);

@@ -21,9 +21,27 @@ private:
   ToeplitzTransform::Spectrum zz_;
 };
 
+/// A linear map D from tractions to slip on a grid of elements.
+class SlipResponse {
+public:
+  virtual ~SlipResponse() = default;
+  virtual void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                     std::span<double> sy) = 0;
+  /// What an element in the midst of the contact does to itself: the mean of D_xx and D_yy.
+  virtual double diagonal() const = 0;
+  virtual long products() const = 0;
+
+protected:
+  SlipResponse() = default;
+  SlipResponse(const SlipResponse&) = default;
+  SlipResponse(SlipResponse&&) = default;
+  SlipResponse& operator=(const SlipResponse&) = default;
+  SlipResponse& operator=(SlipResponse&&) = default;
+};
+
 /// What the tangential displacement difference u = A p on a grid of elements with constant tractions contributes to the
 /// slip, D p. Elastically similar bodies.
-class TangentialResponse {
+class TangentialResponse : public SlipResponse {
 public:
   /// u at the points `shift` [m] further along x, over the way `length` [m]: D = A(x + shift)/length.
   static TangentialResponse displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift = 0,
@@ -31,19 +49,17 @@ public:
   /// Growth of u for particles that come from x + step, over the way |step| [m]: D = (A(x) - A(x + step))/|step|.
   static TangentialResponse growth(const CombinedMaterial& material, const ElementGrid& grid, double step);
 
-  void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux, std::span<double> uy);
-
-  /// Of the element on itself, D_xx and D_yy.
-  double diagonal_xx() const { return diagonal_xx_; }
-  double diagonal_yy() const { return diagonal_yy_; }
-  long products() const { return transform_.products(); }
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+             std::span<double> uy) override;
+  double diagonal() const override { return diagonal_; }
+  long products() const override { return transform_.products(); }
 
 private:
   template <class Kernel> TangentialResponse(const ElementGrid& grid, Kernel kernel);
 
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yy_;
-  double diagonal_xx_, diagonal_yy_;
+  double diagonal_;
 };
 
 } // namespace microslip

@@ -38,16 +38,51 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
 TangentialProblem::TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid)
     : material_(material), grid_(grid), displacement_(TangentialResponse::displacement(material, grid)) {}
 
-TangentialResponse& TangentialProblem::slip_response(ContactMotion motion, double step) {
-  if (motion == ContactMotion::shift) return displacement_;
-  if (!slip_response_ || motion_ != motion || step_ != step) {
-    slip_response_ = motion == ContactMotion::steady
-                         ? TangentialResponse::growth(material_, grid_, step)
-                         : TangentialResponse::displacement(material_, grid_, 0, std::abs(step));
-    motion_ = motion;
+SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, double step,
+                                               const std::vector<EnteringElement>& entering) {
+  if (input.motion == ContactMotion::shift) return displacement_;
+  if (input.motion == ContactMotion::steady && input.leading_edge) {
+    slip_response_ = std::make_unique<LeadingEdgeResponse>(material_, grid_, step, entering);
+    step_ = 0; // not for the next problem: the elements that are entered change with the contact
+  } else if (motion_ != input.motion || step_ != step) {
+    slip_response_ = std::make_unique<TangentialResponse>(
+        input.motion == ContactMotion::steady ? TangentialResponse::growth(material_, grid_, step)
+                                              : TangentialResponse::displacement(material_, grid_, 0, std::abs(step)));
     step_ = step;
   }
+  motion_ = input.motion;
   return *slip_response_;
+}
+
+/// Slip without tractions: rigid slip, and what a particle loses of its previous displacement.
+void TangentialProblem::find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
+                                       const std::vector<EnteringElement>& entering, Field& cx, Field& cy) {
+  const bool shift = input.motion == ContactMotion::shift;
+  for (int j = 0; j < grid_.my; ++j)
+    for (int i = 0; i < grid_.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
+      const double x = grid_.x(i) + (shift ? 0 : input.spin_offset * step);
+      cx[k] = creepage.longitudinal - creepage.spin * grid_.y(j);
+      cy[k] = creepage.lateral + creepage.spin * x;
+    }
+  for (const EnteringElement& e : entering) cx[e.element] *= e.share, cy[e.element] *= e.share; // (R13)
+  if (input.motion == ContactMotion::steady || !input.previous || input.previous->px.empty()) return;
+  const TangentialState& before = *input.previous;
+  const double length = shift ? 1 : std::abs(step);
+  Field ux(cx.size()), uy(cx.size());
+  TangentialResponse::displacement(material_, grid_, shift ? 0 : step, length).apply(before.px, before.py, ux, uy);
+  if (!entering.empty()) {
+    Field here_x(cx.size()), here_y(cx.size());
+    displacement_.apply(before.px, before.py, here_x, here_y);
+    for (const EnteringElement& e : entering) { // (R16)
+      const auto at_edge = [&](const Field& u) {
+        return u[e.ahead] + e.extrapolation * (u[e.ahead] - u[e.further_ahead]);
+      };
+      ux[e.element] = at_edge(here_x) / length;
+      uy[e.element] = at_edge(here_y) / length;
+    }
+  }
+  for (std::size_t k = 0; k < cx.size(); ++k) cx[k] -= ux[k], cy[k] -= uy[k];
 }
 
 TangentialSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
@@ -63,25 +98,16 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   if (input.force_x) out.creepage.longitudinal = 0;
   if (input.force_y) out.creepage.lateral = 0;
 
-  // Slip without tractions: rigid slip in the middle of a particle's way, and what it loses of its previous
-  // displacement.
-  Field cx(n), cy(n);
-  for (int j = 0; j < grid_.my; ++j)
-    for (int i = 0; i < grid_.mx; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
-      const double x = grid_.x(i) + (shift ? 0 : input.spin_offset * step);
-      cx[k] = out.creepage.longitudinal - out.creepage.spin * grid_.y(j);
-      cy[k] = out.creepage.lateral + out.creepage.spin * x;
-    }
-  if (input.motion != ContactMotion::steady && input.previous && !input.previous->px.empty()) {
-    Field ux(n), uy(n);
-    TangentialResponse::displacement(material_, grid_, shift ? 0 : step, shift ? 1 : length)
-        .apply(input.previous->px, input.previous->py, ux, uy);
-    for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
-  }
+  std::vector<EnteringElement> entering;
+  if (!shift && input.leading_edge) entering = entering_elements(grid_, bound, step, *input.leading_edge);
+  Field cx(n), cy(n), share;
+  if (!entering.empty()) share.assign(n, 1);
+  for (const EnteringElement& e : entering) share[e.element] = e.share;
+  find_free_slip(input, out.creepage, step, entering, cx, cy);
 
   const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
-  const FrictionProblem problem{slip_response(input.motion, step), bound, cx, cy, area, input.force_x, input.force_y};
+  const FrictionProblem problem{
+      slip_response(input, step, entering), bound, cx, cy, area, input.force_x, input.force_y, share};
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   FrictionSolution s;
   if (wanted >= capacity && wanted > 0) {

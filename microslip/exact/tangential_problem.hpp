@@ -1,9 +1,11 @@
 #pragma once
 
 #include "microslip/exact/friction_newton.hpp"
+#include "microslip/exact/leading_edge.hpp"
 #include "microslip/simplified/contact.hpp"
 #include "microslip/simplified/options.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace microslip {
@@ -29,6 +31,7 @@ struct TangentialInput {
   double step = 0;                        ///< dq [m], the way rolled in a step; 0: the elements' length
   double spin_offset = 1.0 / 6; ///< where in the step the rigid slip is taken, 0 to 1 from the element's centre on
   RollingDirection direction = RollingDirection::forward;
+  std::optional<LeadingEdge> leading_edge;   ///< rolling: with its correction (R13); none: without
   double rolling_speed = 1;                  ///< V [m/s], for the frictional power
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
   const TangentialState* start = nullptr;    ///< where the iteration begins; none: no tractions
@@ -66,12 +69,15 @@ public:
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
 private:
-  TangentialResponse& slip_response(ContactMotion motion, double step);
+  SlipResponse& slip_response(const TangentialInput& input, double step, const std::vector<EnteringElement>& entering);
+
+  void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
+                      const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 
   CombinedMaterial material_;
   ElementGrid grid_;
   TangentialResponse displacement_;
-  std::optional<TangentialResponse> slip_response_; ///< of the last motion and step
+  std::unique_ptr<SlipResponse> slip_response_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   double step_ = 0;
   FrictionNewton newton_;

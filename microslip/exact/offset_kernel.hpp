@@ -1,0 +1,50 @@
+#pragma once
+
+#include "microslip/elasticity/material.hpp"
+#include "microslip/exact/element_grid.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The entries of a block Toeplitz matrix on a grid by offset, K(i, j) for |i| < mx, |j| < my: what an element does to
+/// the one i columns and j rows further. 4 N numbers instead of N^2. They lie in the order of
+/// ToeplitzTransform::kernel_spectrum.
+class OffsetTable {
+public:
+  explicit OffsetTable(const ElementGrid& grid)
+      : mx_(grid.mx), my_(grid.my),
+        values_((2 * static_cast<std::size_t>(grid.mx) - 1) * (2 * static_cast<std::size_t>(grid.my) - 1)) {}
+
+  int mx() const { return mx_; }
+  int my() const { return my_; }
+  double& at(int i, int j) { return values_[index(i, j)]; }
+  double at(int i, int j) const { return values_[index(i, j)]; }
+  std::span<const double> values() const { return values_; }
+
+private:
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(2 * mx_ - 1) +
+           static_cast<std::size_t>(i + mx_ - 1);
+  }
+
+  int mx_, my_;
+  std::vector<double> values_;
+};
+
+/// A_zz [m/Pa]: normal displacement difference from pressure, elastically similar bodies; of endless strips for a line
+/// contact. Throws Error for a grid without elements.
+OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid);
+
+/// The map D from tractions to slip that TangentialResponse applies by transforms, element by element.
+struct TangentialKernel {
+  OffsetTable xx, xy, yy; ///< D_yx = D_xy
+
+  /// As TangentialResponse::displacement and TangentialResponse::growth.
+  static TangentialKernel displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift = 0,
+                                       double length = 1);
+  static TangentialKernel growth(const CombinedMaterial& material, const ElementGrid& grid, double step);
+};
+
+} // namespace microslip
