@@ -4,14 +4,16 @@
 
 namespace microslip {
 
-ElementGrid ElementGrid::across_ellipse(double a, double b, int n, int margin) {
+ElementGrid ElementGrid::across_ellipse(double a, double b, int n, int m, int margin) {
   require_positive("a", a, "m");
   require_positive("b", b, "m");
   require_count("elements across", n, 1, 10000);
+  require_count("elements across", m, 1, 10000);
   ElementGrid grid;
-  grid.mx = grid.my = n + 2 * margin;
+  grid.mx = n + 2 * margin;
+  grid.my = m + 2 * margin;
   grid.dx = 2 * a / n;
-  grid.dy = 2 * b / n;
+  grid.dy = 2 * b / m;
   grid.x0 = -a + grid.dx * (0.5 - margin);
   grid.y0 = -b + grid.dy * (0.5 - margin);
   return grid;

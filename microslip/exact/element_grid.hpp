@@ -17,8 +17,11 @@ struct ElementGrid {
   double y(int j) const { return y0 + j * dy; }
   double element_area() const { return dx * dy; }
 
-  /// n x n elements across an ellipse with its centre at the origin, and `margin` more on each side.
-  static ElementGrid across_ellipse(double a, double b, int n, int margin = 0);
+  /// n x m elements across an ellipse with its centre at the origin, and `margin` more on each side.
+  static ElementGrid across_ellipse(double a, double b, int n, int m, int margin);
+  static ElementGrid across_ellipse(double a, double b, int n, int margin = 0) {
+    return across_ellipse(a, b, n, n, margin);
+  }
   /// n elements across a line contact of half-width a, and `margin` more on each side; forces per `length` [m].
   static ElementGrid across_line(double a, int n, int margin = 0, double length = 1);
 };

@@ -22,6 +22,8 @@ public:
   double& at(int i, int j) { return values_[index(i, j)]; }
   double at(int i, int j) const { return values_[index(i, j)]; }
   std::span<const double> values() const { return values_; }
+  /// K(., j); index 0 is offset 0, and indices run from 1 - mx to mx - 1.
+  const double* row(int j) const { return values_.data() + index(0, j); }
 
 private:
   std::size_t index(int i, int j) const {

@@ -110,7 +110,7 @@ ContactFields march_patch(const MarchingKernels& kernels, double travel, const P
       const RowGeometry at = row(j);
       recorder.copy_row(f, j, j - first, at, travel, motion.flexibilities);
       recorder.copy_bound(f, j, j - first, rows.table_centre);
-      std::fill_n(&f.area[j * mx], mx, at.cell * patch.row_width);
+      std::fill_n(&f.area[std::size_t(j) * mx], mx, at.cell * patch.row_width);
       totals.add_row(rows, j, 0, at, travel);
       area += mx * at.cell * patch.row_width;
       slip_area += rows.slip_cells[j] * at.cell * patch.row_width;

@@ -232,7 +232,7 @@ struct RowSolver::Workspace {
         const RowGeometry at = row(contact, j);
         recorder.copy_row(f, j, j - first, at, travel, l);
         recorder.copy_bound(f, j, j - first, rows.table_centre);
-        std::fill_n(&f.area[j * options.mx], options.mx, weight * at.cell * (2 * contact.b / options.my));
+        std::fill_n(&f.area[std::size_t(j) * options.mx], options.mx, weight * at.cell * (2 * contact.b / options.my));
       }
     }
     collect<double>(contact, 0, f.forces);

@@ -15,9 +15,9 @@ struct RowArrays {
 
   RowArrays(int rows, int cells) : stride((rows + widest_group - 1) / widest_group * widest_group) {
     for (auto* numbers : {&rigid_slip_x, &rigid_slip_y, &rigid_slip_dy, &bound_scale, &sum_px, &sum_py, &sum_moment})
-      numbers->resize((1 + row_partials) * stride);
+      numbers->resize((1 + row_partials) * std::size_t(stride));
     slip_cells.resize(stride);
-    const int point = (1 + row_partials) * widest_group;
+    const std::size_t point = (1 + row_partials) * std::size_t(widest_group);
     table_centre.resize((cells + 1) * point);
     table_middle.resize(cells * point);
     table_slope.resize(point);

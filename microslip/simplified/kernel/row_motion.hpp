@@ -26,7 +26,7 @@ template <int N> double number(const Dual<double, N>& of, int k) {
 }
 
 template <class Real> void put(const Real& value, double* to, int stride) {
-  for (int k = 0; k < numbers_of<Real>; ++k) to[k * stride] = number(value, k);
+  for (int k = 0; k < numbers_of<Real>; ++k) to[std::ptrdiff_t(k) * stride] = number(value, k);
 }
 
 /// Which way a particle travels along x: against the rolling direction.
