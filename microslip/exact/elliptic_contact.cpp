@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
+#include "microslip/exact/fastsim2_start.hpp"
 
 #include <cmath>
 #include <limits>
@@ -91,6 +92,8 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact) {
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
+  const TangentialState start = start_from_fastsim2(contact, grid_, bound, options_.direction);
+  input.start = &start;
   const TangentialSolution s = tangential_->solve(bound, input);
 
   ExactContact out;

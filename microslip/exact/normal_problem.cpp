@@ -47,8 +47,8 @@ private:
   /// Pressure where the bodies would overlap; with the force given everywhere.
   bool start() {
     const double nearest = *std::min_element(gap_.begin(), gap_.end());
-    if (!by_force_ && nearest >= value_) return false;
     approach_ = value_;
+    if (!by_force_ && nearest >= value_) return false;
     const double depth = by_force_ ? 1 : value_ - nearest;
     for (std::size_t k = 0; k < pressure_.size(); ++k)
       pressure_[k] = by_force_ ? 1 : std::max(0.0, value_ - gap_[k]) / depth;
