@@ -83,20 +83,30 @@ inline RowSum march_fastsim2(const Row& row, int mx) {
     const double ay = py + length / 2 * sy - length * row.rigid_y((start + end) / 2);
     const double g = row.bound(end), size = std::sqrt(ax * ax + ay * ay);
     if (size > g) {
-      const double nx = ax / size, ny = ay / size;
+      double nx = ax / size, ny = ay / size;
       if (sliding) { // (38)
         sx = 2 * (g - size) / length * nx;
         sy = 2 * (g - size) / length * ny;
         sum.slip += length;
-      } else { // (39), with the zero of a parabola through three values of |p| - g
+      } else { // (39), from the parabola through three values of |p| - g
         const double mx2 = px - length / 2 * row.wx, my2 = py - length / 2 * row.rigid_y(start + length / 4);
         const double f0 = std::min(0.0, std::hypot(px, py) - row.bound(start));
         const double fm = std::hypot(mx2, my2) - row.bound(start + length / 2), f1 = size - g;
         const double c = 2 * (f0 + f1 - 2 * fm), b = 4 * fm - 3 * f0 - f1, root = std::sqrt(b * b - 4 * c * f0);
         const double t = b > 0 ? -2 * f0 / (b + root) : (root - b) / (2 * c);
-        const double slip = (b + c * (1 + t)) / length; // = (|p_adh| - g)/((1 - t) length)
-        sx = -slip * nx;
-        sy = -slip * ny;
+        const bool grows = b + 2 * c > 0;
+        const double mean = b + c * (1 + t), slope = grows ? b + 2 * c * t : mean, end_slope = grows ? b + 2 * c : mean;
+        // Traction where f is zero; the slip there is slope/length against it, and acts over half of the rest.
+        const double bx = px - t * length * row.wx, by = py - t * length * row.rigid_y(start + t * length / 2);
+        const double g0 = row.bound(start), gm = row.bound(start + length / 2);
+        const double boundary = g0 + t * (4 * gm - 3 * g0 - g + 2 * t * (g0 + g - 2 * gm)); // |(bx, by)|
+        const double pull = boundary > 0 ? (1 - t) * slope / 2 / boundary : 0;
+        const double turned_x = ax - pull * bx, turned_y = ay - pull * by;
+        const double turned = std::hypot(turned_x, turned_y);
+        nx = turned_x / turned;
+        ny = turned_y / turned;
+        sx = -end_slope / length * nx;
+        sy = -end_slope / length * ny;
         sum.slip += (1 - t) * length;
       }
       px = g * nx;

@@ -29,6 +29,9 @@ template <class Value, int N> struct Dual {
   MICROSLIP_INLINE friend Dual operator+(const Dual& a, const Dual& b) {
     return combine(a.value + b.value, [&](int k) { return a.partial[k] + b.partial[k]; });
   }
+  MICROSLIP_INLINE friend Dual operator+(const Value& a, const Dual& b) {
+    return combine(a + b.value, [&](int k) { return b.partial[k]; });
+  }
   MICROSLIP_INLINE friend Dual operator-(const Dual& a, const Dual& b) {
     return combine(a.value - b.value, [&](int k) { return a.partial[k] - b.partial[k]; });
   }

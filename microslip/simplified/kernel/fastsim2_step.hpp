@@ -16,9 +16,10 @@ MICROSLIP_INLINE void start_sliding(Particles<Real, Plain, Mask>& at, const Real
   at.slip_y = select(at.sliding, share * rigid_y, at.slip_y);
 }
 
-/// Where in the step, 0 to 1, the adhesion solution crosses the bound, and how fast: zero and slope of the parabola
-/// through f = |p| - g at the step's beginning (f <= 0), middle and end (f > 0).
-template <class Real> struct Crossing { Real place, slope; };
+/// Where in the step, 0 to 1, the adhesion solution crosses the bound, and how fast it leaves it, there and at the
+/// step's end: zero and slopes of the parabola through f = |p| - g at the step's beginning (f <= 0), middle and end (f
+/// > 0).
+template <class Real> struct Crossing { Real place, slope, end_slope; };
 template <class Real, class Plain>
 MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle, const Real& end) {
   const Plain zero(0.0), two(2.0), four(4.0);
@@ -29,7 +30,10 @@ MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle,
   // The form of the zero that has no cancellation; its denominator is positive because f(0) <= 0 < f(1).
   const auto rising = zero < value_of(b);
   const Real place = select(rising, start * Plain(-2.0), root - b) / select(rising, root + b, c * two);
-  return {place, b + c * (Real(Plain(1.0)) + place)};
+  const Real end_slope = b + c * two;
+  const Real mean_slope = b + c * (Real(Plain(1.0)) + place); // between crossing and end, positive
+  const auto grows = zero < value_of(end_slope);
+  return {place, select(grows, b + c * place * two, mean_slope), select(grows, end_slope, mean_slope)};
 }
 
 /// One step of FASTSIM2, (35)-(39): the trapezoidal rule, with the boundary between adhesion and slip found inside the
@@ -70,16 +74,36 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
 
   const Mask lets_go = slides & ~was_sliding;
   if (any(lets_go)) {
-    // Step 4b. With the parabola of f the slip of (39) is f's divided difference between the crossing and the step's
-    // end.
+    // Step 4b. The slip at the boundary, which the paper gives up on, is the slope of f there, against the traction: as
+    // (34) in one dimension. Over the rest of the step it turns the traction, so that forces stay nearly continuous
+    // when a boundary passes a grid point. The parabola's slope at the end gives the slip there without dividing by a
+    // short rest.
+    const Plain two(2.0), four(4.0);
     const Real middle_x = at.px - step.half_rigid_x;
     const Real middle_y = at.py - step.half_rigid_y;
     const Crossing<Real> cross =
         crossing<Real, Plain>(magnitude(at.px, at.py) - step.bound_before,
                               magnitude(middle_x, middle_y) - step.bound_middle, size - step.bound);
-    const Real slip = cross.slope * inverse * Plain(1 / step.length);
-    next.slip_x = select(lets_go, -(slip * adhesion_x), next.slip_x);
-    next.slip_y = select(lets_go, -(slip * adhesion_y), next.slip_y);
+    const Real t = cross.place; // traction there from the rigid slip's parabola, its size from the bound's
+    const Real rest = Real(one) - t;
+    const Real boundary_x =
+        at.px - t * (step.half_rigid_x * four - step.rigid_x + t * ((step.rigid_x - step.half_rigid_x * two) * two));
+    const Real boundary_y =
+        at.py - t * (step.half_rigid_y * four - step.rigid_y + t * ((step.rigid_y - step.half_rigid_y * two) * two));
+    const Real boundary_size =
+        step.bound_before + t * (step.bound_middle * four - step.bound_before * Plain(3.0) - step.bound +
+                                 t * ((step.bound_before + step.bound - step.bound_middle * two) * two));
+    const Real pull =
+        select(zero < value_of(boundary_size), rest * cross.slope * Plain(0.5) / boundary_size, Real(zero));
+    const Real turned_x = adhesion_x - pull * boundary_x;
+    const Real turned_y = adhesion_y - pull * boundary_y;
+    const Real turned2 = turned_x * turned_x + turned_y * turned_y;
+    const Real turned_inverse = sqrt(turned2) * (one / turned2);
+    next.px = select(lets_go, step.bound * turned_inverse * turned_x, next.px);
+    next.py = select(lets_go, step.bound * turned_inverse * turned_y, next.py);
+    const Real slip = cross.end_slope * turned_inverse * Plain(1 / step.length);
+    next.slip_x = select(lets_go, -(slip * turned_x), next.slip_x);
+    next.slip_y = select(lets_go, -(slip * turned_y), next.slip_y);
     sliding_part = select(lets_go, one - value_of(cross.place), sliding_part);
   }
 
