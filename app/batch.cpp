@@ -156,7 +156,7 @@ int batch(const BatchArguments& arguments) {
   const InterruptGuard guard;
   Batch work(arguments);
   if (work.run()) return 0;
-  fmt::print(stderr, "microslip: warning: {}: {} of {} contacts could not be solved; their status says why\n",
+  fmt::print(stderr, "microslip: warning: {}: {} of {} contacts have numbers too large or too small to compute with\n",
              arguments.output.string(), work.contacts_unsolved(), work.contacts());
   return 1;
 }

@@ -38,9 +38,9 @@ void add_commands(CLI::App& program, int& exit_code) {
                  "microslip COMMAND --help describes a command.");
 }
 
-int fail(const std::string& message, int exit_code) {
+int fail(const char* message, int exit_code) {
   std::fflush(stdout);
-  fmt::print(stderr, "microslip: {}\n", message);
+  std::fprintf(stderr, "microslip: %s\n", message);
   return exit_code;
 }
 
@@ -50,12 +50,22 @@ int run(int count, char** arguments) {
   add_commands(program, exit_code);
   try {
     program.parse(count, arguments);
-    if (std::fflush(stdout) != 0) return fail("standard output cannot be written", bad_input);
-    return exit_code;
   } catch (const CLI::Success& success) {
-    return program.exit(success);
+    exit_code = program.exit(success);
   } catch (const CLI::ParseError& error) {
-    return fail(usage_error(program, error), bad_input);
+    return fail(usage_error(program, error).c_str(), bad_input);
+  }
+  if (std::fflush(stdout) != 0) return fail("standard output cannot be written", bad_input);
+  return exit_code;
+}
+
+} // namespace
+} // namespace microslip
+
+int main(int count, char** arguments) {
+  using namespace microslip;
+  try {
+    return run(count, arguments);
   } catch (const Interrupted& error) {
     return fail(error.what(), interrupted);
   } catch (const std::bad_alloc&) {
@@ -63,11 +73,4 @@ int run(int count, char** arguments) {
   } catch (const std::exception& error) {
     return fail(error.what(), bad_input);
   }
-}
-
-} // namespace
-} // namespace microslip
-
-int main(int count, char** arguments) {
-  return microslip::run(count, arguments);
 }

@@ -98,7 +98,10 @@ int solve(SolveArguments arguments) {
     for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
     if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
   }
-  return result.fields.forces.status == Status::ok ? 0 : 1;
+  if (result.fields.forces.status == Status::ok) return 0;
+  fmt::print(stderr, "microslip: warning: {}: the numbers are too large or too small to compute with\n",
+             arguments.case_file.string());
+  return 1;
 }
 
 } // namespace

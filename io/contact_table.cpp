@@ -13,7 +13,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t chunk_size = 32 * 1024;
+constexpr std::size_t chunk_size = std::size_t{32} * 1024;
 
 constexpr std::string_view label_start = "column ";
 

@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 
 #include <cerrno>
+#include <charconv>
 #include <string>
 #include <system_error>
 
@@ -20,12 +21,18 @@ std::filesystem::path follow_links(const std::filesystem::path& path) {
   return error ? path : target;
 }
 
-/// What must be written in place: pipes, terminals, and links such as /dev/stdout, which may lead to a file that others
-/// write, too.
-bool is_stream(const std::filesystem::path& path) {
-  const auto name = path.string();
-  if (name == "/dev/stdout" || name == "/dev/stderr") return true;
-  if (name.starts_with("/dev/fd/") || name.starts_with("/proc/")) return true;
+/// The descriptor that a name such as /dev/stdout stands for, or -1. To open the name again would lose the place where
+/// others write.
+int named_descriptor(const std::string& name) {
+  constexpr std::string_view numbered = "/dev/fd/";
+  if (name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  int number = -1;
+  if (name.starts_with(numbered)) std::from_chars(name.data() + numbered.size(), name.data() + name.size(), number);
+  return number;
+}
+
+bool is_special(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
@@ -41,8 +48,9 @@ std::filesystem::path temporary_name(const std::filesystem::path& target, int at
 } // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_(follow_links(path)) {
-  if (is_stream(path)) {
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const int named = named_descriptor(path.string());
+  if (named >= 0 || is_special(path)) {
+    descriptor_ = named >= 0 ? ::fcntl(named, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail(errno);
     return;
   }

@@ -150,7 +150,7 @@ std::string TomlSection::text(std::string_view key, std::string_view missing) co
 
 std::string TomlSection::word(std::string_view key, std::string_view missing,
                               std::span<const std::string_view> words) const {
-  const auto value = text(key, missing);
+  auto value = text(key, missing);
   at(key, [&] { require_word(full(key), value, words); });
   return value;
 }

@@ -214,6 +214,14 @@ TEST(CaseFile, NamesTheLineOfASyntaxError) {
   EXPECT_EQ(message_of("a = " + std::string(100000, '[')).rfind("w.toml:1: ", 0), 0u);
 }
 
+TEST(CaseFile, TakesLettersOfAnyLanguageInTextAndComments) {
+  EXPECT_EQ(message_of(with("\"t\"", "\"Räder 轮\" # ä 轮")), "no error");
+  EXPECT_EQ(message_of(with("80e3", "80e3 ä")).rfind("w.toml:13: ", 0), 0u);
+  EXPECT_EQ(message_of(with("normal_force", "ä")).rfind("w.toml:13: ", 0), 0u);
+  EXPECT_EQ(message_of("\xef\xbb\xbd").rfind("w.toml:1: ", 0), 0u);
+  EXPECT_EQ(message_of(with("\"t\"", "\"\xff\"")).rfind("w.toml:1: ", 0), 0u);
+}
+
 TEST(CaseFile, SurvivesDeepNesting) {
   std::string dotted = "a";
   while (dotted.size() < (1 << 20) - 10) dotted += ".a";

@@ -65,11 +65,12 @@ TEST(OutputFile, WritesStreamsInPlace) {
   write_file("/dev/null", "gone");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
   const TemporaryFolder folder;
-  write_file(folder / "f", "kept ");
-  const auto descriptor = ::open((folder / "f").c_str(), O_WRONLY | O_APPEND);
-  write_file("/dev/fd/" + std::to_string(descriptor), "added");
+  const auto descriptor = ::open((folder / "f").c_str(), O_WRONLY | O_CREAT, 0600);
+  EXPECT_EQ(::write(descriptor, "one ", 4), 4);
+  write_file("/dev/fd/" + std::to_string(descriptor), "two ");
+  EXPECT_EQ(::write(descriptor, "three", 5), 5);
   ::close(descriptor);
-  EXPECT_EQ(contents(folder / "f"), "kept added");
+  EXPECT_EQ(contents(folder / "f"), "one two three");
 }
 
 TEST(OutputFile, TakesAnotherNameThanTheRemainsOfAKilledProgram) {

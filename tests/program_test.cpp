@@ -321,6 +321,27 @@ TEST(Program, BatchFollowsLinearTheoryAtVanishingCreepage) {
   EXPECT_NEAR(std::stod(rows_of(folder / "out.csv").at(0).at(9)), linear, std::abs(linear) * 1e-4);
 }
 
+TEST(Program, MarksWhatCannotBeComputed) {
+  const TemporaryFolder folder;
+  save(folder / "in.csv",
+       header + "1e200,1e200,82e9,0.28,0.3,80e3,0.001,0,0\n0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n");
+  const auto batch = run(folder, "batch in.csv -o out.csv");
+  EXPECT_EQ(batch.exit_code, 1);
+  EXPECT_EQ(batch.errors.rfind("microslip: warning: out.csv: 1 of 2 contacts have numbers too large", 0), 0u);
+  const auto rows = rows_of(folder / "out.csv");
+  EXPECT_EQ(rows.at(0).at(9), "nan");
+  EXPECT_EQ(rows.at(0).at(14), "invalid_input");
+  EXPECT_EQ(rows.at(1).at(14), "ok");
+
+  auto text = contents(example);
+  text.replace(text.find("80e3"), 4, "1e300").replace(text.find("0.0018"), 6, "1e300");
+  save(folder / "w.toml", text);
+  const auto solve = run(folder, "solve w.toml -o out --no-pictures");
+  EXPECT_EQ(solve.exit_code, 1);
+  EXPECT_EQ(solve.errors.rfind("microslip: warning: w.toml: the numbers are too large", 0), 0u);
+  EXPECT_EQ(Hdf5Reader(folder / "out/result.h5").text("fastsim2/status"), "invalid_input");
+}
+
 TEST(Program, BatchRefusesBadTables) {
   const TemporaryFolder folder;
   const std::string row = "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n";

@@ -8,6 +8,8 @@ namespace detail {
 MarchingKernels marching_kernels_baseline(MarchingScheme scheme);
 #ifdef MICROSLIP_X86_64
 MarchingKernels marching_kernels_avx2(MarchingScheme scheme);
+#endif
+#ifdef MICROSLIP_AVX512
 MarchingKernels marching_kernels_avx512(MarchingScheme scheme);
 #endif
 
@@ -16,6 +18,8 @@ MarchingKernels marching_kernels(MarchingScheme scheme, InstructionSet instructi
 #ifdef MICROSLIP_X86_64
   case InstructionSet::avx2:
     return marching_kernels_avx2(scheme);
+#endif
+#ifdef MICROSLIP_AVX512
   case InstructionSet::avx512:
     return marching_kernels_avx512(scheme);
 #endif
@@ -29,9 +33,11 @@ MarchingKernels marching_kernels(MarchingScheme scheme, InstructionSet instructi
 bool is_available(InstructionSet instruction_set) {
 #ifdef MICROSLIP_X86_64
   if (instruction_set == InstructionSet::avx2) return __builtin_cpu_supports("avx2");
+#endif
+#ifdef MICROSLIP_AVX512
   if (instruction_set == InstructionSet::avx512)
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl");
+           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
 #endif
   return instruction_set == InstructionSet::baseline;
 }
