@@ -4,13 +4,13 @@
 #include "io/result_file.hpp"
 #include "microslip/simplified/row_solver.hpp"
 #include "validation/error_statistics.hpp"
+#include "validation/relative_forces.hpp"
 #include "validation/report.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -54,11 +54,7 @@ constexpr Column fastsim2_fy = {{{.005, .013, .02020},
                                  {.000, .000, .00004},
                                  {.000, .000, .00001}}};
 
-/// Forces over mu Fn, moment over mu Fn sqrt(a b).
-struct Relative {
-  double fx, fy, mz;
-};
-using Results = std::vector<Relative>;
+using Results = std::vector<RelativeForces>;
 
 class Solver {
 public:
@@ -78,13 +74,8 @@ public:
     if (options_.progress && !options_.progress(std::min(1.0, done_ / solves_))) stopped_ = true;
     Results results;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const EllipticContact& c = contacts_[i];
-      const double bound = c.friction.static_coefficient() * c.normal_force;
-      results.push_back({forces_[i].fx / bound, forces_[i].fy / bound, forces_[i].mz / (bound * std::sqrt(c.a * c.b))});
-      if (partial_slip) {
-        const bool moves = c.creepage.longitudinal != 0 || c.creepage.lateral != 0 || c.creepage.spin != 0;
-        partial_slip->push_back(moves && forces_[i].adhesion_area > 1e-3 * std::numbers::pi * c.a * c.b);
-      }
+      results.push_back(relative(forces_[i], contacts_[i]));
+      if (partial_slip) partial_slip->push_back(slides_in_part(forces_[i], contacts_[i]));
     }
     return results;
   }
@@ -97,16 +88,6 @@ private:
   bool stopped_ = false;
 };
 
-using Component = double Relative::*;
-
-std::vector<double> errors(const Results& results, const Results& reference, Component component,
-                           const std::vector<bool>* only = nullptr) {
-  std::vector<double> e;
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (!only || (*only)[i]) e.push_back(std::abs(results[i].*component - reference[i].*component));
-  return e;
-}
-
 struct Series {
   std::array<ErrorStatistics, count> fx, fy, mz;
   std::vector<double> sorted_fy; ///< grid by grid
@@ -116,9 +97,9 @@ Series compare(const std::array<Results, count>& results, const Results& referen
                const std::vector<bool>* only = nullptr) {
   Series series;
   for (std::size_t g = 0; g < count; ++g) {
-    auto fx = errors(results[g], reference, &Relative::fx, only);
-    auto fy = errors(results[g], reference, &Relative::fy, only);
-    auto mz = errors(results[g], reference, &Relative::mz, only);
+    auto fx = differences(results[g], reference, &RelativeForces::fx, only);
+    auto fy = differences(results[g], reference, &RelativeForces::fy, only);
+    auto mz = differences(results[g], reference, &RelativeForces::mz, only);
     series.fx[g] = statistics(fx);
     series.fy[g] = statistics(fy);
     series.mz[g] = statistics(mz);

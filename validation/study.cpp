@@ -1,7 +1,16 @@
 #include "validation/study.hpp"
 
+#include "validation/carter.hpp"
+#include "validation/cattaneo.hpp"
+#include "validation/cattaneo_to_carter.hpp"
+#include "validation/creep_curve.hpp"
+#include "validation/exact_112.hpp"
+#include "validation/exact_test_set.hpp"
+#include "validation/fastsim2_table1.hpp"
 #include "validation/fastsim2_table2.hpp"
+#include "validation/hertz.hpp"
 #include "validation/model_problem.hpp"
+#include "validation/solver_growth.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,13 +19,30 @@ namespace microslip::validation {
 namespace {
 
 constexpr std::array all_studies = {
+    Study{"carter", "rolling cylinders against Carter's closed form", run_carter},
+    Study{"cattaneo", "a shifted sphere against the closed form of Cattaneo and Mindlin", run_cattaneo},
+    Study{"cattaneo-to-carter", "a shifted sphere that begins to roll, step by step to the steady state",
+          run_cattaneo_to_carter},
+    Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
+    Study{"exact-112", "112 of the 3,220 cases by exact theory", run_exact_112},
+    Study{"exact-test-set", "all 3,220 cases by exact theory: failures, steps, products, time", run_exact_test_set},
+    Study{"fastsim2-table1", "Table 1 of the FASTSIM2 paper: FASTSIM2 against exact theory on 3,220 cases",
+          run_fastsim2_table1},
     Study{"fastsim2-table2", "Table 2 of the FASTSIM2 paper: discretisation errors on 3,220 cases",
           run_fastsim2_table2},
+    Study{"hertz", "the normal problem against Hertz's closed form, and its order", run_hertz},
     Study{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies",
           run_model_problem},
+    Study{"solver-growth", "Table 1 of the refinement paper: how the cost of ConvexGS grows, beside Newton's",
+          run_solver_growth},
 };
 
 } // namespace
+
+Progress part_of(const Progress& whole, double begin, double end) {
+  if (!whole) return {};
+  return [whole, begin, end](double fraction) { return whole(begin + fraction * (end - begin)); };
+}
 
 std::span<const Study> studies() {
   return all_studies;

@@ -15,6 +15,9 @@ struct StudyOptions {
   Progress progress = {}; ///< when it asks to stop, the study writes nothing more and returns false
 };
 
+/// Progress of a part of some work, which lasts from the fraction `begin` to `end` of the whole.
+Progress part_of(const Progress& whole, double begin, double end);
+
 /// Computed figures beside published ones.
 struct Study {
   std::string_view name;

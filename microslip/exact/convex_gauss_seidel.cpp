@@ -4,11 +4,9 @@
 #include "microslip/exact/direct_response.hpp"
 #include "microslip/exact/friction_residual.hpp"
 #include "microslip/exact/prescribed_force.hpp"
-#include "microslip/vec2.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace microslip {
@@ -160,9 +158,11 @@ FrictionSolution iterate(const FrictionProblem& problem, const TangentialKernel&
 } // namespace
 
 Relaxation Relaxation::of(const TangentialKernel& kernel) {
-  if (kernel.xx.mx() == 1) return {0.9, 0.9};
-  const double ahead = std::min(kernel.xx.at(-1, 0), kernel.xx.at(1, 0));
-  const double omega = 0.9 * std::min(1.0, kernel.xx.at(0, 0) / std::abs(ahead));
+  double omega = 0.9;
+  if (kernel.xx.mx() > 1) {
+    const double ahead = std::min(kernel.xx.at(-1, 0), kernel.xx.at(1, 0));
+    omega = std::min(omega, 0.7 * std::pow(kernel.xx.at(0, 0) / ahead, 2));
+  }
   return {omega, omega};
 }
 
@@ -175,6 +175,7 @@ GaussSeidelSolution solve_convex_gauss_seidel(const FrictionProblem& problem, co
   if (options.relaxation)
     for (const double omega : {options.relaxation->adhesion, options.relaxation->slip})
       if (!(omega > 0 && omega < 2)) throw Error("relaxation", omega, "-", "above 0 and below 2");
+  const long products_before = problem.response.products();
   GaussSeidelSolution solution;
   static_cast<FrictionSolution&>(solution) = solve_prescribed_force(
       problem, options.tolerance,
@@ -184,6 +185,7 @@ GaussSeidelSolution solve_convex_gauss_seidel(const FrictionProblem& problem, co
         return iterate(given, kernel, inner, px, py, solution.sweeps);
       },
       start_px, start_py);
+  solution.products = problem.response.products() - products_before;
   return solution;
 }
 

@@ -13,8 +13,9 @@ struct Relaxation {
   double adhesion = 1; ///< of the tractions (R10)
   double slip = 1;     ///< of their direction (R11)
 
-  /// .9 min(1, D_xx(0, 0)/|D_xx| of the neighbour ahead): .9 for shifts, transient rolling and steady rolling with dq
-  /// from dx on; less for a smaller dq, with which the element ahead weighs more than the element itself.
+  /// min(.9, .7 r^2) with r = D_xx of an element on itself over that of the element ahead on it: .9 for shifts and
+  /// transient rolling, .7 for steady rolling with dq = dx (r = -1), less for a smaller dq, with which the element
+  /// ahead weighs more than the element itself. Found by trial.
   static Relaxation of(const TangentialKernel& kernel);
 };
 
@@ -36,7 +37,8 @@ struct GaussSeidelSolution : FrictionSolution {
 ///
 /// (R11) needs a traction on the bound. An element that is to slip but is still inside its bound goes there by (R10).
 /// Rows are swept with y ascending, their elements from the trailing to the leading edge. The sums over all other rows
-/// are made by `threads` threads; the result does not depend on how many.
+/// are made by `threads` threads, which meet after each row; the result does not depend on how many. More threads than
+/// idle cores make it much slower.
 ///
 /// `kernel` is that of problem.response. `start` is where it begins; empty spans mean zero tractions. Where a force is
 /// given, solve_prescribed_force calls this method, and `sweeps` counts all. Throws Error for options out of range.

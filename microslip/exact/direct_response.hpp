@@ -26,11 +26,10 @@ public:
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override;
-  double diagonal() const override { return (kernel_.xx.at(0, 0) + kernel_.yy.at(0, 0)) / 2; }
+  double diagonal() const override { return kernel_.diagonal(); }
   long products() const override { return products_; }
 
   const TangentialKernel& kernel() const { return kernel_; }
-  int threads() const { return threads_; }
 
 private:
   TangentialKernel kernel_;

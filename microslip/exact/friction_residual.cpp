@@ -30,7 +30,7 @@ void find_residual(const FrictionProblem& problem, FrictionSolution& s) {
     s.sy[k] += problem.cy[k] + share * s.constant_y;
     const double zx = s.px[k] - rho * s.sx[k], zy = s.py[k] - rho * s.sy[k];
     const double size = std::hypot(zx, zy), factor = size > g ? g / size : 1;
-    s.sliding[k] = size > g;
+    s.sliding[k] = size > g && on_bound(s.px[k], s.py[k], g);
     sum += std::pow(s.px[k] - factor * zx, 2) + std::pow(s.py[k] - factor * zy, 2);
     total_x += s.px[k];
     total_y += s.py[k];

@@ -43,6 +43,9 @@ OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& g
 struct TangentialKernel {
   OffsetTable xx, xy, yy; ///< D_yx = D_xy
 
+  /// As SlipResponse::diagonal.
+  double diagonal() const { return (xx.at(0, 0) + yy.at(0, 0)) / 2; }
+
   /// As TangentialResponse::displacement and TangentialResponse::growth.
   static TangentialKernel displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift = 0,
                                        double length = 1);

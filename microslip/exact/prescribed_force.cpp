@@ -76,7 +76,9 @@ FrictionSolution solve_prescribed_force(const FrictionProblem& problem, double t
   GivenConstants search(problem, tolerance / 10, solve);
   FrictionSolution s = search.solve({0, 0}, start_px, start_py);
   // Small against the slip that an element's own traction makes.
-  double small = 1e-4 * problem.response.diagonal() * *std::max_element(problem.bound.begin(), problem.bound.end());
+  const double least =
+      1e-4 * problem.response.diagonal() * *std::max_element(problem.bound.begin(), problem.bound.end());
+  double small = least;
   for (int k = 0; k < most_steps && s.residual > tolerance; ++k) {
     const Vec2 step = search.newton_step(s, small);
     if (!std::isfinite(step.x) || !std::isfinite(step.y)) break;
@@ -88,7 +90,7 @@ FrictionSolution solve_prescribed_force(const FrictionProblem& problem, double t
       if (length(search.excess(trial)) < (1 - 1e-4 * share) * before) break;
     }
     s = std::move(trial);
-    small = std::max(1e-3 * share * length(step), 1e-3 * small);
+    small = std::max(1e-2 * share * length(step), least);
   }
   s.status = s.residual <= tolerance ? Status::ok : Status::not_converged;
   return s;

@@ -8,6 +8,8 @@
 
 namespace microslip {
 
+struct TangentialKernel;
+
 /// Normal displacement difference u_z = A_zz p_n on a grid of elements with constant pressure, for elastically similar
 /// bodies.
 class NormalResponse {
@@ -55,7 +57,7 @@ public:
   long products() const override { return transform_.products(); }
 
 private:
-  template <class Kernel> TangentialResponse(const ElementGrid& grid, Kernel kernel);
+  explicit TangentialResponse(const TangentialKernel& kernel);
 
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yy_;

@@ -6,6 +6,7 @@ import sys
 
 import matplotlib
 
+from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
 from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.model_problem_picture import model_problem_pictures
 from microslip.picture_style import SETTINGS
@@ -14,6 +15,7 @@ from microslip.rolling_contact_pictures import rolling_contact_pictures
 
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
+    "fastsim2-table1": fastsim2_table1_pictures,
     "fastsim2-table2": fastsim2_table2_pictures,
     "model-problem": model_problem_pictures,
 }

@@ -80,6 +80,21 @@ def write_creep_curve(file, index, names, grid, creepage, limit, backward):
         file[f"/creep_curve/point_{name}"] = force(creepage[index])[name]
 
 
+def write_fastsim2_table1(path, cases=400):
+    """A file of kind fastsim2-table1; the errors grow linearly from 0, those of each variant to another largest one."""
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"kind": "fastsim2-table1", "title": "Table 1", "version": "0.1.0", "commit": "abc"})
+        for part, flexibility in enumerate(("three", "one", "blended"), start=1):
+            for bound in ("parabolic", "elliptic"):
+                for force, largest in (("fx", 0.05 * part), ("fy", 0.08 * part)):
+                    variant = f"{flexibility}_{bound}"
+                    file[f"/{variant}/error_{force}"] = largest * np.arange(1, cases + 1) / cases
+                    for percent in (80, 95):
+                        file[f"/{variant}/p{percent}_{force}"] = largest * percent / 100
+                        if flexibility != "blended":
+                            file[f"/published/{variant}/p{percent}_{force}"] = largest * percent / 100
+
+
 GRIDS = (5, 10, 20, 40, 80, 160)
 RMS = {"fastsim": (0.4, 1), "fastsim_half_step": (0.2, 1), "fastsim2": (0.13, 2)}
 

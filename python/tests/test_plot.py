@@ -19,7 +19,8 @@ from matplotlib.quiver import Quiver
 from microslip import plot
 from microslip.picture_style import SETTINGS, quantity, round_down, round_up
 from microslip.result_file import ResultFile
-from tests.synthetic_results import (GRIDS, write_fastsim2_table2, write_model_problem, write_rolling_contact)
+from tests.synthetic_results import (GRIDS, write_fastsim2_table1, write_fastsim2_table2, write_model_problem,
+                                     write_rolling_contact)
 
 PYTHON_FOLDER = Path(__file__).resolve().parent.parent
 
@@ -60,6 +61,10 @@ class CommandLineTest(FolderTest):
     def test_rolling_contact(self):
         write_rolling_contact(self.path)
         self.expect_pictures(["tractions.png", "areas.png", "creep_curve.png"])
+
+    def test_fastsim2_table1(self):
+        write_fastsim2_table1(self.path)
+        self.expect_pictures(["fastsim2_figure3.png"])
 
     def test_fastsim2_table2(self):
         write_fastsim2_table2(self.path)
@@ -205,6 +210,18 @@ class RollingContactPicturesTest(FolderTest):
 
 
 class StudyPicturesTest(FolderTest):
+    def test_figure_3_goes_through_the_published_percentiles(self):
+        write_fastsim2_table1(self.path)
+        for axes, published in zip(self.figures()["fastsim2_figure3.png"].axes, (8, 8, 0), strict=True):
+            lines = [line for line in axes.lines if len(line.get_xdata()) > 1]
+            points = [line for line in axes.lines if len(line.get_xdata()) == 1]
+            self.assertEqual((len(lines), len(points)), (4, published))
+            for point in points:
+                value, share = point.get_xydata()[0]
+                distances = [abs(np.interp(value, *line.get_xydata().T) - share) for line in lines
+                             if line.get_color() == point.get_color()]
+                self.assertLess(min(distances), 0.5)
+
     def test_figure_4_holds_the_percentiles(self):
         write_fastsim2_table2(self.path)
         figure = self.figures()["fastsim2_figure4.png"]

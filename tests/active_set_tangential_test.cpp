@@ -1,0 +1,135 @@
+#include "microslip/exact/active_set_tangential.hpp"
+
+#include "expect_error.hpp"
+#include "friction_cases.hpp"
+#include "friction_conditions.hpp"
+#include "microslip/exact/direct_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+void expect_same(const FrictionCase& c, const TangSolution& s, const TangentialSolution& newton) {
+  ASSERT_EQ(newton.forces.status, Status::ok) << newton.residual;
+  const double most = *std::max_element(c.bound.begin(), c.bound.end());
+  for (std::size_t k = 0; k < c.bound.size(); ++k) {
+    ASSERT_NEAR(s.px[k], newton.tractions.px[k], 1e-6 * most);
+    ASSERT_NEAR(s.py[k], newton.tractions.py[k], 1e-6 * most);
+  }
+  const double unit = 1e-6 * most * c.kernel().diagonal();
+  EXPECT_NEAR(s.constant_x, c.input.force_x ? newton.creepage.longitudinal : 0, unit);
+  EXPECT_NEAR(s.constant_y, c.input.force_y ? newton.creepage.lateral : 0, unit);
+}
+
+/// Another algorithm, other sums, another way to the forces: the same solution.
+TEST(ActiveSetTangential, FindsWhatNewtonFinds) {
+  for (const FrictionCase& c : friction_cases(9)) {
+    SCOPED_TRACE(c.name);
+    DirectResponse response(c.kernel());
+    const PlaneFields free = c.free_slip();
+    const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});
+    ASSERT_EQ(s.status, Status::ok) << s.residual;
+    EXPECT_LE(s.residual, 1e-9);
+    EXPECT_GE(s.divisions, 1);
+    PlaneFields slip = free;
+    Field ux(c.bound.size()), uy(ux);
+    c.response().apply(s.px, s.py, ux, uy);
+    for (std::size_t k = 0; k < c.bound.size(); ++k) {
+      slip.x[k] += ux[k] + s.constant_x;
+      slip.y[k] += uy[k] + s.constant_y;
+    }
+    expect_friction_conditions({c.bound, s.px, s.py, slip.x, slip.y, response.diagonal()}, s.sliding, 1e-8);
+    expect_same(c, s, c.by_newton());
+  }
+}
+
+/// For other maps than block Toeplitz ones too: the leading edge's correction.
+TEST(ActiveSetTangential, LeadingEdgeCorrected) {
+  FrictionCase c = elliptic_case("", 9, 1, rolling(6e-4, -5e-4, 0.2));
+  c.input.step = 2.5 * c.grid.dx;
+  c.input.leading_edge = LeadingEdge{};
+  const auto entering = entering_elements(c.grid, c.bound, c.input.step, *c.input.leading_edge);
+  LeadingEdgeResponse response(c.material, c.grid, c.input.step, entering);
+  PlaneFields free = c.free_slip();
+  for (const EnteringElement& e : entering) free.x[e.element] *= e.share, free.y[e.element] *= e.share;
+  const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});
+  ASSERT_EQ(s.status, Status::ok);
+  expect_same(c, s, c.by_newton());
+  c.input.leading_edge.reset();
+  const TangentialSolution plain = c.by_newton();
+  double change = 0;
+  for (std::size_t k = 0; k < c.bound.size(); ++k) change = std::max(change, std::abs(s.px[k] - plain.tractions.px[k]));
+  EXPECT_GT(change, 0.01 * *std::max_element(c.bound.begin(), c.bound.end()));
+}
+
+/// With a bound that is never reached the first division is the last; s = 0 is a linear system, of one Newton step.
+TEST(ActiveSetTangential, FullAdhesionIsOneDivision) {
+  FrictionCase c = elliptic_case("", 7, 1, rolling(6e-4, 5e-4, 0.2));
+  for (double& g : c.bound) g *= 1e3;
+  DirectResponse response(c.kernel());
+  const PlaneFields free = c.free_slip();
+  const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-4});
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.divisions, 1);
+  EXPECT_EQ(s.newton_steps, 1);
+  EXPECT_EQ(std::count(s.sliding.begin(), s.sliding.end(), 1), 0);
+}
+
+TEST(ActiveSetTangential, ASolutionIsItsOwnDivision) {
+  const FrictionCase c = elliptic_case("", 9, 1, rolling(6e-4, 5e-4, 0.2));
+  DirectResponse response(c.kernel());
+  const PlaneFields free = c.free_slip();
+  const FrictionProblem problem = c.problem(response, free);
+  const TangSolution s = solve_tang(problem, {.tolerance = 1e-10});
+  EXPECT_GT(s.divisions, 2);
+  const TangSolution again = solve_tang(problem, {}, s.px, s.py);
+  EXPECT_EQ(again.divisions, 1);
+  EXPECT_EQ(again.newton_steps, 0);
+  EXPECT_EQ(again.sliding, s.sliding);
+}
+
+TEST(ActiveSetTangential, NothingMovesAndNoContact) {
+  FrictionCase c = elliptic_case("", 6, 1, rolling(0, 0, 0));
+  DirectResponse response(c.kernel());
+  PlaneFields free = c.free_slip();
+  const TangSolution still = solve_tang(c.problem(response, free), {});
+  EXPECT_EQ(still.status, Status::ok);
+  EXPECT_EQ(still.newton_steps, 0);
+  EXPECT_EQ(still.px, Field(c.bound.size(), 0.0));
+  std::fill(c.bound.begin(), c.bound.end(), 0.0);
+  free.x.assign(free.x.size(), 1.0);
+  const TangSolution none = solve_tang(c.problem(response, free), {});
+  EXPECT_EQ(none.status, Status::ok);
+  EXPECT_EQ(none.sx, Field(c.bound.size(), 0.0));
+}
+
+/// The residual is that of the tractions, which obey the bound.
+TEST(ActiveSetTangential, NotConvergedIsAStatus) {
+  const FrictionCase c = elliptic_case("", 9, 1, rolling(6e-4, 5e-4, 0.2));
+  DirectResponse response(c.kernel());
+  const PlaneFields free = c.free_slip();
+  for (const int divisions : {1, 2}) {
+    const TangSolution s = solve_tang(c.problem(response, free), {.most_divisions = divisions});
+    EXPECT_EQ(s.status, Status::not_converged);
+    EXPECT_EQ(s.divisions, divisions);
+    EXPECT_GT(s.residual, 1e-6);
+    EXPECT_NEAR(s.residual, complementarity_residual({c.bound, s.px, s.py, s.sx, s.sy, response.diagonal()}),
+                1e-10 * s.residual);
+    for (std::size_t k = 0; k < c.bound.size(); ++k) EXPECT_LE(std::hypot(s.px[k], s.py[k]), c.bound[k] * (1 + 1e-15));
+  }
+}
+
+TEST(ActiveSetTangential, RefusesOptionsOutOfRange) {
+  const FrictionCase c = elliptic_case("", 4, 1, rolling(1e-3, 0, 0));
+  DirectResponse response(c.kernel());
+  const PlaneFields free = c.free_slip();
+  expect_error([&] { solve_tang(c.problem(response, free), {.tolerance = 0}); }, "tolerance", "[-]: must be positive");
+  expect_error([&] { solve_tang(c.problem(response, free), {.most_divisions = 0}); }, "most_divisions", "must be");
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,114 @@
+#include "microslip/exact/prescribed_force.hpp"
+
+#include "microslip/exact/friction_residual.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+constexpr double area = 0.3, flexibility = 2;
+
+/// Elements that do not feel each other.
+class Springs : public SlipResponse {
+public:
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+             std::span<double> sy) override {
+    ++products_;
+    for (std::size_t k = 0; k < px.size(); ++k) sx[k] = flexibility * px[k], sy[k] = flexibility * py[k];
+  }
+  double diagonal() const override { return flexibility; }
+  long products() const override { return products_; }
+
+private:
+  long products_ = 0;
+};
+
+/// Springs stick with p = -c/flexibility or slide with p = -g c/|c|.
+FrictionSolution solve_springs(const FrictionProblem& problem, double, std::span<const double>,
+                               std::span<const double>) {
+  EXPECT_FALSE(problem.force_x || problem.force_y);
+  FrictionSolution s;
+  for (std::size_t k = 0; k < problem.bound.size(); ++k) {
+    const double size = std::hypot(problem.cx[k], problem.cy[k]) / flexibility;
+    const double factor = (size > problem.bound[k] ? problem.bound[k] / size : 1) / flexibility;
+    s.px.push_back(-factor * problem.cx[k]);
+    s.py.push_back(-factor * problem.cy[k]);
+  }
+  find_residual(problem, s);
+  return s;
+}
+
+double total(const Field& p) {
+  return area * std::accumulate(p.begin(), p.end(), 0.0);
+}
+
+const Field bounds = {1, 2, 0.5, 3, 0, 0.1};
+const Field cx = {0.1, -0.4, 0.3, 2, 1, 0}, cy = {0, 0.2, -0.7, 0.4, -1, 0};
+constexpr double capacity = 6.6 * area;
+
+TEST(PrescribedForce, WithoutForcesItIsTheSolver) {
+  Springs springs;
+  const FrictionSolution s = solve_prescribed_force({springs, bounds, cx, cy, area}, 1e-8, solve_springs);
+  EXPECT_EQ(s.constant_x, 0);
+  EXPECT_EQ(s.constant_y, 0);
+  EXPECT_EQ(s.px, solve_springs({springs, bounds, cx, cy, area}, 0, {}, {}).px);
+}
+
+/// Equal springs under a common slip: F = -n area c/flexibility below the bound.
+TEST(PrescribedForce, EqualSpringsInClosedForm) {
+  Springs springs;
+  const Field g(40, 2.0), none(40, 0.0);
+  for (const double share : {0.0, 0.1, -0.5, 0.9}) {
+    const double force = share * 40 * 2 * area;
+    const FrictionSolution s = solve_prescribed_force({springs, g, none, none, area, force}, 1e-10, solve_springs);
+    EXPECT_EQ(s.status, Status::ok);
+    EXPECT_NEAR(s.constant_x, -flexibility * force / (40 * area), 1e-8);
+    EXPECT_EQ(s.constant_y, 0);
+  }
+}
+
+TEST(PrescribedForce, OneOrTwoForcesUpToNearlyFullSliding) {
+  Springs springs;
+  const Field share = {1, 0.9, 0.8, 0.7, 1, 0.6};
+  for (const double size : {0.0, 0.3, 0.7, 0.9, 0.97})
+    for (int k = 0; k < 12; ++k) {
+      FrictionProblem problem{springs, bounds, cx, cy, area, {}, {}, {}};
+      const double fx = size * capacity * std::cos(k), fy = size * capacity * std::sin(k);
+      if (k % 3 != 1) problem.force_x = fx;
+      if (k % 3 != 2) problem.force_y = fy;
+      if (k % 2 == 1) problem.constant_share = share;
+      SCOPED_TRACE(testing::Message() << "size " << size << ", direction " << k);
+      const FrictionSolution s = solve_prescribed_force(problem, 1e-9, solve_springs);
+      ASSERT_EQ(s.status, Status::ok) << s.residual;
+      EXPECT_LE(s.residual, 1e-9);
+      if (problem.force_x) {
+        EXPECT_NEAR(total(s.px), fx, 1e-7 * capacity);
+      } else {
+        EXPECT_EQ(s.constant_x, 0);
+      }
+      if (problem.force_y) {
+        EXPECT_NEAR(total(s.py), fy, 1e-7 * capacity);
+      } else {
+        EXPECT_EQ(s.constant_y, 0);
+      }
+    }
+}
+
+/// No slip gives a force beyond friction.
+TEST(PrescribedForce, BeyondFrictionIsAStatus) {
+  Springs springs;
+  const FrictionSolution s =
+      solve_prescribed_force({springs, bounds, cx, cy, area, 1.1 * capacity, 0}, 1e-8, solve_springs);
+  EXPECT_EQ(s.status, Status::not_converged);
+  EXPECT_GT(s.residual, 1e-3);
+  EXPECT_TRUE(std::isfinite(s.residual) && std::isfinite(s.constant_x) && std::isfinite(s.constant_y));
+}
+
+} // namespace
+} // namespace microslip

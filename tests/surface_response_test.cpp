@@ -1,0 +1,244 @@
+#include "microslip/exact/surface_response.hpp"
+
+#include "dense_response.hpp"
+#include "expect_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
+
+ElementGrid rectangles(int mx, int my, double dx = 3e-4, double dy = 2e-4) {
+  return {.mx = mx, .my = my, .x0 = -1e-3, .y0 = 2e-3, .dx = dx, .dy = dy, .line = false};
+}
+ElementGrid strips(int mx) {
+  return {.mx = mx, .my = 1, .x0 = 0, .y0 = 0, .dx = 3e-4, .dy = 7, .line = true};
+}
+
+std::vector<ElementGrid> grids() {
+  return {rectangles(1, 1),  rectangles(1, 9), rectangles(12, 1), rectangles(5, 7),
+          rectangles(16, 9), strips(1),        strips(24),        rectangles(8, 6, 5e-5, 1e-3)};
+}
+
+std::string text(const ElementGrid& grid) {
+  return std::to_string(grid.mx) + " x " + std::to_string(grid.my) + (grid.line ? " strips" : " rectangles");
+}
+
+Field random_field(const ElementGrid& grid, unsigned seed) {
+  std::mt19937 engine(seed);
+  Field field(grid.count());
+  for (double& value : field) value = 1e6 * (static_cast<double>(engine()) * 0x1p-31 - 1);
+  return field;
+}
+
+double largest(const Field& field) {
+  double most = 0;
+  for (double value : field) most = std::max(most, std::abs(value));
+  return most;
+}
+double dot(const Field& a, const Field& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+  return sum;
+}
+
+/// Rounding, of products and of influences far away, is measured by the element's own displacement.
+void expect_same(const Field& value, const Field& exact, double scale) {
+  ASSERT_EQ(value.size(), exact.size());
+  for (std::size_t k = 0; k < value.size(); ++k) ASSERT_NEAR(value[k], exact[k], 1e-13 * scale);
+}
+
+PlaneFields apply(TangentialResponse response, const Field& px, const Field& py) {
+  PlaneFields u{Field(px.size()), Field(px.size())};
+  response.apply(px, py, u.x, u.y);
+  return u;
+}
+
+/// The size of u for tractions p, of the order of the element's own part times the square root of their number.
+double scale_of(const ElementGrid& grid, const Field& p) {
+  const double self = element_influence(steel, grid, 0, 0).yy;
+  return std::abs(self) * largest(p) * std::sqrt(double(grid.count()));
+}
+
+TEST(SurfaceResponse, NormalIsTheDenseSum) {
+  for (const ElementGrid& grid : grids()) {
+    SCOPED_TRACE(text(grid));
+    const Field p = random_field(grid, 1);
+    Field u(p.size());
+    NormalResponse(steel, grid).apply(p, u);
+    expect_same(u, dense_normal_displacement(steel, grid, p), scale_of(grid, p));
+  }
+}
+
+TEST(SurfaceResponse, TangentialIsTheDenseSum) {
+  for (const ElementGrid& grid : grids()) {
+    SCOPED_TRACE(text(grid));
+    const Field px = random_field(grid, 1), py = random_field(grid, 2);
+    const PlaneFields u = apply(TangentialResponse::displacement(steel, grid), px, py);
+    const PlaneFields exact = dense_displacement(steel, grid, px, py);
+    expect_same(u.x, exact.x, scale_of(grid, px));
+    expect_same(u.y, exact.y, scale_of(grid, px));
+  }
+}
+
+/// Any shift, of a part of an element or of more than the grid, forth and back.
+TEST(SurfaceResponse, DisplacementAtShiftedPoints) {
+  for (const ElementGrid& grid : grids())
+    for (const double elements : {0.25, -1.0, 1.7, -40.0}) {
+      SCOPED_TRACE(text(grid) + ", shift " + std::to_string(elements));
+      const double shift = elements * grid.dx, length = 3.2;
+      const Field px = random_field(grid, 1), py = random_field(grid, 2);
+      PlaneFields u = apply(TangentialResponse::displacement(steel, grid, shift, length), px, py);
+      const PlaneFields exact = dense_displacement(steel, grid, px, py, shift);
+      for (Field* field : {&u.x, &u.y})
+        for (double& value : *field) value *= length;
+      expect_same(u.x, exact.x, scale_of(grid, px));
+      expect_same(u.y, exact.y, scale_of(grid, px));
+    }
+}
+
+/// D p = (u(x) - u(x + step))/|step|, for rolling along +x and -x.
+TEST(SurfaceResponse, GrowthIsADifferenceOfDisplacements) {
+  for (const ElementGrid& grid : grids())
+    for (const double elements : {1.0, -1.0, 0.3, -2.5, 5.0}) {
+      SCOPED_TRACE(text(grid) + ", step " + std::to_string(elements));
+      const double step = elements * grid.dx, length = std::abs(step);
+      const Field px = random_field(grid, 1), py = random_field(grid, 2);
+      PlaneFields growth = apply(TangentialResponse::growth(steel, grid, step), px, py);
+      PlaneFields exact = dense_displacement(steel, grid, px, py);
+      const PlaneFields before = dense_displacement(steel, grid, px, py, step);
+      for (std::size_t k = 0; k < px.size(); ++k) {
+        exact.x[k] -= before.x[k];
+        exact.y[k] -= before.y[k];
+        growth.x[k] *= length;
+        growth.y[k] *= length;
+      }
+      expect_same(growth.x, exact.x, scale_of(grid, px));
+      expect_same(growth.y, exact.y, scale_of(grid, px));
+    }
+}
+
+TEST(SurfaceResponse, DiagonalIsWhatAnElementDoesToItself) {
+  const ElementGrid grid = rectangles(4, 3);
+  for (const double step : {grid.dx, -2 * grid.dx}) {
+    const Influence here = influence(steel, grid.dx, grid.dy, 0, 0),
+                    before = influence(steel, grid.dx, grid.dy, step, 0);
+    const double d = (here.xx - before.xx + here.yy - before.yy) / 2 / std::abs(step);
+    EXPECT_NEAR(TangentialResponse::growth(steel, grid, step).diagonal(), d, 1e-15 * d);
+    EXPECT_GT(d, 0);
+  }
+  const Influence self = influence(steel, grid.dx, grid.dy, 0, 0);
+  EXPECT_NEAR(TangentialResponse::displacement(steel, grid, 0, 2).diagonal(), (self.xx + self.yy) / 4, 1e-14 * self.xx);
+}
+
+/// Betti: q.Ap = p.Aq; and the elastic energy p.Ap/2 is positive.
+TEST(SurfaceResponse, IsReciprocalAndPositive) {
+  for (const ElementGrid& grid : grids()) {
+    SCOPED_TRACE(text(grid));
+    NormalResponse normal(steel, grid);
+    for (unsigned seed = 1; seed < 6; ++seed) {
+      const Field px = random_field(grid, seed), py = random_field(grid, seed + 10);
+      const Field qx = random_field(grid, seed + 20), qy = random_field(grid, seed + 30);
+      const PlaneFields u = apply(TangentialResponse::displacement(steel, grid), px, py);
+      const PlaneFields v = apply(TangentialResponse::displacement(steel, grid), qx, qy);
+      const double energy = dot(px, u.x) + dot(py, u.y);
+      EXPECT_GT(energy, 0);
+      EXPECT_NEAR(dot(qx, u.x) + dot(qy, u.y), dot(px, v.x) + dot(py, v.y), 1e-12 * energy);
+      Field w(px.size()), z(px.size());
+      normal.apply(px, w);
+      normal.apply(qx, z);
+      EXPECT_GT(dot(px, w), 0);
+      EXPECT_NEAR(dot(qx, w), dot(px, z), 1e-12 * dot(px, w));
+    }
+  }
+}
+
+double rate_of_work(const CombinedMaterial& material, const ElementGrid& grid, double step, const Field& px,
+                    const Field& py) {
+  const PlaneFields growth = apply(TangentialResponse::growth(material, grid, step), px, py);
+  return dot(px, growth.x) + dot(py, growth.y);
+}
+
+/// p.Dp >= 0 although D is not symmetric, for steps of whole elements: a wave of number k is multiplied by the
+/// transform of A, which is positive, and by 1 - exp(i k dq).
+TEST(SurfaceResponse, GrowthIsPositiveForWholeElements) {
+  for (const ElementGrid& grid : grids())
+    for (const int elements : {1, -1, 2, 5})
+      for (unsigned seed = 1; seed < 6; ++seed)
+        EXPECT_GT(
+            rate_of_work(steel, grid, elements * grid.dx, random_field(grid, seed), random_field(grid, seed + 10)), 0)
+            << text(grid) << ", step " << elements;
+}
+
+/// For shorter steps it need not be: a chessboard of lateral tractions on elements that are long in rolling direction.
+TEST(SurfaceResponse, GrowthIsNotPositiveForShortStepsOnLongElements) {
+  const CombinedMaterial rubber{1e6, 0.45, 0};
+  const ElementGrid grid = rectangles(12, 12, 3e-3, 1e-3);
+  Field board(grid.count()), none(grid.count(), 0.0);
+  for (std::size_t k = 0; k < board.size(); ++k) board[k] = (k / 12 + k % 12) % 2 == 0 ? 1 : -1;
+  EXPECT_LT(rate_of_work(rubber, grid, 0.1 * grid.dx, none, board), 0);
+  EXPECT_GT(rate_of_work(rubber, grid, 0.6 * grid.dx, none, board), 0);
+}
+
+TEST(SurfaceResponse, CountsItsProductsAndCanBeMoved) {
+  const ElementGrid grid = rectangles(6, 4);
+  const Field px = random_field(grid, 1), py = random_field(grid, 2);
+  TangentialResponse response = TangentialResponse::growth(steel, grid, grid.dx);
+  const PlaneFields exact = apply(TangentialResponse::growth(steel, grid, grid.dx), px, py);
+  Field sx(px.size()), sy(px.size());
+  for (int k = 0; k < 3; ++k) response.apply(px, py, sx, sy);
+  EXPECT_EQ(response.products(), 3);
+  TangentialResponse moved(std::move(response));
+  moved.apply(px, py, sx, sy);
+  EXPECT_EQ(moved.products(), 4);
+  EXPECT_EQ(sx, exact.x);
+  EXPECT_EQ(sy, exact.y);
+  NormalResponse normal(steel, grid);
+  normal.apply(px, sx);
+  EXPECT_EQ(normal.products(), 1);
+}
+
+TEST(SurfaceResponse, DistinctObjectsInDistinctThreads) {
+  std::array<Field, 2> alone, together;
+  const auto work = [](unsigned thread, Field& u) {
+    for (int round = 0; round < 10; ++round) {
+      const ElementGrid grid = rectangles(10 + static_cast<int>(thread), 9);
+      const Field px = random_field(grid, thread), py = random_field(grid, 7);
+      u = apply(TangentialResponse::growth(steel, grid, grid.dx), px, py).x;
+    }
+  };
+  for (unsigned t = 0; t < 2; ++t) work(t, alone[t]);
+  std::thread first(work, 0U, std::ref(together[0])), second(work, 1U, std::ref(together[1]));
+  first.join();
+  second.join();
+  EXPECT_EQ(alone, together);
+}
+
+TEST(SurfaceResponse, RefusesGridsThatMakeNoSense) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {0.0, -1e-3, nan}) {
+    EXPECT_THROW(NormalResponse(steel, rectangles(3, 3, bad)), Error);
+    EXPECT_THROW(TangentialResponse::growth(steel, rectangles(3, 3, 1e-3, bad), 1e-3), Error);
+  }
+  EXPECT_THROW(NormalResponse(steel, rectangles(0, 3)), Error);
+  EXPECT_THROW(TangentialResponse::displacement(steel, rectangles(3, -1)), Error);
+  ElementGrid rows = strips(4);
+  rows.my = 2;
+  expect_error([&] { NormalResponse(steel, rows); }, "grid.my of a line contact", "[-]: must be in [1, 1]");
+}
+
+} // namespace
+} // namespace microslip

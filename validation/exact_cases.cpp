@@ -1,0 +1,77 @@
+#include "validation/exact_cases.hpp"
+
+#include "microslip/exact/elliptic_contact.hpp"
+#include "validation/hertzian_solve.hpp"
+
+#include <atomic>
+#include <optional>
+
+#include <omp.h>
+
+namespace microslip::validation {
+namespace {
+
+ExactOptions options_of(int n) {
+  ExactOptions options;
+  options.mx = options.my = n;
+  return options;
+}
+
+/// One thread's. Contacts with the same ellipse share influence coefficients and pressures.
+class CaseSolver {
+public:
+  CaseSolver(int n, Start start) : n_(n), start_(start), from_fastsim2_(options_of(n)) {}
+
+  ExactCase solve(const EllipticContact& contact) {
+    if (start_ == Start::fastsim2) {
+      const ExactContact s = from_fastsim2_.solve(contact);
+      return {s.fields.forces, s.residual, s.newton_steps, s.products};
+    }
+    if (!from_nothing_ || a_ != contact.a || b_ != contact.b) prepare(contact);
+    TangentialInput input;
+    input.creepage = contact.creepage;
+    const TangentialSolution s = from_nothing_->solve(contact.friction.static_coefficient(), input);
+    return {s.forces, s.residual, s.newton_steps, s.products};
+  }
+
+private:
+  void prepare(const EllipticContact& contact) {
+    const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+    const HertzContact hertz = hertz_from_ellipse(contact.a, contact.b, material, contact.normal_force);
+    from_nothing_.emplace(material, ElementGrid::across_ellipse(contact.a, contact.b, n_, 2), hertz.gap,
+                          contact.normal_force);
+    a_ = contact.a;
+    b_ = contact.b;
+  }
+
+  int n_;
+  Start start_;
+  EllipticContactSolver from_fastsim2_;
+  std::optional<HertzianSolve> from_nothing_;
+  double a_ = 0, b_ = 0;
+};
+
+} // namespace
+
+std::vector<ExactCase> solve_exactly(std::span<const EllipticContact> contacts, int n, Start start,
+                                     const StudyOptions& options) {
+  std::vector<ExactCase> cases(contacts.size());
+  std::atomic<int> done = 0;
+  std::atomic<bool> stopped = false;
+#pragma omp parallel num_threads(options.threads)
+  {
+    CaseSolver solver(n, start);
+// In blocks, so that an ellipse's influence coefficients are used often.
+#pragma omp for schedule(dynamic, 20)
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (stopped) continue;
+      cases[i] = solver.solve(contacts[i]);
+      const double fraction = ++done / double(contacts.size());
+      if (omp_get_thread_num() == 0 && options.progress && !options.progress(fraction)) stopped = true;
+    }
+  }
+  if (stopped) cases.clear();
+  return cases;
+}
+
+} // namespace microslip::validation

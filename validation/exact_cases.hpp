@@ -1,0 +1,30 @@
+#pragma once
+
+#include "microslip/simplified/contact.hpp"
+#include "validation/study.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip::validation {
+
+/// A contact solved by exact theory, and what that took.
+struct ExactCase {
+  ContactForces forces;
+  double residual = 0;
+  int newton_steps = 0;
+  long products = 0;
+};
+
+/// Where the solver begins.
+enum class Start {
+  fastsim2,     ///< from FASTSIM2's tractions, as EllipticContactSolver does
+  no_tractions, ///< from nothing
+};
+
+/// Solves contacts on n x n elements across the ellipse to a residual of 1e-6, on options.threads threads. Contacts of
+/// the same ellipse should follow each other. Empty if options.progress asks to stop.
+std::vector<ExactCase> solve_exactly(std::span<const EllipticContact> contacts, int n, Start start,
+                                     const StudyOptions& options);
+
+} // namespace microslip::validation

@@ -1,0 +1,76 @@
+#include "validation/exact_test_set.hpp"
+
+#include "validation/exact_cases.hpp"
+#include "validation/report.hpp"
+#include "validation/test_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace microslip::validation {
+namespace {
+
+struct Run {
+  int elements;
+  Start start;
+  double work_until; ///< share of the study's work up to its end
+};
+constexpr std::array runs = {Run{24, Start::no_tractions, 0.1}, Run{24, Start::fastsim2, 0.15},
+                             Run{48, Start::no_tractions, 0.7}, Run{48, Start::fastsim2, 1}};
+
+std::string distribution(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(std::ceil(share * double(values.size()))) - 1];
+  };
+  return fmt::format("mean {:.1f}, 95 % {:.0f}, largest {:.0f}", mean, at(0.95), values.back());
+}
+
+void report_run(Report& report, const Run& run, const std::vector<ExactCase>& cases, double seconds, int threads) {
+  std::vector<double> steps, products;
+  double worst = 0;
+  int failures = 0;
+  for (const ExactCase& c : cases) {
+    steps.push_back(c.newton_steps);
+    products.push_back(double(c.products));
+    worst = std::max(worst, c.residual);
+    if (c.forces.status != Status::ok) ++failures;
+  }
+  report.heading(fmt::format("{0} x {0} elements across the ellipse, from {1}", run.elements,
+                             run.start == Start::fastsim2 ? "FASTSIM2's tractions" : "no tractions"));
+  report.figure("cases that do not converge", std::to_string(failures), "0", failures == 0);
+  report.figure("largest residual", fmt::format("{:.3e}", worst), "<= 1e-6", worst <= 1e-6);
+  report.line("Newton steps: " + distribution(steps));
+  report.line("products:     " + distribution(products));
+  report.line(fmt::format("time:         {:.1f} s on {} thread{}, {:.1f} ms of a thread for a case", seconds, threads,
+                          threads == 1 ? "" : "s", 1e3 * seconds * threads / double(cases.size())));
+}
+
+} // namespace
+
+bool run_exact_test_set(const StudyOptions& options, std::ostream& out) {
+  const std::vector<EllipticContact> contacts = test_set_contacts();
+  Report report(out);
+  report.line(fmt::format("{} cases, to a residual of 1e-6", contacts.size()));
+  double begin = 0;
+  for (const Run& run : runs) {
+    StudyOptions part = options;
+    part.progress = part_of(options.progress, begin, run.work_until);
+    begin = run.work_until;
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<ExactCase> cases = solve_exactly(contacts, run.elements, run.start, part);
+    if (cases.empty()) return false;
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    report_run(report, run, cases, wall.count(), options.threads);
+  }
+  return report.all_met();
+}
+
+} // namespace microslip::validation

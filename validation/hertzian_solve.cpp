@@ -1,0 +1,54 @@
+#include "validation/hertzian_solve.hpp"
+
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip::validation {
+namespace {
+
+NormalSolution solve_normal(const CombinedMaterial& material, const ElementGrid& grid, const GapCurvatures& gap,
+                            double normal_force) {
+  NormalSolution solution =
+      NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, normal_force});
+  if (solution.status != Status::ok || solution.touches_border)
+    throw Error("normal problem: not converged, or the contact reaches the border of the grid");
+  return solution;
+}
+
+} // namespace
+
+std::vector<double> hertzian_gap(const GapCurvatures& gap, const ElementGrid& grid) {
+  std::vector<double> h(grid.count());
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const double x = grid.x(i), y = grid.line ? 0 : grid.y(j);
+      h[static_cast<std::size_t>(j) * grid.mx + i] = gap.x * x * x + gap.y * y * y;
+    }
+  return h;
+}
+
+HertzianSolve::HertzianSolve(const CombinedMaterial& material, const ElementGrid& grid, const GapCurvatures& gap,
+                             double normal_force)
+    : grid_(grid), normal_(solve_normal(material, grid, gap, normal_force)), tangential_(material, grid) {}
+
+std::vector<double> HertzianSolve::bound(double friction) const {
+  std::vector<double> bound = normal_.pressure;
+  for (double& g : bound) g *= friction;
+  return bound;
+}
+
+TangentialSolution HertzianSolve::solve(double friction, const TangentialInput& input) {
+  return tangential_.solve(bound(friction), input);
+}
+
+int count(const TangentialSolution& solution, CellState state) {
+  return static_cast<int>(std::count(solution.state.begin(), solution.state.end(), state));
+}
+
+double limit(double coarse, int coarse_elements, double fine, int fine_elements, int order) {
+  return fine + (fine - coarse) / (std::pow(double(fine_elements) / coarse_elements, order) - 1);
+}
+
+} // namespace microslip::validation
