@@ -56,7 +56,9 @@ std::vector<const Study*> chosen(const std::vector<std::string>& names) {
 void draw(const Study& study, const std::filesystem::path& folder) {
   std::string name(study.name);
   std::replace(name.begin(), name.end(), '-', '_');
-  const Pictures pictures = draw_pictures(folder / (name + ".h5"), folder);
+  const std::filesystem::path results = folder / (name + ".h5");
+  if (!std::filesystem::exists(results)) return; // a study of numbers only
+  const Pictures pictures = draw_pictures(results, folder);
   for (const std::string& picture : pictures.files) fmt::print("  written: {}\n", picture);
   if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
 }

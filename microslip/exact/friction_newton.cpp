@@ -169,6 +169,8 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   at.add_constants(slip);
   double norm = at.evaluate(x, slip, f);
   FrictionSolution s;
+  Field best_x = x, best_slip = slip;
+  double best_norm = norm;
   while (norm > options.tolerance * at.scale() && s.newton_steps < options.most_steps) {
     at.linearise(x, slip);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
@@ -193,6 +195,16 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
     std::swap(f, trial_f);
     norm = trial_norm;
     ++s.newton_steps;
+    if (norm < best_norm) {
+      best_norm = norm;
+      best_x = x;
+      best_slip = slip;
+    }
+  }
+  if (norm > best_norm) { // the line search may have had to go uphill
+    norm = best_norm;
+    x = best_x;
+    slip = best_slip;
   }
   at.copy_to(s, x, slip);
   s.residual = at.scale() > 0 ? norm / at.scale() : 0;

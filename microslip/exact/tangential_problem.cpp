@@ -121,9 +121,11 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
       s.py[k] = bound[k] * input.force_y.value_or(0) / wanted;
     }
   } else {
+    // A shift or a step of rolling changes what was there before, so that is where to begin.
+    const TangentialState* from = input.start || input.motion == ContactMotion::steady ? input.start : input.previous;
     const auto start = [&](const Field TangentialState::*component) -> std::span<const double> {
-      if (!input.start) return {};
-      return input.start->*component;
+      if (!from) return {};
+      return from->*component;
     };
     s = newton_.solve(problem, {.tolerance = input.tolerance}, start(&TangentialState::px),
                       start(&TangentialState::py));

@@ -34,7 +34,7 @@ struct TangentialInput {
   std::optional<LeadingEdge> leading_edge;   ///< rolling: with its correction (R13); none: without
   double rolling_speed = 1;                  ///< V [m/s], for the frictional power
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
-  const TangentialState* start = nullptr;    ///< where the iteration begins; none: no tractions
+  const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
   double tolerance = 1e-6;
 };
 
