@@ -538,6 +538,8 @@ TEST(TangentialProblem, NoBoundAnywhere) {
     EXPECT_EQ(s.forces.adhesion_area + s.forces.slip_area, 0);
     EXPECT_EQ(s.residual, 0);
     for (const CellState state : s.state) EXPECT_EQ(state, CellState::exterior);
+    input.force_x = 0;
+    EXPECT_EQ(solve(p, input).forces.status, Status::ok);
     input.force_x = 1;
     EXPECT_EQ(solve(p, input).forces.status, Status::no_solution);
   }
@@ -744,6 +746,32 @@ TEST(TangentialProblem, ForcesLeadBackToTheCreepages) {
       EXPECT_NEAR(f.forces.mz, s.forces.mz, 1e-9 * p.capacity * contact.a);
     }
   }
+}
+
+/// Forces on tractions of other forces, begun from these and from none: the creepage does not run away.
+TEST(TangentialProblem, ForcesAfterOtherForces) {
+  const EllipticContact contact = steel_contact(1);
+  const Problem p = elliptic(contact, 13, 13);
+  TangentialProblem problem(p.material, p.grid);
+  TangentialState none{Field(p.bound.size(), 0.0), Field(p.bound.size(), 0.0)};
+  for (TangentialState* start : {&none, static_cast<TangentialState*>(nullptr)})
+    for (const ContactMotion motion : {ContactMotion::shift, ContactMotion::transient}) {
+      TangentialInput input;
+      input.motion = ContactMotion::shift;
+      input.force_x = -0.875 * p.capacity;
+      input.force_y = 0;
+      TangentialState before = problem.solve(p.bound, input).tractions;
+      input.motion = motion;
+      input.start = start;
+      for (const double share : {-0.875, -0.4, 0.0, 0.6}) {
+        SCOPED_TRACE(share);
+        input.previous = &before;
+        input.force_x = share * p.capacity;
+        const TangentialSolution s = problem.solve(p.bound, input);
+        expect_solution(p, input, s);
+        before = s.tractions;
+      }
+    }
 }
 
 /// Forces close to what friction can bear need ever more creepage.

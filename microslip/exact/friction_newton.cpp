@@ -58,6 +58,19 @@ public:
     }
   }
 
+  /// Chooses the unknown constants so that the mean slip vanishes, and adds them to the slip. Far from there everything
+  /// slides, the tractions hardly depend on the constants, and a Newton step would send them to infinity.
+  void choose_constants(std::span<double> unknowns, std::span<double> slip) const {
+    for (std::size_t f = 0; f < forces_.size() && n_ > 0; ++f) {
+      const std::span<double> s = slip.subspan(forces_[f] * n_, n_);
+      double sum = 0, shares = 0;
+      for (std::size_t k = 0; k < n_; ++k) sum += s[k], shares += share(k);
+      const double constant = -sum / shares;
+      for (std::size_t k = 0; k < n_; ++k) s[k] += share(k) * constant;
+      unknowns[2 * n_ + f] = constant / unit_;
+    }
+  }
+
   /// F and, behind it, the equations of the forces; its norm.
   double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f) const {
     double norm2 = 0;
@@ -72,7 +85,7 @@ public:
       const double target = forces_[i] == 0 ? *problem_.force_x : *problem_.force_y;
       double sum = -target / problem_.element_area;
       for (std::size_t k = 0; k < n_; ++k) sum += unknowns[forces_[i] * n_ + k];
-      f[2 * n_ + i] = sum / std::sqrt(double(n_));
+      f[2 * n_ + i] = n_ > 0 ? sum / std::sqrt(double(n_)) : 0;
       norm2 += f[2 * n_ + i] * f[2 * n_ + i];
     }
     return std::sqrt(norm2);
@@ -167,10 +180,9 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   at.start(start_px, start_py, x);
   at.slip_growth(x, slip);
   at.add_constants(slip);
+  at.choose_constants(x, slip);
   double norm = at.evaluate(x, slip, f);
   FrictionSolution s;
-  Field best_x = x, best_slip = slip;
-  double best_norm = norm;
   while (norm > options.tolerance * at.scale() && s.newton_steps < options.most_steps) {
     at.linearise(x, slip);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
@@ -195,21 +207,17 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
     std::swap(f, trial_f);
     norm = trial_norm;
     ++s.newton_steps;
-    if (norm < best_norm) {
-      best_norm = norm;
-      best_x = x;
-      best_slip = slip;
-    }
-  }
-  if (norm > best_norm) { // the line search may have had to go uphill
-    norm = best_norm;
-    x = best_x;
-    slip = best_slip;
   }
   at.copy_to(s, x, slip);
   s.residual = at.scale() > 0 ? norm / at.scale() : 0;
   s.products = problem.response.products() - products_before;
   s.status = norm <= options.tolerance * at.scale() ? Status::ok : Status::not_converged;
+  if (s.status != Status::ok && !start_px.empty()) { // a start may be worse than none
+    FrictionSolution again = solve(problem, options);
+    again.newton_steps += s.newton_steps;
+    again.products += s.products;
+    if (again.residual < s.residual) return again;
+  }
   return s;
 }
 

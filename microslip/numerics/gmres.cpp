@@ -28,13 +28,15 @@ class Triangle {
 public:
   explicit Triangle(double right_side) : rhs_{right_side} {}
 
-  /// Adds a column (its last entry is the new subdiagonal) and returns the new residual.
-  double add(Vector column) {
+  /// Adds a column (its last entry is the new subdiagonal) and returns the new residual. A column that lies in the
+  /// span of those before, but for `rounding`, is left out: the matrix is singular and it gains nothing.
+  double add(Vector column, double rounding) {
     const std::size_t k = columns_.size();
     for (std::size_t i = 0; i < k; ++i) rotate(i, column);
     const double length = std::hypot(column[k], column[k + 1]);
-    cosine_.push_back(length > 0 ? column[k] / length : 1);
-    sine_.push_back(length > 0 ? column[k + 1] / length : 0);
+    if (!(length > rounding)) return std::abs(rhs_[k]);
+    cosine_.push_back(column[k] / length);
+    sine_.push_back(column[k + 1] / length);
     rotate(k, column);
     rhs_.push_back(-sine_[k] * rhs_[k]);
     rhs_[k] *= cosine_[k];
@@ -47,7 +49,7 @@ public:
     for (std::size_t i = y.size(); i-- > 0;) {
       double value = rhs_[i];
       for (std::size_t j = i + 1; j < y.size(); ++j) value -= columns_[j][i] * y[j];
-      y[i] = columns_[i][i] != 0 ? value / columns_[i][i] : 0;
+      y[i] = value / columns_[i][i];
     }
     return y;
   }
@@ -79,27 +81,30 @@ Gmres::Result Gmres::solve(const Product& matrix, std::span<const double> b, std
   scale(1 / size, basis_[0]);
 
   Triangle triangle(size);
-  double residual = size;
+  double residual = size, largest = 0; // largest: |A v| so far
   int k = 0;
   for (; k < most && residual > tolerance * size; ++k) {
     Vector& next = vector(k + 1);
     matrix(basis_[k], next);
+    largest = std::max(largest, std::sqrt(dot(next, next)));
+    const double rounding = 1e-14 * largest;
     Vector column(k + 2);
     for (int i = 0; i <= k; ++i) {
       column[i] = dot(basis_[i], next);
       add_scaled(-column[i], basis_[i], next);
     }
-    column[k + 1] = std::sqrt(dot(next, next));
-    const double length = column[k + 1];
-    residual = triangle.add(std::move(column));
-    if (!(length > 0)) { // the exact solution is in the space
+    const double length = std::sqrt(dot(next, next));
+    const bool closed = !(length > rounding); // the space holds its own image: it has nothing more to give
+    column[k + 1] = closed ? 0 : length;
+    residual = triangle.add(std::move(column), rounding);
+    if (closed) {
       ++k;
       break;
     }
     scale(1 / length, next);
   }
   const Vector y = triangle.solve();
-  for (int i = 0; i < k; ++i) add_scaled(y[i], basis_[i], x);
+  for (std::size_t i = 0; i < y.size(); ++i) add_scaled(y[i], basis_[i], x);
   return {k, residual};
 }
 
