@@ -7,6 +7,7 @@
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
+#include "microslip/exact/elliptic_contact.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -15,7 +16,9 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -36,23 +39,31 @@ struct BatchArguments {
 };
 
 /// MXxMY, e.g. 10x10.
-void parse_grid(const std::string& text, SimplifiedOptions& options) {
+void parse_grid(const std::string& text, int largest, int& mx, int& my) {
   const char *begin = text.data(), *end = begin + text.size();
-  const auto mx = std::from_chars(begin, end, options.mx);
-  const bool has_separator = mx.ec == std::errc() && mx.ptr != end && *mx.ptr == 'x';
-  const auto my = has_separator ? std::from_chars(mx.ptr + 1, end, options.my) : mx;
-  if (!has_separator || my.ec != std::errc() || my.ptr != end)
+  const auto first = std::from_chars(begin, end, mx);
+  const bool has_separator = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const auto second = has_separator ? std::from_chars(first.ptr + 1, end, my) : first;
+  if (!has_separator || second.ec != std::errc() || second.ptr != end)
     throw Error("--grid = " + printable(text) + ": must be two whole numbers, e.g. 10x10");
-  require_count("--grid", options.mx, 1, 10000);
-  require_count("--grid", options.my, 1, 10000);
+  require_count("--grid", mx, 1, largest);
+  require_count("--grid", my, 1, largest);
 }
 
-RowSolver make_solver(const BatchArguments& arguments) {
+RowSolver make_simplified_solver(const BatchArguments& arguments, Theory theory) {
   SimplifiedOptions options;
-  parse_grid(arguments.grid, options);
+  parse_grid(arguments.grid, 10000, options.mx, options.my);
   options.bound = from_word<TractionBound>("--bound", arguments.bound);
   options.flexibility = from_word<FlexibilityModel>("--flexibility", arguments.flexibility);
-  return {from_word<MarchingScheme>("--theory", arguments.theory), options};
+  return {marching_scheme(theory), options};
+}
+
+std::vector<EllipticContactSolver> make_exact_solvers(const BatchArguments& arguments) {
+  ExactOptions options;
+  parse_grid(arguments.grid, 4000, options.mx, options.my);
+  std::vector<EllipticContactSolver> solvers;
+  for (int i = 0; i < arguments.threads; ++i) solvers.emplace_back(options);
+  return solvers;
 }
 
 std::ifstream open_input(const fs::path& path) {
@@ -70,54 +81,63 @@ double size_of(const fs::path& path) {
   return error ? 0 : static_cast<double>(size);
 }
 
-/// Reads, solves and writes a table, a group of chunks at a time: the threads share the chunks of a group.
-class Batch {
+/// Is told how many bytes of the input are done.
+using ReportBytes = std::function<void(std::size_t)>;
+
+/// Solves chunks of a table, several at a time. Results go to the places of the chunks. `report` is told of bytes done,
+/// from any thread.
+class TableSolver {
 public:
-  Batch(const BatchArguments& arguments)
-      : solvers_(static_cast<std::size_t>(arguments.threads), make_solver(arguments)),
-        input_(open_input(arguments.input)), reader_(input_, arguments.input.string()), output_(arguments.output),
-        size_(size_of(arguments.input)), bar_(arguments.input.filename().string()), chunks_(32 * solvers_.size()),
-        results_(chunks_.size()), errors_(chunks_.size()) {}
-
-  /// Returns whether every contact could be solved.
-  bool run() {
-    output_.write(result_header(reader_.columns()));
-    bytes_done_ = reader_.bytes_read();
-    while (const auto count = read_group()) {
-      solve_group(count);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (errors_[i]) std::rethrow_exception(errors_[i]);
-        output_.write(results_[i]);
-      }
-      InterruptGuard::throw_if_interrupted();
-    }
-    output_.commit();
-    return contacts_unsolved_ == 0;
-  }
-
+  virtual ~TableSolver() = default;
+  virtual bool is_exact() const = 0;
+  virtual void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks,
+                     std::span<std::string> results, const ReportBytes& report) = 0;
   std::size_t contacts() const { return contacts_; }
   std::size_t contacts_unsolved() const { return contacts_unsolved_; }
 
-private:
-  std::size_t read_group() {
-    std::size_t count = 0;
-    while (count < chunks_.size() && reader_.read(chunks_[count])) ++count;
-    return count;
+protected:
+  void count(std::span<const ContactForces> forces) {
+    contacts_ += forces.size();
+    contacts_unsolved_ += static_cast<std::size_t>(
+        std::count_if(forces.begin(), forces.end(), [](const auto& result) { return result.status != Status::ok; }));
   }
 
-  void solve_group(std::size_t count) {
-#pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(solvers_.size()))
-    for (std::size_t i = 0; i < count; ++i) {
-      try {
-        results_[i] = solve(chunks_[i], solvers_[static_cast<std::size_t>(omp_get_thread_num())]);
-      } catch (...) {
-        errors_[i] = std::current_exception();
-      }
+private:
+  std::atomic<std::size_t> contacts_ = 0, contacts_unsolved_ = 0;
+};
+
+/// Runs `work(i)` for i below `count` on `threads` threads, and passes on the exception of the lowest i, if any.
+template <class Work> void for_each_parallel(std::size_t count, std::size_t threads, const Work& work) {
+  std::vector<std::exception_ptr> errors(count);
+#pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(threads))
+  for (std::size_t i = 0; i < count; ++i) {
+    try {
+      work(i);
+    } catch (...) {
+      errors[i] = std::current_exception();
     }
   }
+  for (const auto& error : errors)
+    if (error) std::rethrow_exception(error);
+}
 
-  std::string solve(const TextChunk& chunk, RowSolver& solver) {
-    const auto rows = reader_.parse(chunk);
+/// Contacts cost next to nothing: the threads share the chunks.
+class SimplifiedTableSolver : public TableSolver {
+public:
+  SimplifiedTableSolver(const BatchArguments& arguments, Theory theory)
+      : solvers_(static_cast<std::size_t>(arguments.threads), make_simplified_solver(arguments, theory)) {}
+  bool is_exact() const override { return false; }
+
+  void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
+             const ReportBytes& report) override {
+    for_each_parallel(chunks.size(), solvers_.size(), [&](std::size_t i) {
+      auto& solver = solvers_[static_cast<std::size_t>(omp_get_thread_num())];
+      results[i] = solve(reader.parse(chunks[i]), chunks[i].text.size(), solver, report);
+    });
+  }
+
+private:
+  std::string solve(const ContactRows& rows, std::size_t bytes, RowSolver& solver, const ReportBytes& report) {
     std::vector<ContactForces> forces(rows.contacts.size());
     // Few enough contacts at a time to see Ctrl-C and to move the bar also on the largest grids.
     const auto cells = static_cast<std::size_t>(solver.options().mx) * static_cast<std::size_t>(solver.options().my);
@@ -126,20 +146,85 @@ private:
       InterruptGuard::throw_if_interrupted();
       const auto count = std::min(step, forces.size() - first);
       solver.solve(std::span(rows.contacts).subspan(first, count), std::span(forces).subspan(first, count));
-      show_progress(chunk.text.size() * count / forces.size());
+      report(bytes * count / forces.size());
     }
-    contacts_ += forces.size();
-    contacts_unsolved_ += static_cast<std::size_t>(
-        std::count_if(forces.begin(), forces.end(), [](const auto& result) { return result.status != Status::ok; }));
+    count(forces);
     return result_rows(rows, forces);
   }
 
-  void show_progress(std::size_t bytes) {
-    bytes_done_ += bytes;
-    if (omp_get_thread_num() == 0 && size_ > 0) bar_.update(static_cast<double>(bytes_done_) / size_);
+  std::vector<RowSolver> solvers_; ///< one for each thread
+};
+
+/// Contacts cost much: the threads share those of a chunk.
+class ExactTableSolver : public TableSolver {
+public:
+  explicit ExactTableSolver(const BatchArguments& arguments) : solvers_(make_exact_solvers(arguments)) {}
+  bool is_exact() const override { return true; }
+
+  void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
+             const ReportBytes& report) override {
+    for (std::size_t c = 0; c < chunks.size(); ++c) {
+      const auto rows = reader.parse(chunks[c]);
+      std::vector<ContactForces> forces(rows.contacts.size());
+      std::vector<Iteration> iterations(forces.size());
+      for_each_parallel(forces.size(), solvers_.size(), [&](std::size_t i) {
+        InterruptGuard::throw_if_interrupted();
+        const auto result = solvers_[static_cast<std::size_t>(omp_get_thread_num())].solve(rows.contacts[i]);
+        forces[i] = result.fields.forces;
+        iterations[i] = {result.residual, result.newton_steps};
+        report(chunks[c].text.size() / forces.size());
+      });
+      count(forces);
+      results[c] = result_rows(rows, forces, iterations);
+    }
   }
 
-  std::vector<RowSolver> solvers_; ///< one for each thread
+private:
+  std::vector<EllipticContactSolver> solvers_; ///< one for each thread
+};
+
+std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
+  const auto theory = from_word<Theory>("--theory", arguments.theory);
+  if (theory == Theory::exact) return std::make_unique<ExactTableSolver>(arguments);
+  return std::make_unique<SimplifiedTableSolver>(arguments, theory);
+}
+
+/// Reads, solves and writes a table, a group of chunks at a time.
+class Batch {
+public:
+  explicit Batch(const BatchArguments& arguments)
+      : solver_(make_solver(arguments)), input_(open_input(arguments.input)), reader_(input_, arguments.input.string()),
+        output_(arguments.output), size_(size_of(arguments.input)), bar_(arguments.input.filename().string()),
+        chunks_(32 * static_cast<std::size_t>(arguments.threads)), results_(chunks_.size()) {}
+
+  /// Returns whether every contact could be solved.
+  bool run() {
+    output_.write(result_header(reader_.columns(), solver_->is_exact()));
+    bytes_done_ = reader_.bytes_read();
+    while (const auto count = read_group()) {
+      solver_->solve(reader_, std::span(chunks_).first(count), std::span(results_).first(count),
+                     [&](std::size_t bytes) {
+                       bytes_done_ += bytes;
+                       if (omp_get_thread_num() == 0 && size_ > 0)
+                         bar_.update(static_cast<double>(bytes_done_) / size_);
+                     });
+      for (std::size_t i = 0; i < count; ++i) output_.write(results_[i]);
+      InterruptGuard::throw_if_interrupted();
+    }
+    output_.commit();
+    return solver_->contacts_unsolved() == 0;
+  }
+
+  const TableSolver& solver() const { return *solver_; }
+
+private:
+  std::size_t read_group() {
+    std::size_t count = 0;
+    while (count < chunks_.size() && reader_.read(chunks_[count])) ++count;
+    return count;
+  }
+
+  std::unique_ptr<TableSolver> solver_;
   std::ifstream input_;
   ContactTableReader reader_;
   OutputFile output_;
@@ -147,8 +232,7 @@ private:
   ProgressBar bar_;
   std::vector<TextChunk> chunks_;
   std::vector<std::string> results_;
-  std::vector<std::exception_ptr> errors_;
-  std::atomic<std::size_t> bytes_done_ = 0, contacts_ = 0, contacts_unsolved_ = 0;
+  std::atomic<std::size_t> bytes_done_ = 0;
 };
 
 int batch(const BatchArguments& arguments) {
@@ -156,8 +240,8 @@ int batch(const BatchArguments& arguments) {
   const InterruptGuard guard;
   Batch work(arguments);
   if (work.run()) return 0;
-  fmt::print(stderr, "microslip: warning: {}: {} of {} contacts have numbers too large or too small to compute with\n",
-             arguments.output.string(), work.contacts_unsolved(), work.contacts());
+  fmt::print(stderr, "microslip: warning: {}: {} of {} contacts are not solved, see their status\n",
+             arguments.output.string(), work.solver().contacts_unsolved(), work.solver().contacts());
   return 1;
 }
 
@@ -171,16 +255,17 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   };
   command->add_option("IN.csv", arguments->input, "table of contacts")->required();
   command->add_option("-o,--output", arguments->output, "table of results")->required();
-  option("--theory", arguments->theory, "fastsim, fastsim_half_step or fastsim2");
-  option("--grid", arguments->grid, "cells along x and y, 1 to 10000 each");
-  option("--bound", arguments->bound, "traction bound: parabolic or elliptic");
-  option("--flexibility", arguments->flexibility, "flexibilities: three, one or blended");
+  option("--theory", arguments->theory, "fastsim, fastsim_half_step, fastsim2 or exact");
+  option("--grid", arguments->grid, "cells or elements across the ellipse along x and y");
+  option("--bound", arguments->bound, "traction bound of the simplified theory: parabolic or elliptic");
+  option("--flexibility", arguments->flexibility, "flexibilities of the simplified theory: three, one or blended");
   option("--threads", arguments->threads, "results do not depend on it; default: all processors");
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
       "friction [-], normal_force [N], creep_x [-], creep_y [-], spin [1/m]. OUT.csv repeats them and adds fx [N],\n"
-      "fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status. Forces act on body 1. A bad row is named by\n"
-      "line and column, and OUT.csv appears only when it is complete.\n\n"
+      "fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-] and\n"
+      "iterations. Forces act on body 1. A bad row is named by line and column, and OUT.csv appears only when it is\n"
+      "complete. Exit code 1: some contacts have another status than ok.\n\n"
       "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");
   command->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }

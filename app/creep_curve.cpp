@@ -8,8 +8,6 @@
 namespace microslip {
 namespace {
 
-constexpr int points = 61;
-
 struct Variable {
   const char* name;
   const char* unit;
@@ -31,19 +29,19 @@ Variable choose_variable(const EllipticContact& contact) {
 
 } // namespace
 
-CreepCurve creep_curve(RowSolver& solver, const EllipticContact& contact) {
+CreepCurve creep_curve(const EllipticContact& contact, int points,
+                       const std::function<ContactForces(const EllipticContact&)>& solve) {
   const auto variable = choose_variable(contact);
   const auto point = contact.creepage.*variable.member;
   const auto end = std::copysign(3 * std::max(std::abs(point), variable.sliding), point);
   CreepCurve curve = {
       .variable = variable.name, .unit = variable.unit, .value = {}, .forces = {}, .point_value = point};
-  std::vector<EllipticContact> contacts(points, contact);
+  auto moved = contact;
   for (int i = 0; i < points; ++i) {
-    curve.value.push_back(end * i / (points - 1));
-    contacts[i].creepage.*variable.member = curve.value.back();
+    moved.creepage.*variable.member = end * i / (points - 1);
+    curve.value.push_back(moved.creepage.*variable.member);
+    curve.forces.push_back(solve(moved));
   }
-  curve.forces.resize(points);
-  solver.solve(contacts, curve.forces);
   return curve;
 }
 

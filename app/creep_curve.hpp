@@ -1,7 +1,8 @@
 #pragma once
 
-#include "microslip/simplified/row_solver.hpp"
+#include "microslip/simplified/contact.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ struct CreepCurve {
   double point_value = 0; ///< of the contact itself
 };
 
-/// The creep curve through a contact. The larger of its longitudinal and lateral creepage varies, or spin if both are
-/// zero, from 0 to three times its value or well into sliding, whichever is more: 3 mu Fn/(G a b C) with Kalker's C
-/// (for spin 3 mu Fn/(G (a b)^(3/2) C23)).
-CreepCurve creep_curve(RowSolver& solver, const EllipticContact& contact);
+/// The creep curve through a contact, at evenly spaced points, at least 2. The larger of its longitudinal and lateral
+/// creepage varies, or spin if both are zero, from 0 to three times its value or well into sliding, whichever is more:
+/// 3 mu Fn/(G a b C) with Kalker's C (for spin 3 mu Fn/(G (a b)^(3/2) C23)).
+CreepCurve creep_curve(const EllipticContact& contact, int points,
+                       const std::function<ContactForces(const EllipticContact&)>& solve);
 
 } // namespace microslip

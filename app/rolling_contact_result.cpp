@@ -2,6 +2,7 @@
 
 #include "io/option_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -10,16 +11,57 @@
 namespace microslip {
 namespace {
 
-GridError grid_error(const RollingCase& input, const EllipticContact& contact, const ContactForces& forces) {
-  auto options = input.options;
-  options.mx *= 2;
-  options.my *= 2;
-  const auto finer = RowSolver(input.theory, options).solve(contact);
+constexpr int simplified_curve_points = 61, exact_curve_points = 25;
+constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
+
+GridError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
   if (limit == 0) return {};
   const auto length = std::sqrt(contact.a * contact.b);
-  return {std::abs(forces.fx - finer.fx) / limit, std::abs(forces.fy - finer.fy) / limit,
-          std::abs(forces.mz - finer.mz) / (limit * length)};
+  return {std::abs(a.fx - b.fx) / limit, std::abs(a.fy - b.fy) / limit, std::abs(a.mz - b.mz) / (limit * length)};
+}
+
+SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& contact) {
+  const auto scheme = marching_scheme(input.theory);
+  RowSolver solver(scheme, input.options);
+  auto finer = input.options;
+  finer.mx *= 2;
+  finer.my *= 2;
+  SimplifiedResult result;
+  result.fields = solver.fields(contact);
+  result.grid_error = difference(contact, result.fields.forces, RowSolver(scheme, finer).solve(contact));
+  result.curve = creep_curve(contact, simplified_curve_points, [&](const auto& moved) { return solver.solve(moved); });
+  return result;
+}
+
+CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact) {
+  auto options = of_case;
+  options.mx = std::min(options.mx, largest_curve_grid);
+  options.my = std::min(options.my, largest_curve_grid);
+  EllipticContactSolver solver(options);
+  return creep_curve(contact, exact_curve_points, [&](const auto& moved) { return solver.solve(moved).fields.forces; });
+}
+
+/// dq: as given, or the elements' length.
+double step_of(const RollingCase& input, const EllipticContact& contact) {
+  return input.motion.step > 0 ? input.motion.step : 2 * contact.a / input.options.mx;
+}
+
+ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress) {
+  const auto options = exact_options(input);
+  auto coarser = options;
+  coarser.mx = (options.mx + 1) / 2;
+  coarser.my = (options.my + 1) / 2;
+  auto motion = input.motion;
+  motion.step = step_of(input, contact); // the same on both grids
+  ExactResult result;
+  result.contact = EllipticContactSolver(options).solve(contact, motion, progress);
+  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
+  result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
+  contact.creepage = result.contact.creepage;
+  const bool ok = result.contact.fields.forces.status == Status::ok;
+  if (motion.kind == ContactMotion::steady && ok) result.curve = exact_curve(options, contact);
+  return result;
 }
 
 void write_body(ResultFile& file, const BodyInput& body, const std::string& number) {
@@ -45,17 +87,30 @@ void write_friction(ResultFile& file, const RollingCase& input) {
   }
 }
 
-void write_motion(ResultFile& file, const RollingCase& input) {
-  file.scalar("inputs/creepage_longitudinal", input.creepage.longitudinal, "-", "longitudinal creepage xi");
-  file.scalar("inputs/creepage_lateral", input.creepage.lateral, "-", "lateral creepage eta");
-  file.scalar("inputs/spin", input.creepage.spin, "1/m", "spin creepage phi");
+void write_motion(ResultFile& file, const RollingCase& input, const Creepage& creepage) {
+  const bool shift = input.motion.kind == ContactMotion::shift;
+  const auto write = [&](const char* name, double value, const char* unit, const char* what) {
+    file.scalar(std::string("inputs/") + name, value, unit, what);
+  };
+  write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
+        "rigid motion along x: given, or found where the force is given");
+  write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-",
+        "rigid motion along y: given, or found where the force is given");
+  write(shift ? "rotation" : "spin", creepage.spin, shift ? "rad" : "1/m", "rigid rotation about the normal");
   file.scalar("inputs/rolling_speed", input.rolling_speed, "m/s", "rolling speed V");
+  file.text("inputs/motion", std::string(to_word(input.motion.kind)), "shift, transient or steady rolling");
+  if (input.motion.force_x) file.scalar("inputs/force_longitudinal", *input.motion.force_x, "N", "force given along x");
+  if (input.motion.force_y) file.scalar("inputs/force_lateral", *input.motion.force_y, "N", "force given along y");
+  if (input.motion.step > 0) file.scalar("inputs/step", input.motion.step, "m", "way rolled in a step");
+  file.scalar("inputs/steps", input.motion.steps, "-", "number of steps");
   file.text("inputs/direction", std::string(to_word(input.options.direction)), "rolling along +x or -x");
 }
 
 void write_solution(ResultFile& file, const RollingCase& input) {
   const auto& options = input.options;
   file.text("inputs/theory", std::string(to_word(input.theory)), "algorithm");
+  if (input.theory == Theory::exact)
+    file.scalar("inputs/tolerance", input.tolerance, "-", "relative residual at which the exact theory stops");
   file.scalar("inputs/mx", options.mx, "-", "cells along x");
   file.scalar("inputs/my", options.my, "-", "rows along y");
   file.text("inputs/bound", std::string(to_word(options.bound)), "shape of the traction bound");
@@ -73,16 +128,15 @@ void write_inputs(ResultFile& file, const RollingCase& input, const EllipticCont
   file.scalar("inputs/poisson_ratio", contact.poisson_ratio, "-", "combined Poisson's ratio");
   file.scalar("inputs/normal_force", contact.normal_force, "N", "normal force Fn");
   write_friction(file, input);
-  write_motion(file, input);
+  write_motion(file, input, contact.creepage);
   write_solution(file, input);
 }
 
-void write_tolerances(ResultFile& file, const GridError& error) {
-  const std::string what = ": difference to the grid with twice the cells in each direction";
-  file.scalar("tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution");
-  file.scalar("tolerances/grid_fx", error.fx, "mu Fn", "discretisation error of fx" + what);
-  file.scalar("tolerances/grid_fy", error.fy, "mu Fn", "discretisation error of fy" + what);
-  file.scalar("tolerances/grid_mz", error.mz, "mu Fn sqrt(a b)", "discretisation error of mz" + what);
+void write_tolerances(ResultFile& file, const std::string& theory, const GridError& error, const std::string& cells) {
+  const std::string what = ": difference to the grid with " + cells + " in each direction";
+  file.scalar("tolerances/" + theory + "/grid_fx", error.fx, "mu Fn", "discretisation error of fx" + what);
+  file.scalar("tolerances/" + theory + "/grid_fy", error.fy, "mu Fn", "discretisation error of fy" + what);
+  file.scalar("tolerances/" + theory + "/grid_mz", error.mz, "mu Fn sqrt(a b)", "discretisation error of mz" + what);
 }
 
 void write_hertz(ResultFile& file, const HertzContact& hertz) {
@@ -122,31 +176,79 @@ void write_theory(ResultFile& file, const std::string& theory, const ContactFiel
   file.array(theory + "/fields/state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
-void write_curve(ResultFile& file, const CreepCurve& curve, const ContactForces& point) {
+void write_exact(ResultFile& file, const ExactContact& contact) {
+  write_theory(file, "exact", contact.fields);
+  const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
+    file.scalar(std::string("exact/") + name, value, unit, what);
+  };
+  scalar("creep_x", contact.creepage.longitudinal, "-", "longitudinal creepage; for a shift the shift in m");
+  scalar("creep_y", contact.creepage.lateral, "-", "lateral creepage; for a shift the shift in m");
+  scalar("approach", contact.approach, "m", "approach of distant points on this grid");
+  scalar("peak_pressure", contact.peak_pressure, "Pa", "largest pressure of an element");
+  scalar("peak_traction", contact.peak_traction, "Pa", "largest traction of an element");
+  scalar("power_by_creepage", contact.power_by_creepage, "W",
+         "frictional power by the creepages; for a shift work in J");
+  scalar("elastic_energy", contact.elastic_energy, "J", "of the tangential tractions");
+  scalar("residual", contact.residual, "-", "of the tangential problem, relative");
+  scalar("newton_steps", contact.newton_steps, "-", "iterations of Newton's method");
+  scalar("products", static_cast<double>(contact.products), "-", "products with the matrix of influence coefficients");
+  const ResultFile::Shape shape = {static_cast<std::size_t>(contact.fields.my),
+                                   static_cast<std::size_t>(contact.fields.mx)};
+  file.array("exact/fields/pn", contact.pressure, "Pa", "pressure", shape);
+  file.array("exact/fields/gap", contact.gap, "m", "deformed distance of the bodies", shape);
+  file.array("exact/fields/ux", contact.ux, "m", "displacement difference, longitudinal", shape);
+  file.array("exact/fields/uy", contact.uy, "m", "displacement difference, lateral", shape);
+}
+
+/// A number of every step of transient rolling.
+template <class Value>
+void write_history(ResultFile& file, const std::vector<ExactStep>& history, const char* name, const char* unit,
+                   const Value& value) {
+  std::vector<double> values;
+  for (const auto& step : history) values.push_back(value(step));
+  file.array(std::string("exact/history/") + name, values, unit, std::string(name) + " after each step");
+}
+
+void write_history(ResultFile& file, const std::vector<ExactStep>& history, double step) {
+  if (history.empty()) return;
+  double rolled = 0;
+  write_history(file, history, "distance", "m", [&](const ExactStep&) { return rolled += step; });
+  write_history(file, history, "fx", "N", [](const ExactStep& s) { return s.forces.fx; });
+  write_history(file, history, "fy", "N", [](const ExactStep& s) { return s.forces.fy; });
+  write_history(file, history, "mz", "N m", [](const ExactStep& s) { return s.forces.mz; });
+  write_history(file, history, "creep_x", "-", [](const ExactStep& s) { return s.creepage.longitudinal; });
+  write_history(file, history, "creep_y", "-", [](const ExactStep& s) { return s.creepage.lateral; });
+}
+
+void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& curve) {
+  const auto folder = "creep_curve/" + theory + "/";
   const auto write = [&](const std::string& name, const char* unit, double ContactForces::*member) {
     std::vector<double> values;
     for (const auto& forces : curve.forces) values.push_back(forces.*member);
-    file.array("creep_curve/" + name, values, unit, name + " along the curve");
-    file.scalar("creep_curve/point_" + name, point.*member, unit, name + " of the case itself");
+    file.array(folder + name, values, unit, name + " along the curve");
   };
-  file.array("creep_curve/value", curve.value, curve.unit, "the creepage that varies");
-  file.scalar("creep_curve/point_value", curve.point_value, curve.unit, "its value in the case itself");
+  file.array(folder + "value", curve.value, curve.unit, "the creepage that varies");
   write("fx", "N", &ContactForces::fx);
   write("fy", "N", &ContactForces::fy);
   write("mz", "N m", &ContactForces::mz);
-  file.attribute("creep_curve", "variable", curve.variable);
 }
 
 } // namespace
 
-RollingContactResult solve_case(const RollingCase& input) {
+std::string simplified_name(const RollingCase& input) {
+  return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
+}
+
+RollingContactResult solve_case(const RollingCase& input, const Progress& progress) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
   result.contact = elliptic_contact(input, result.hertz);
-  RowSolver solver(input.theory, input.options);
-  result.fields = solver.fields(result.contact);
-  result.grid_error = grid_error(input, result.contact, result.fields.forces);
-  result.curve = creep_curve(solver, result.contact);
+  if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
+  result.status = result.exact ? result.exact->contact.fields.forces.status : Status::ok;
+  if (input.motion.kind == ContactMotion::steady && result.status == Status::ok) {
+    result.simplified = solve_simplified(input, result.contact);
+    if (!result.exact) result.status = result.simplified->fields.forces.status;
+  }
   return result;
 }
 
@@ -154,10 +256,21 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
                   const std::filesystem::path& path) {
   ResultFile file(path, provenance);
   write_inputs(file, input, result.contact);
-  write_tolerances(file, result.grid_error);
+  file.scalar("tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution");
   write_hertz(file, result.hertz);
-  write_theory(file, input.theory == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim", result.fields);
-  write_curve(file, result.curve, result.fields.forces);
+  if (const auto& exact = result.exact) {
+    write_exact(file, exact->contact);
+    write_history(file, exact->contact.history, step_of(input, result.contact));
+    write_tolerances(file, "exact", exact->grid_error, "half the elements");
+    if (exact->curve) write_curve(file, "exact", *exact->curve);
+  }
+  if (const auto& simplified = result.simplified) {
+    const auto name = simplified_name(input);
+    write_theory(file, name, simplified->fields);
+    write_tolerances(file, name, simplified->grid_error, "twice the cells");
+    write_curve(file, name, simplified->curve);
+    file.attribute("creep_curve", "variable", simplified->curve.variable);
+  }
   file.commit();
 }
 

@@ -5,26 +5,45 @@
 #include "io/result_file.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 namespace microslip {
 
-/// How far totals are from those on the grid with twice the cells in each direction.
+/// How far totals are from those on another grid.
 struct GridError {
   double fx = 0, fy = 0; ///< in units of mu Fn
   double mz = 0;         ///< in units of mu Fn sqrt(a b)
 };
 
-/// All that `microslip solve` computes of a case.
-struct RollingContactResult {
-  HertzContact hertz;
-  EllipticContact contact;
+/// What the simplified theory makes of a case.
+struct SimplifiedResult {
   ContactFields fields;
-  GridError grid_error;
+  GridError grid_error; ///< to the grid with twice the cells in each direction
   CreepCurve curve;
 };
 
-/// Solves a case by the simplified theory it asks for.
-RollingContactResult solve_case(const RollingCase& input);
+/// What the exact theory makes of a case.
+struct ExactResult {
+  ExactContact contact;
+  GridError grid_error;            ///< to the grid with half the elements in each direction
+  std::optional<CreepCurve> curve; ///< if it converges for steady rolling
+};
+
+/// All that `microslip solve` computes of a case.
+struct RollingContactResult {
+  HertzContact hertz;
+  EllipticContact contact; ///< with the creepages that the exact theory found, where a force is given
+  std::optional<ExactResult> exact;
+  std::optional<SimplifiedResult> simplified; ///< beside the exact theory if that converges for steady rolling
+  Status status = Status::ok;                 ///< of the theory that the case asks for
+};
+
+/// Name of the simplified theory's group in result files.
+std::string simplified_name(const RollingCase& input);
+
+/// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
+RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
 
 /// Writes it as HDF5. Error if that is impossible.
 void write_result(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,

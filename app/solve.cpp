@@ -4,6 +4,7 @@
 #include "app/hertz.hpp"
 #include "app/interrupt.hpp"
 #include "app/pictures.hpp"
+#include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
 #include "app/rolling_contact_result.hpp"
 #include "io/option_words.hpp"
@@ -43,25 +44,126 @@ void print_hertz(const RollingContactResult& result) {
   table.print();
 }
 
-void print_forces(const RollingCase& input, const RollingContactResult& result) {
+std::string describe_simplified(const RollingCase& input) {
   const auto& options = input.options;
-  const auto& forces = result.fields.forces;
+  return fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", simplified_name(input), options.mx, options.my,
+                     to_word(options.bound), to_word(options.flexibility));
+}
+
+std::string describe_exact(const RollingCase& input) {
+  const auto& [kind, force_x, force_y, step, steps] = input.motion;
+  const auto motion = kind == ContactMotion::shift       ? std::string("shift")
+                      : kind == ContactMotion::transient ? fmt::format("transient rolling, {} steps", steps)
+                                                         : "steady rolling";
+  return fmt::format("exact theory, {} x {} elements, {}", input.options.mx, input.options.my, motion);
+}
+
+void print_simplified(const RollingCase& input, const RollingContactResult& result) {
+  const auto& simplified = *result.simplified;
+  const auto& forces = simplified.fields.forces;
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   const auto area = forces.adhesion_area + forces.slip_area;
-  QuantityTable table(fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", to_word(input.theory), options.mx,
-                                  options.my, to_word(options.bound), to_word(options.flexibility)));
+  QuantityTable table(describe_simplified(input));
   table.add("longitudinal force fx", forces.fx, "N", in_units_of(forces.fx, limit, "mu Fn"));
   table.add("lateral force fy", forces.fy, "N", in_units_of(forces.fy, limit, "mu Fn"));
   table.add("spin moment mz", forces.mz, "N m", in_units_of(forces.mz, moment, "mu Fn sqrt(a b)"));
   table.add("adhesion area", forces.adhesion_area * 1e6, "mm^2", percent(forces.adhesion_area, area));
   table.add("slip area", forces.slip_area * 1e6, "mm^2", percent(forces.slip_area, area));
-  table.add("frictional power", result.fields.frictional_power, "W");
-  table.add("discretisation error of fx", result.grid_error.fx, "mu Fn");
-  table.add("discretisation error of fy", result.grid_error.fy, "mu Fn");
-  table.add("discretisation error of mz", result.grid_error.mz, "mu Fn sqrt(a b)");
-  table.add("status", std::string(to_string(forces.status)));
+  table.add("frictional power", simplified.fields.frictional_power, "W");
+  table.add("discretisation error of fx", simplified.grid_error.fx, "mu Fn");
+  table.add("discretisation error of fy", simplified.grid_error.fy, "mu Fn");
+  table.add("discretisation error of mz", simplified.grid_error.mz, "mu Fn sqrt(a b)");
+  table.add("status", {std::string(to_string(forces.status))});
   table.print();
+}
+
+/// Adds the rows that both theories have, a column for each.
+class SideBySide {
+public:
+  SideBySide(QuantityTable& table, const RollingContactResult& result) : table_(table), result_(result) {}
+
+  /// `value` takes a quantity from the fields and the grid error of a theory.
+  template <class Value> void add(const std::string& name, const std::string& unit, const Value& value) {
+    std::vector<double> values = {value(result_.exact->contact.fields, result_.exact->grid_error)};
+    if (const auto& simplified = result_.simplified)
+      values.push_back(value(simplified->fields, simplified->grid_error));
+    table_.add(name, values, unit);
+  }
+
+private:
+  QuantityTable& table_;
+  const RollingContactResult& result_;
+};
+
+void add_totals(QuantityTable& table, const RollingContactResult& result, bool shift) {
+  const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
+  const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
+  SideBySide rows(table, result);
+  using Fields = const ContactFields&;
+  using Error = const GridError&;
+  rows.add("longitudinal force fx", "N", [](Fields f, Error) { return f.forces.fx; });
+  rows.add("lateral force fy", "N", [](Fields f, Error) { return f.forces.fy; });
+  rows.add("spin moment mz", "N m", [](Fields f, Error) { return f.forces.mz; });
+  if (limit > 0) {
+    rows.add("fx", "mu Fn", [&](Fields f, Error) { return f.forces.fx / limit; });
+    rows.add("fy", "mu Fn", [&](Fields f, Error) { return f.forces.fy / limit; });
+    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f, Error) { return f.forces.mz / moment; });
+  }
+  rows.add("adhesion area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.adhesion_area; });
+  rows.add("slip area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.slip_area; });
+  rows.add(shift ? "frictional work" : "frictional power", shift ? "J" : "W",
+           [](Fields f, Error) { return f.frictional_power; });
+  rows.add("discretisation error of fx", "mu Fn", [](Fields, Error e) { return e.fx; });
+  rows.add("discretisation error of fy", "mu Fn", [](Fields, Error e) { return e.fy; });
+  rows.add("discretisation error of mz", "mu Fn sqrt(a b)", [](Fields, Error e) { return e.mz; });
+}
+
+void print_exact(const RollingCase& input, const RollingContactResult& result) {
+  const auto& contact = result.exact->contact;
+  const bool shift = input.motion.kind == ContactMotion::shift;
+  std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.fields.forces.status))};
+  if (result.simplified) {
+    heads.push_back(simplified_name(input));
+    status.emplace_back(to_string(result.simplified->fields.forces.status));
+  }
+  QuantityTable table(describe_exact(input), heads);
+  add_totals(table, result, shift);
+  if (input.motion.force_x)
+    table.add(shift ? "longitudinal shift, found" : "longitudinal creepage, found", contact.creepage.longitudinal,
+              shift ? "m" : "-");
+  if (input.motion.force_y)
+    table.add(shift ? "lateral shift, found" : "lateral creepage, found", contact.creepage.lateral, shift ? "m" : "-");
+  table.add("frictional power by creepages", contact.power_by_creepage, shift ? "J" : "W");
+  table.add("elastic energy of the tractions", contact.elastic_energy, "J");
+  table.add("peak pressure", 1e-6 * contact.peak_pressure, "MPa");
+  table.add("peak traction", 1e-6 * contact.peak_traction, "MPa");
+  table.add("residual", contact.residual, "-",
+            fmt::format("{} Newton steps, {} products", contact.newton_steps, contact.products));
+  table.add("status", status);
+  table.print();
+}
+
+/// What a status other than ok means here.
+std::string explain(const RollingCase& input, const RollingContactResult& result) {
+  if (result.status == Status::no_solution)
+    return "the given force is beyond what friction can carry; full sliding is shown";
+  if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
+    return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.residual,
+                       input.tolerance);
+  return "the numbers are too large or too small to compute with";
+}
+
+RollingContactResult solve_with_progress(const RollingCase& input, const std::string& name) {
+  const InterruptGuard guard;
+  ProgressBar bar(name);
+  auto result = solve_case(input, [&](double fraction) {
+    bar.update(fraction);
+    InterruptGuard::throw_if_interrupted();
+    return true;
+  });
+  InterruptGuard::throw_if_interrupted();
+  return result;
 }
 
 void write(const SolveArguments& arguments, const RollingCase& input, const RollingContactResult& result,
@@ -82,12 +184,12 @@ int solve(SolveArguments arguments) {
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
   const auto text = read_case_text(arguments.case_file);
   const auto input = parse_case(text, arguments.case_file.string());
-  const auto result = solve_case(input);
+  const auto result = solve_with_progress(input, arguments.case_file.filename().string());
 
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
   print_hertz(result);
   fmt::print("\n");
-  print_forces(input, result);
+  result.exact ? print_exact(input, result) : print_simplified(input, result);
 
   const auto file = arguments.folder / "result.h5";
   write(arguments, input, result, text, file);
@@ -98,9 +200,8 @@ int solve(SolveArguments arguments) {
     for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
     if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
   }
-  if (result.fields.forces.status == Status::ok) return 0;
-  fmt::print(stderr, "microslip: warning: {}: the numbers are too large or too small to compute with\n",
-             arguments.case_file.string());
+  if (result.status == Status::ok) return 0;
+  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), explain(input, result));
   return 1;
 }
 
@@ -114,9 +215,9 @@ void add_solve_command(CLI::App& program, int& exit_code) {
                       "folder for result.h5 and the pictures; default: results/NAME for NAME.toml");
   command->add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
   command->footer(
-      "Solves Hertz's problem and then the simplified theory that the case file asks for. Prints forces on\n"
-      "body 1 [N], the moment [N m], areas [mm^2] and the frictional power [W]. Writes result.h5 (SI) and\n"
-      "tractions.png, areas.png, creep_curve.png.\n\n"
+      "Solves Hertz's problem and then the theory that the case file asks for; the exact theory and FASTSIM2 stand\n"
+      "side by side. Prints forces on body 1 [N], the moment [N m], areas [mm^2] and the frictional power [W]. Writes\n"
+      "result.h5 (SI) and tractions.png, areas.png, creep_curve.png. Exit code 1: not converged.\n\n"
       "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

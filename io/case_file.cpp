@@ -10,6 +10,8 @@
 namespace microslip {
 namespace {
 
+constexpr int most_steps = 1000000;
+
 BodyInput read_body(const TomlSection& body) {
   body.allow({"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus", "poisson_ratio"});
   BodyInput input;
@@ -75,19 +77,61 @@ void read_friction(const TomlSection& friction, RollingCase& input) {
   if (law == "polach") input.friction = read_polach(friction);
 }
 
+/// The names of what sets one component of the motion: a force or how far the bodies move.
+struct ComponentKeys {
+  std::string_view motion, unit, force;
+};
+
+/// Reads a force, if it is there, or else the motion; both together make no sense.
+double read_component(const TomlSection& motion, const ComponentKeys& keys, std::optional<double>& force) {
+  if (!motion.has(keys.force)) return motion.finite(keys.motion, keys.unit, 0);
+  motion.one_of(keys.motion, keys.force);
+  force = motion.finite(keys.force, "N");
+  return 0;
+}
+
 void read_motion(const TomlSection& motion, RollingCase& input) {
-  motion.allow({"creepage_longitudinal", "creepage_lateral", "spin", "rolling_speed", "direction"});
-  input.creepage.longitudinal = motion.finite("creepage_longitudinal", "-", 0);
-  input.creepage.lateral = motion.finite("creepage_lateral", "-", 0);
-  input.creepage.spin = motion.finite("spin", "1/m", 0);
-  input.rolling_speed = motion.positive("rolling_speed", "m/s");
+  input.motion.kind = motion.option("kind", ContactMotion::steady);
+  const bool shift = input.motion.kind == ContactMotion::shift;
+  const ComponentKeys along = {shift ? "shift_longitudinal" : "creepage_longitudinal", shift ? "m" : "-",
+                               "force_longitudinal"};
+  const ComponentKeys across = {shift ? "shift_lateral" : "creepage_lateral", shift ? "m" : "-", "force_lateral"};
+  const std::string_view turn = shift ? "rotation" : "spin";
+  TomlSection::Words known = {"kind", along.motion, along.force, across.motion, across.force, turn};
+  if (!shift) known.insert(known.end(), {"rolling_speed", "direction", "step"});
+  if (input.motion.kind == ContactMotion::transient) known.push_back("steps");
+  motion.allow(known);
+  input.creepage.longitudinal = read_component(motion, along, input.motion.force_x);
+  input.creepage.lateral = read_component(motion, across, input.motion.force_y);
+  input.creepage.spin = motion.finite(turn, shift ? "rad" : "1/m", 0);
+  input.rolling_speed = shift ? 1 : motion.positive("rolling_speed", "m/s");
   input.options.direction = motion.option("direction", RollingDirection::forward);
+  if (motion.has("step")) input.motion.step = motion.positive("step", "m");
+  motion.count("steps", 1, most_steps, input.motion.steps);
+}
+
+/// The simplified theory knows steady rolling with given creepages, the exact theory Coulomb's friction.
+void check_theory(const TomlSection& motion, const TomlSection& friction, const RollingCase& input) {
+  if (input.theory == Theory::exact) {
+    friction.at("law", [&] {
+      if (input.friction_law != "coulomb")
+        throw Error("friction.law = \"" + input.friction_law + "\": must be coulomb with solution.theory = \"exact\"");
+    });
+    return;
+  }
+  const auto needs_exact = [&](std::string_view key, bool is_there) {
+    if (!is_there) return;
+    motion.at(key, [&] { throw Error("motion." + std::string(key) + ": needs solution.theory = \"exact\""); });
+  };
+  needs_exact("kind", input.motion.kind != ContactMotion::steady);
+  for (const auto* key : {"force_longitudinal", "force_lateral", "step"}) needs_exact(key, motion.has(key));
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
-  solution.allow({"theory", "grid", "bound", "flexibility", "slope_reduction"});
+  solution.allow({"theory", "grid", "tolerance", "bound", "flexibility", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
+  input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
 
@@ -113,6 +157,7 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
   read_solution(root.optional_section("solution"), input);
+  check_theory(root.required_section("motion"), root.required_section("friction"), input);
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
     hertz_contact(input);
@@ -141,6 +186,13 @@ EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& h
           .friction = input.friction,
           .creepage = input.creepage,
           .rolling_speed = input.rolling_speed};
+}
+
+ExactOptions exact_options(const RollingCase& input) {
+  return {.mx = input.options.mx,
+          .my = input.options.my,
+          .direction = input.options.direction,
+          .tolerance = input.tolerance};
 }
 
 std::string read_case_text(const std::filesystem::path& path) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "io/theory.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
+#include "microslip/exact/elliptic_contact.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 #include <filesystem>
@@ -27,10 +29,12 @@ struct RollingCase {
   std::optional<double> approach = {};     ///< [m]; or this
   std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
   FrictionLaw friction = {};
-  Creepage creepage = {};
+  Creepage creepage = {};   ///< for a shift the rigid shift [m] and rotation [rad]
   double rolling_speed = 0; ///< [m/s]
-  MarchingScheme theory = MarchingScheme::fastsim2;
-  SimplifiedOptions options = {.mx = 20, .my = 20};
+  ExactMotion motion = {};  ///< what is not steady rolling with given creepages needs the exact theory
+  Theory theory = Theory::fastsim2;
+  SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
+  double tolerance = 1e-6;                          ///< of the exact theory
 };
 
 /// Largest number of cells along either side of a grid whose fields are kept.
@@ -41,9 +45,11 @@ inline constexpr int largest_field_grid = 2000;
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
 RollingCase parse_case(std::string_view text, const std::string& name);
 
-/// The Hertzian contact of a case, and the case for the simplified theory. They do not throw for what parse_case gave.
+/// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
+/// what parse_case gave.
 HertzContact hertz_contact(const RollingCase& input);
 EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz);
+ExactOptions exact_options(const RollingCase& input);
 
 /// The text of a case file. Error if it cannot be read or is longer than 1 MiB.
 std::string read_case_text(const std::filesystem::path& path);

@@ -221,13 +221,14 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
   return rows;
 }
 
-std::string result_header(const std::vector<std::string_view>& columns) {
+std::string result_header(const std::vector<std::string_view>& columns, bool exact) {
   std::string line;
   for (const auto column : columns) line.append(column).append(",");
-  return line + "fx,fy,mz,adhesion_area,slip_area,status\n";
+  return line + "fx,fy,mz,adhesion_area,slip_area,status" + (exact ? ",residual,iterations\n" : "\n");
 }
 
-std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces) {
+std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces,
+                        std::span<const Iteration> iterations) {
   std::string csv;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < rows.ends.size(); ++i) {
@@ -237,7 +238,13 @@ std::string result_rows(const ContactRows& rows, std::span<const ContactForces> 
       csv += ',';
       append(csv, value);
     }
-    csv.append(",").append(to_string(forces[i].status)).append("\n");
+    csv.append(",").append(to_string(forces[i].status));
+    if (!iterations.empty()) {
+      csv += ',';
+      append(csv, iterations[i].residual);
+      csv.append(",").append(std::to_string(iterations[i].steps));
+    }
+    csv += '\n';
   }
   return csv;
 }

@@ -55,10 +55,18 @@ private:
   std::size_t bytes_read_ = 0;
 };
 
+/// How the exact theory's iteration ended for a contact.
+struct Iteration {
+  double residual = 0; ///< relative
+  int steps = 0;       ///< of Newton's method
+};
+
 /// The header of a table of results: the given columns and fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area
-/// [m^2], status.
-std::string result_header(const std::vector<std::string_view>& columns);
-/// Its rows: the text of `rows` and the results, as the shortest decimal numbers that read back as the same.
-std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces);
+/// [m^2], status; for the exact theory also residual [-], iterations.
+std::string result_header(const std::vector<std::string_view>& columns, bool exact = false);
+/// Its rows: the text of `rows` and the results, as the shortest decimal numbers that read back as the same. For the
+/// exact theory there is an iteration for each.
+std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces,
+                        std::span<const Iteration> iterations = {});
 
 } // namespace microslip

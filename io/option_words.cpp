@@ -14,10 +14,11 @@ using Word = std::string_view;
 
 // Each list is in the order of its enumerators.
 template <class Option> constexpr std::array<Word, 0> words_of{};
-template <> constexpr auto words_of<MarchingScheme> = std::array<Word, 3>{"fastsim", "fastsim_half_step", "fastsim2"};
+template <> constexpr auto words_of<Theory> = std::array<Word, 4>{"fastsim", "fastsim_half_step", "fastsim2", "exact"};
 template <> constexpr auto words_of<TractionBound> = std::array<Word, 2>{"parabolic", "elliptic"};
 template <> constexpr auto words_of<FlexibilityModel> = std::array<Word, 3>{"three", "one", "blended"};
 template <> constexpr auto words_of<RollingDirection> = std::array<Word, 2>{"forward", "backward"};
+template <> constexpr auto words_of<ContactMotion> = std::array<Word, 3>{"shift", "transient", "steady"};
 
 } // namespace
 
@@ -35,18 +36,21 @@ template <class Option> Option from_word(std::string_view field, std::string_vie
   return static_cast<Option>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-template std::span<const std::string_view> option_words<MarchingScheme>();
+template std::span<const std::string_view> option_words<Theory>();
 template std::span<const std::string_view> option_words<TractionBound>();
 template std::span<const std::string_view> option_words<FlexibilityModel>();
 template std::span<const std::string_view> option_words<RollingDirection>();
-template std::string_view to_word(MarchingScheme);
+template std::span<const std::string_view> option_words<ContactMotion>();
+template std::string_view to_word(Theory);
 template std::string_view to_word(TractionBound);
 template std::string_view to_word(FlexibilityModel);
 template std::string_view to_word(RollingDirection);
-template MarchingScheme from_word(std::string_view, std::string_view);
+template std::string_view to_word(ContactMotion);
+template Theory from_word(std::string_view, std::string_view);
 template TractionBound from_word(std::string_view, std::string_view);
 template FlexibilityModel from_word(std::string_view, std::string_view);
 template RollingDirection from_word(std::string_view, std::string_view);
+template ContactMotion from_word(std::string_view, std::string_view);
 
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "microslip/simplified/row_solver.hpp"
+#include "io/theory.hpp"
+#include "microslip/exact/tangential_problem.hpp"
 
 #include <span>
 #include <string_view>
@@ -8,7 +9,7 @@
 namespace microslip {
 
 /// The words by which files and the command line name options, e.g. "fastsim_half_step" or "parabolic". There are
-/// words for MarchingScheme, TractionBound, FlexibilityModel and RollingDirection.
+/// words for Theory, TractionBound, FlexibilityModel, RollingDirection and ContactMotion.
 template <class Option> std::span<const std::string_view> option_words();
 template <class Option> std::string_view to_word(Option option);
 

@@ -155,19 +155,27 @@ std::string TomlSection::word(std::string_view key, std::string_view missing,
   return value;
 }
 
+int TomlSection::whole(std::string_view key, const toml::node& node, int low, int high) const {
+  const auto value = node.as_integer()->get();
+  at(key, [&] { require_between(full(key), static_cast<double>(value), "-", low, high); });
+  return static_cast<int>(value);
+}
+
+void TomlSection::count(std::string_view key, int low, int high, int& value) const {
+  const auto* node = find(key);
+  if (node == nullptr) return;
+  if (!node->is_integer()) wrong_type(key, *node, "a whole number");
+  value = whole(key, *node, low, high);
+}
+
 void TomlSection::counts(std::string_view key, int low, int high, int& first, int& second) const {
   const auto* node = find(key);
   if (node == nullptr) return;
   const auto* list = node->as_array();
   if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() || !list->get(1)->is_integer())
     throw Error(place(file_, node->source()) + full(key) + ": must be a list of two whole numbers");
-  const auto count = [&](std::size_t index) {
-    const auto value = list->get(index)->as_integer()->get();
-    at(key, [&] { require_between(full(key), static_cast<double>(value), "-", low, high); });
-    return static_cast<int>(value);
-  };
-  first = count(0);
-  second = count(1);
+  first = whole(key, *list->get(0), low, high);
+  second = whole(key, *list->get(1), low, high);
 }
 
 void TomlSection::at(std::string_view key, const std::function<void()>& check) const {

@@ -45,6 +45,8 @@ public:
   template <class Option> Option option(std::string_view key, Option missing) const {
     return from_word<Option>(key, word(key, to_word(missing), option_words<Option>()));
   }
+  /// A whole number, which keeps its value if the key is missing.
+  void count(std::string_view key, int low, int high, int& value) const;
   /// A list of two whole numbers, which keep their values if the key is missing.
   void counts(std::string_view key, int low, int high, int& first, int& second) const;
 
@@ -61,6 +63,7 @@ private:
   std::string line_of(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
   double number(std::string_view key, std::optional<double> missing, const Check& check) const;
+  int whole(std::string_view key, const toml::node& node, int low, int high) const;
 
   const toml::table* table_ = nullptr;
   std::string name_;

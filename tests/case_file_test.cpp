@@ -64,7 +64,7 @@ TEST(CaseFile, ReadsTheShortestCase) {
   EXPECT_EQ(input.friction.coefficient(1.0), 0.3);
   EXPECT_EQ(input.creepage.longitudinal, 0);
   EXPECT_EQ(input.rolling_speed, 30);
-  EXPECT_EQ(input.theory, MarchingScheme::fastsim2);
+  EXPECT_EQ(input.theory, Theory::fastsim2);
   EXPECT_EQ(input.options.mx, 20);
   EXPECT_EQ(input.options.direction, RollingDirection::forward);
 }
@@ -87,7 +87,7 @@ slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
   EXPECT_EQ(input.creepage.spin, 0.5);
   EXPECT_EQ(input.rolling_speed, 20.5);
   EXPECT_EQ(input.options.direction, RollingDirection::backward);
-  EXPECT_EQ(input.theory, MarchingScheme::fastsim_half_step);
+  EXPECT_EQ(input.theory, Theory::fastsim_half_step);
   EXPECT_EQ(input.options.mx, 1);
   EXPECT_EQ(input.options.my, 2000);
   EXPECT_EQ(input.options.bound, TractionBound::elliptic);
@@ -127,13 +127,77 @@ TEST(CaseFile, NamesTheNearestKnownWord) {
             "w.toml:15: friction.law = \"colomb\": must be coulomb, linear, rational, exponential or polach; did you "
             "mean coulomb?");
   EXPECT_EQ(message_of(good + "[solution]\ntheory = \"fastsim3\""),
-            "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step or fastsim2; did you mean "
-            "fastsim?");
+            "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step, fastsim2 or exact; did "
+            "you mean fastsim?");
   EXPECT_EQ(message_of(good + "velocity = 3\nbeyond = 1"),
-            "w.toml:18: motion.velocity: unknown key; must be creepage_longitudinal, creepage_lateral, spin, "
-            "rolling_speed or direction");
+            "w.toml:18: motion.velocity: unknown key; must be kind, creepage_longitudinal, force_longitudinal, "
+            "creepage_lateral, force_lateral, spin, rolling_speed, direction or step");
   EXPECT_EQ(message_of(with("coefficient = 0.3", "coefficient = 0.3\ndrop = 0.1")),
             "w.toml:16: friction.drop: unknown key; must be law or coefficient");
+}
+
+TEST(CaseFile, ReadsWhatTheExactTheoryTakes) {
+  const auto input = parse_case(with("rolling_speed = 30", R"(kind = "transient"
+force_longitudinal = -5e3
+creepage_lateral = 1e-3
+rolling_speed = 2
+step = 1e-3
+steps = 7
+[solution]
+theory = "exact"
+grid = [24, 12]
+tolerance = 1e-9)"),
+                                "w.toml");
+  EXPECT_EQ(input.theory, Theory::exact);
+  EXPECT_EQ(input.motion.kind, ContactMotion::transient);
+  EXPECT_EQ(input.motion.force_x, -5e3);
+  EXPECT_FALSE(input.motion.force_y);
+  EXPECT_EQ(input.creepage.longitudinal, 0);
+  EXPECT_EQ(input.creepage.lateral, 1e-3);
+  EXPECT_EQ(input.motion.step, 1e-3);
+  EXPECT_EQ(input.motion.steps, 7);
+  const auto options = exact_options(input);
+  EXPECT_EQ(options.mx, 24);
+  EXPECT_EQ(options.my, 12);
+  EXPECT_EQ(options.tolerance, 1e-9);
+  const auto shift = parse_case(with("rolling_speed = 30", R"(kind = "shift"
+shift_longitudinal = 1e-5
+force_lateral = 10
+rotation = 1e-4
+[solution]
+theory = "exact")"),
+                                "w.toml");
+  EXPECT_EQ(shift.creepage.longitudinal, 1e-5);
+  EXPECT_EQ(shift.creepage.spin, 1e-4);
+  EXPECT_EQ(shift.motion.force_y, 10);
+}
+
+TEST(CaseFile, RefusesWhatATheoryCannotDo) {
+  const auto exact = [](const std::string& motion) {
+    return with("rolling_speed = 30", motion + "[solution]\ntheory = \"exact\"");
+  };
+  EXPECT_EQ(message_of(with("rolling_speed = 30", "rolling_speed = 30\nforce_lateral = 1")),
+            "w.toml:18: motion.force_lateral: needs solution.theory = \"exact\"");
+  EXPECT_EQ(message_of(with("rolling_speed = 30", "rolling_speed = 30\nkind = \"transient\"")),
+            "w.toml:18: motion.kind: needs solution.theory = \"exact\"");
+  EXPECT_EQ(message_of(with("rolling_speed = 30", "rolling_speed = 30\nstep = 1e-3")),
+            "w.toml:18: motion.step: needs solution.theory = \"exact\"");
+  EXPECT_EQ(message_of(exact("rolling_speed = 3\nforce_lateral = 1\ncreepage_lateral = 0\n")),
+            "w.toml:18: [motion] needs either creepage_lateral or force_lateral");
+  EXPECT_EQ(message_of(exact("rolling_speed = 3\nsteps = 4\n")),
+            "w.toml:18: motion.steps: unknown key; did you mean step?");
+  EXPECT_EQ(message_of(exact("rolling_speed = 3\nkind = \"transient\"\nsteps = 0\n")),
+            "w.toml:19: motion.steps = 0 [-]: must be in [1, 1e+06]");
+  EXPECT_EQ(message_of(exact("rolling_speed = 3\nkind = \"transient\"\nsteps = 1.5\n")),
+            "w.toml:19: motion.steps: must be a whole number, not a number");
+  EXPECT_EQ(message_of(exact("rolling_speed = 3\nstep = -1e-3\n")),
+            "w.toml:18: motion.step = -0.001 [m]: must be positive and finite");
+  EXPECT_EQ(message_of(exact("kind = \"shift\"\nrolling_speed = 3\n")),
+            "w.toml:18: motion.rolling_speed: unknown key; must be kind, shift_longitudinal, force_longitudinal, "
+            "shift_lateral, force_lateral or rotation");
+  const auto polach = with("coefficient = 0.3", "law = \"polach\"\nstatic_coefficient = 0.3\nratio = 0.4\ndecay = 0.6");
+  EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\""),
+            "w.toml:15: friction.law = \"polach\": must be coulomb with solution.theory = \"exact\"");
 }
 
 TEST(CaseFile, NamesWhatIsMissing) {

@@ -17,16 +17,16 @@ public:
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
   ~Hdf5Reader() { H5Fclose(file_); }
 
-  template <class Value> std::vector<Value> values(const char* path, hid_t type) const {
-    const auto dataset = H5Dopen2(file_, path, H5P_DEFAULT);
+  template <class Value> std::vector<Value> values(const std::string& path, hid_t type) const {
+    const auto dataset = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
     std::vector<Value> read(static_cast<std::size_t>(H5Sget_simple_extent_npoints(H5Dget_space(dataset))));
     H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data());
     H5Dclose(dataset);
     return read;
   }
 
-  std::vector<hsize_t> shape(const char* path) const {
-    const auto dataset = H5Dopen2(file_, path, H5P_DEFAULT);
+  std::vector<hsize_t> shape(const std::string& path) const {
+    const auto dataset = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
     const auto space = H5Dget_space(dataset);
     std::vector<hsize_t> extents(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
     H5Sget_simple_extent_dims(space, extents.data(), nullptr);
@@ -35,7 +35,7 @@ public:
     return extents;
   }
 
-  std::string text(const char* path) const {
+  std::string text(const std::string& path) const {
     const auto type = text_type();
     const auto read = values<char*>(path, type);
     const std::string value(read.at(0));
@@ -44,9 +44,9 @@ public:
     return value;
   }
 
-  std::string attribute(const char* path, const char* name) const {
+  std::string attribute(const std::string& path, const char* name) const {
     const auto type = text_type();
-    const auto attribute = H5Aopen_by_name(file_, path, name, H5P_DEFAULT, H5P_DEFAULT);
+    const auto attribute = H5Aopen_by_name(file_, path.c_str(), name, H5P_DEFAULT, H5P_DEFAULT);
     char* pointer = nullptr;
     H5Aread(attribute, type, static_cast<void*>(&pointer));
     const std::string value(pointer);

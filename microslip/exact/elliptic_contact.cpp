@@ -4,6 +4,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/fastsim2_start.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +18,8 @@ ExactContact invalid() {
   ExactContact out;
   out.fields.forces = {nan, nan, nan, nan, nan, Status::invalid_input};
   out.fields.frictional_power = out.approach = out.peak_pressure = out.power_by_creepage = out.elastic_energy = nan;
-  out.residual = nan;
+  out.creepage = {nan, nan, nan};
+  out.peak_traction = out.residual = nan;
   return out;
 }
 
@@ -27,6 +29,11 @@ bool is_valid(const EllipticContact& c) {
          positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 &&
          c.friction.kind() == FrictionLaw::Kind::coulomb && std::isfinite(c.creepage.longitudinal) &&
          std::isfinite(c.creepage.lateral) && std::isfinite(c.creepage.spin);
+}
+
+bool is_valid(const ExactMotion& m) {
+  return std::isfinite(m.force_x.value_or(0)) && std::isfinite(m.force_y.value_or(0)) && m.step >= 0 &&
+         std::isfinite(m.step) && m.steps >= 1 && m.steps <= 1000000;
 }
 
 } // namespace
@@ -53,59 +60,106 @@ void EllipticContactSolver::prepare(const EllipticContact& contact) {
     for (int i = 0; i < grid_.mx; ++i)
       h[static_cast<std::size_t>(j) * grid_.mx + i] = gap.x * grid_.x(i) * grid_.x(i) + gap.y * grid_.y(j) * grid_.y(j);
   normal_ = NormalProblem(material, grid_).solve(h, {NormalLoad::Given::force, 1});
+  gap_ = std::move(h);
+  for (std::size_t k = 0; k < gap_.size(); ++k) gap_[k] += normal_.displacement[k] - normal_.approach;
   tangential_ = std::make_unique<TangentialProblem>(material, grid_);
   a_ = contact.a;
   b_ = contact.b;
   material_ = material;
 }
 
-ContactFields EllipticContactSolver::fields_of(const TangentialSolution& s) const {
-  ContactFields f(grid_.mx, grid_.my);
-  f.forces = s.forces;
-  f.frictional_power = s.frictional_power;
-  const bool forward = options_.direction == RollingDirection::forward;
-  for (int j = 0; j < grid_.my; ++j)
-    for (int i = 0; i < grid_.mx; ++i) {
-      const int column = forward ? grid_.mx - 1 - i : i;
-      const std::size_t to = static_cast<std::size_t>(j) * grid_.mx + i, from = to - i + column;
-      f.x[to] = grid_.x(column);
-      f.y[to] = grid_.y(j);
-      f.area[to] = grid_.element_area();
-      f.bound[to] = s.bound[from];
-      f.px[to] = s.tractions.px[from];
-      f.py[to] = s.tractions.py[from];
-      f.sx[to] = s.sx[from];
-      f.sy[to] = s.sy[from];
-      f.state[to] = s.state[from];
-    }
-  return f;
-}
-
-ExactContact EllipticContactSolver::solve(const EllipticContact& contact) {
-  if (!is_valid(contact)) return invalid();
-  prepare(contact);
-  std::vector<double> bound(grid_.count());
-  const double scale = contact.friction.static_coefficient() * contact.normal_force;
-  for (std::size_t k = 0; k < bound.size(); ++k) bound[k] = scale * normal_.pressure[k];
+/// Solves the tangential problem; transient rolling step by step.
+TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, const ExactMotion& motion,
+                                               std::span<const double> bound, const Progress& progress,
+                                               std::vector<ExactStep>& history) {
   TangentialInput input;
+  input.motion = motion.kind;
   input.creepage = contact.creepage;
+  input.force_x = motion.force_x;
+  input.force_y = motion.force_y;
+  input.step = motion.step;
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
-  const TangentialState start = start_from_fastsim2(contact, grid_, bound, options_.direction);
-  input.start = &start;
-  const TangentialSolution s = tangential_->solve(bound, input);
+  TangentialState state;
+  const bool creepages_given = !motion.force_x && !motion.force_y;
+  if (motion.kind == ContactMotion::steady && creepages_given) {
+    state = start_from_fastsim2(contact, grid_, bound, options_.direction);
+    input.start = &state;
+  }
+  TangentialSolution s = tangential_->solve(bound, input);
+  if (motion.kind != ContactMotion::transient) return s;
+  const auto remember = [&] {
+    history.push_back({s.creepage, s.forces, s.residual, s.newton_steps, s.products});
+    return !progress || progress(double(history.size()) / motion.steps);
+  };
+  input.previous = &state;
+  while (remember() && static_cast<int>(history.size()) < motion.steps) {
+    state = std::move(s.tractions);
+    s = tangential_->solve(bound, input);
+  }
+  return s;
+}
 
+/// Results as they are passed on: rows from the leading to the trailing edge.
+ExactContact EllipticContactSolver::results(TangentialSolution s, double normal_force) const {
+  const auto in_rows = [&](auto field) {
+    if (options_.direction == RollingDirection::forward)
+      for (auto row = field.begin(); row != field.end(); row += grid_.mx) std::reverse(row, row + grid_.mx);
+    return field;
+  };
   ExactContact out;
-  out.fields = fields_of(s);
-  if (normal_.status != Status::ok) out.fields.forces.status = normal_.status;
-  out.approach = normal_.approach * contact.normal_force;
-  out.peak_pressure = normal_.peak_pressure * contact.normal_force;
+  ContactFields& f = out.fields = ContactFields(grid_.mx, grid_.my);
+  out.pressure = normal_.pressure;
+  out.gap = gap_;
+  for (std::size_t k = 0; k < grid_.count(); ++k) {
+    f.x[k] = grid_.x(static_cast<int>(k % grid_.mx));
+    f.y[k] = grid_.y(static_cast<int>(k / grid_.mx));
+    f.area[k] = grid_.element_area();
+    out.pressure[k] *= normal_force;
+    out.gap[k] *= normal_force;
+  }
+  for (auto* field : {&f.x, &out.pressure, &out.gap}) *field = in_rows(std::move(*field));
+  f.bound = in_rows(std::move(s.bound));
+  f.px = in_rows(std::move(s.tractions.px));
+  f.py = in_rows(std::move(s.tractions.py));
+  f.sx = in_rows(std::move(s.sx));
+  f.sy = in_rows(std::move(s.sy));
+  f.state = in_rows(std::move(s.state));
+  out.ux = in_rows(std::move(s.ux));
+  out.uy = in_rows(std::move(s.uy));
+  f.forces = s.forces;
+  f.frictional_power = s.frictional_power;
+  out.creepage = s.creepage;
+  out.approach = normal_.approach * normal_force;
+  out.peak_pressure = normal_.peak_pressure * normal_force;
+  out.peak_traction = s.peak_traction;
   out.power_by_creepage = s.power_by_creepage;
   out.elastic_energy = s.elastic_energy;
   out.residual = s.residual;
   out.newton_steps = s.newton_steps;
   out.products = s.products;
+  return out;
+}
+
+ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
+                                          const Progress& progress) {
+  if (!is_valid(contact) || !is_valid(motion)) return invalid();
+  try {
+    prepare(contact);
+  } catch (const Error&) { // numbers that overflow on the way
+    return invalid();
+  }
+  std::vector<double> bound = normal_.pressure;
+  for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
+  std::vector<ExactStep> history;
+  ExactContact out = results(roll(contact, motion, bound, progress, history), contact.normal_force);
+  out.history = std::move(history);
+  if (normal_.status != Status::ok) out.fields.forces.status = normal_.status;
+  for (std::size_t i = 0; i + 1 < out.history.size(); ++i) {
+    out.newton_steps += out.history[i].newton_steps;
+    out.products += out.history[i].products;
+  }
   return out;
 }
 

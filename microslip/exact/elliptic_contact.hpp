@@ -2,8 +2,11 @@
 
 #include "microslip/exact/normal_problem.hpp"
 #include "microslip/exact/tangential_problem.hpp"
+#include "microslip/progress.hpp"
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace microslip {
 
@@ -15,22 +18,46 @@ struct ExactOptions {
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
 };
 
-/// What the exact theory finds for a Hertzian contact in steady rolling.
-struct ExactContact {
-  ContactFields fields; ///< rows with y ascending, in each from the leading to the trailing edge; with margins outside
-                        ///< the contact
-  double approach = 0;  ///< [m], of the discrete normal problem
-  double peak_pressure = 0;     ///< [Pa]
-  double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) [W]
-  double elastic_energy = 0;    ///< of the tangential tractions [J]
+/// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
+/// [m] and rotation [rad].
+struct ExactMotion {
+  ContactMotion kind = ContactMotion::steady;
+  std::optional<double> force_x = {}, force_y = {}; ///< [N] on body 1, in the place of the creepage in that direction
+  double step = 0;                                  ///< dq [m], the way rolled in a step, >= 0; 0: the elements' length
+  int steps = 1; ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
+};
+
+/// One of the steps of transient rolling.
+struct ExactStep {
+  Creepage creepage;
+  ContactForces forces;
   double residual = 0;
   int newton_steps = 0;
   long products = 0;
 };
 
-/// Steady rolling of Hertzian contacts by the exact theory, for creepages given and elastically similar bodies with
-/// Coulomb friction: normal and tangential problem on a grid of mx x my elements across the ellipse. Influence
-/// coefficients are kept for the next contact if it has the same ellipse and material.
+/// What the exact theory finds for a Hertzian contact. In transient rolling it belongs to the last step.
+struct ExactContact {
+  ContactFields fields; ///< rows with y ascending, in each from the leading to the trailing edge; with margins outside
+                        ///< the contact
+  std::vector<double> pressure; ///< p_n at the cells of `fields` [Pa]
+  std::vector<double> gap;      ///< deformed distance h - delta + u_n [m], zero in contact
+  std::vector<double> ux, uy;   ///< displacement difference u1 - u2 [m]
+  Creepage creepage;            ///< as given, or as found where a force is given
+  double approach = 0;          ///< [m], of the discrete normal problem
+  double peak_pressure = 0;     ///< [Pa]
+  double peak_traction = 0;     ///< of the elements [Pa]
+  double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) [W]; for a shift the work, without V [J]
+  double elastic_energy = 0;    ///< of the tangential tractions [J]
+  double residual = 0;
+  int newton_steps = 0; ///< of all steps together
+  long products = 0;
+  std::vector<ExactStep> history; ///< transient rolling: the steps in their order
+};
+
+/// Hertzian contacts by the exact theory, for elastically similar bodies with Coulomb friction: normal and tangential
+/// problem on a grid of mx x my elements across the ellipse. Influence coefficients are kept for the next contact if it
+/// has the same ellipse and material. Distinct objects may be used from distinct threads.
 class EllipticContactSolver {
 public:
   /// Throws Error if an option is out of range.
@@ -38,18 +65,22 @@ public:
 
   const ExactOptions& options() const { return options_; }
 
-  /// Input out of range gives Status::invalid_input and NaN, another friction law than Coulomb's too.
-  ExactContact solve(const EllipticContact& contact);
+  /// Input out of range gives Status::invalid_input and NaN, another friction law than Coulomb's too. `progress` is
+  /// told of the steps of transient rolling and may end it.
+  ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
 private:
   void prepare(const EllipticContact& contact);
-  ContactFields fields_of(const TangentialSolution& solution) const;
+  TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
+                          const Progress& progress, std::vector<ExactStep>& history);
+  ExactContact results(TangentialSolution solution, double normal_force) const;
 
   ExactOptions options_;
   ElementGrid grid_;
   double a_ = 0, b_ = 0;
   CombinedMaterial material_ = {0, 0, 0};
-  NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
+  NormalSolution normal_;   ///< for a load of 1 N; pressures and load are proportional at a given ellipse
+  std::vector<double> gap_; ///< deformed, for 1 N too
   std::unique_ptr<TangentialProblem> tangential_;
 };
 

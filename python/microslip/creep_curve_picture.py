@@ -11,48 +11,58 @@ CREEPAGES = {
     "spin": (r"spin $\phi$", r"$\phi$", 1, "1/m", " 1/m"),
 }
 FORCES = {"fx": ("$F_x$", BLUE), "fy": ("$F_y$", VERMILION)}
+# For the last theory of a picture, and for those before it.
+LINE_STYLES = {True: "-", False: "--"}
 POINT_MARKERS = {"fastsim": "s", "fastsim_half_step": "^", "fastsim2": "o", "exact": "D"}
 
 
 def creep_curve_picture(result, theories):
-    """Fx and Fy in kN over the varied creepage, with the case itself and the Coulomb limit."""
+    """Fx and Fy in kN over the varied creepage by each theory, with the case itself and the Coulomb limit."""
     varied = result.group_attribute("/creep_curve", "variable")
     if varied not in CREEPAGES:
         raise ResultError(f"{result.path}: /creep_curve has variable '{varied}', known: {', '.join(CREEPAGES)}")
     title, _, factor, unit, _ = CREEPAGES[varied]
     limit = 1e-3 * result.number("/inputs/friction_coefficient") * result.number("/inputs/normal_force")
-    value, *forces = result.arrays([f"/creep_curve/{name}" for name in ("value", *FORCES)])
-    figure = new_figure(7.2, 4.8)
+    figure = new_figure(7.2, 4.8 if len(theories) == 1 else 6.2)
     axes = figure.subplots()
     open_axes(axes)
-    for (label, colour), force in zip(FORCES.values(), forces):
-        axes.plot(factor * value, 1e-3 * force, color=colour, linewidth=2, label=label)
-    mark_points(axes, result, theories, factor)
-    mark_limits(axes, limit, [1e-3 * extreme for force in forces for extreme in (force.min(), force.max())])
+    extremes = []
+    for theory in theories:
+        value, *forces = result.arrays([f"/creep_curve/{theory}/{name}" for name in ("value", *FORCES)])
+        for (label, colour), force in zip(FORCES.values(), forces):
+            if len(theories) > 1:
+                label += f", {THEORIES[theory]}"
+            axes.plot(factor * value, 1e-3 * force, LINE_STYLES[theory == theories[-1]], color=colour, linewidth=2,
+                      label=label)
+            extremes += [1e-3 * force.min(), 1e-3 * force.max()]
+    mark_points(axes, result, theories, varied)
+    mark_limits(axes, limit, extremes)
     axes.axhline(0, color=BLACK, linewidth=0.8)
     axes.set_xlabel(f"{title} [{unit}]")
     axes.set_ylabel("force on the wheel [kN]")
     relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
     relative.set_ylabel(r"force / ($\mu F_n$) [-]")
     figure.suptitle(f"Creep curve: {result.attribute('title', 'rolling contact')}")
-    axes.set_title(f"{curve_theory(result, theories)}, held: {held_creepages(result, varied)}")
-    axes.legend(loc="best", frameon=True, framealpha=0.9, edgecolor="none")
+    who = " and ".join(THEORIES[theory] for theory in theories)
+    axes.set_title(f"{who}, held: {held_creepages(result, varied)}")
+    if len(theories) == 1:
+        axes.legend(loc="best", frameon=True, framealpha=0.9, edgecolor="none")
+    else:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncol=2, frameon=False)
     return figure
 
 
-def mark_points(axes, result, theories, factor):
-    """The case itself: on the curve, and as the other theories have it."""
-    here = factor * result.number("/creep_curve/point_value")
-    own = result.text("/inputs/theory")
+def mark_points(axes, result, theories, varied):
+    """The case itself as each theory has it; the last one's as filled markers."""
+    here = CREEPAGES[varied][2] * result.number(f"/inputs/{varied}")
     for theory in theories:
         for name, (label, colour) in FORCES.items():
-            source = f"/creep_curve/point_{name}" if theory == own else f"/{theory}/{name}"
-            force = 1e-3 * result.number(source)
+            force = 1e-3 * result.number(f"/{theory}/{name}")
             look = {"markersize": 8, "markerfacecolor": colour, "markeredgecolor": BLACK}
-            if theory != own:
+            if theory != theories[-1]:
                 look = {"markersize": 13, "markerfacecolor": "none", "markeredgecolor": colour, "markeredgewidth": 2}
             who = "this case" if len(theories) == 1 else f"this case, {THEORIES[theory]}"
-            axes.plot([here], [force], POINT_MARKERS[theory], zorder=5,
+            axes.plot([here], [force], POINT_MARKERS[theory], linestyle="none", zorder=5,
                       label=f"{who}: {label} = {quantity(force, 'kN')}", **look)
 
 
@@ -73,8 +83,3 @@ def held_creepages(result, varied):
         if name != varied:
             texts.append(f"{symbol} = {number(value)}" + (unit if value else ""))
     return ",  ".join(texts)
-
-
-def curve_theory(result, theories):
-    """Name of the theory that the curve was computed with."""
-    return THEORIES.get(result.text("/inputs/theory"), THEORIES[theories[0]])

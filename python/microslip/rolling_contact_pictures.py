@@ -9,6 +9,7 @@ from matplotlib.patches import Ellipse, Patch
 
 from microslip.contact_cells import ADHESION, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
+from microslip.history_picture import history_picture
 from microslip.picture_style import BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, new_figure, number, quantity, round_down
 from microslip.result_file import ResultError
 
@@ -23,11 +24,16 @@ def rolling_contact_pictures(result):
     if not theories:
         raise ResultError(f"{result.path}: no results of a theory ({', '.join(THEORIES)})")
     cells = {theory: read_cells(result, theory) for theory in theories}
-    return {
+    figures = {
         "tractions.png": tractions_picture(result, cells),
         "areas.png": areas_picture(result, cells),
-        "creep_curve.png": creep_curve_picture(result, theories),
     }
+    if "creep_curve" in result:
+        with_curve = [theory for theory in theories if f"creep_curve/{theory}" in result]
+        figures["creep_curve.png"] = creep_curve_picture(result, with_curve)
+    if "exact/history" in result:
+        figures["history.png"] = history_picture(result)
+    return figures
 
 
 def tractions_picture(result, cells):

@@ -60,10 +60,13 @@ def write_rolling_contact(path, a=6e-3, b=4e-3, mx=10, my=10, creepage=(0.001, 0
                 file[f"/{theory}/fields/{name}"] = value
             for name, value in totals(fields).items():
                 file[f"/{theory}/{name}"] = value
-        write_creep_curve(file, names.index(varied), names, (a, b, mx, my), creepage, limit, backward)
+        file.create_group("creep_curve").attrs["variable"] = varied
+        for finer, theory in enumerate(theories, start=1):
+            grid = (a, b, finer * mx, finer * my)
+            write_creep_curve(file, theory, names.index(varied), grid, creepage, limit, backward)
 
 
-def write_creep_curve(file, index, names, grid, creepage, limit, backward):
+def write_creep_curve(file, theory, index, grid, creepage, limit, backward):
     """The curve through the case, twice as far as the case and on both sides."""
     def force(value):
         point = [value if i == index else other for i, other in enumerate(creepage)]
@@ -72,12 +75,16 @@ def write_creep_curve(file, index, names, grid, creepage, limit, backward):
     far = 4 * abs(creepage[index]) or 0.005
     value = np.linspace(-far / 4, far, 21)
     curve = [force(one) for one in value]
-    file.create_group("creep_curve").attrs["variable"] = names[index]
-    file["/creep_curve/value"] = value
-    file["/creep_curve/point_value"] = creepage[index]
+    file[f"/creep_curve/{theory}/value"] = value
     for name in ("fx", "fy", "mz"):
-        file[f"/creep_curve/{name}"] = [point[name] for point in curve]
-        file[f"/creep_curve/point_{name}"] = force(creepage[index])[name]
+        file[f"/creep_curve/{theory}/{name}"] = [point[name] for point in curve]
+
+
+def write_history(file, steps=12):
+    """Forces that grow towards a steady state, for a transient case."""
+    distance = 1e-3 * np.arange(1, steps + 1)
+    for name, end in (("distance", None), ("fx", -2e4), ("fy", 1e4), ("creep_x", 1e-3), ("creep_y", 0.0)):
+        file[f"/exact/history/{name}"] = distance if end is None else end * (1 - np.exp(-distance / 4e-3))
 
 
 def write_fastsim2_table1(path, cases=400):

@@ -19,7 +19,7 @@ from matplotlib.quiver import Quiver
 from microslip import plot
 from microslip.picture_style import SETTINGS, quantity, round_down, round_up
 from microslip.result_file import ResultFile
-from tests.synthetic_results import (GRIDS, write_fastsim2_table1, write_fastsim2_table2, write_model_problem,
+from tests.synthetic_results import (GRIDS, write_fastsim2_table1, write_fastsim2_table2, write_history, write_model_problem,
                                      write_rolling_contact)
 
 PYTHON_FOLDER = Path(__file__).resolve().parent.parent
@@ -61,6 +61,17 @@ class CommandLineTest(FolderTest):
     def test_rolling_contact(self):
         write_rolling_contact(self.path)
         self.expect_pictures(["tractions.png", "areas.png", "creep_curve.png"])
+
+    def test_both_theories(self):
+        write_rolling_contact(self.path, theories=("fastsim2", "exact"))
+        self.expect_pictures(["tractions.png", "areas.png", "creep_curve.png"])
+
+    def test_transient_rolling(self):
+        write_rolling_contact(self.path, theories=("exact",))
+        with h5py.File(self.path, "a") as file:
+            del file["creep_curve"]
+            write_history(file)
+        self.expect_pictures(["tractions.png", "areas.png", "history.png"])
 
     def test_fastsim2_table1(self):
         write_fastsim2_table1(self.path)
@@ -117,7 +128,7 @@ class CommandLineTest(FolderTest):
         self.expect_error("'kind'")
 
     def test_every_missing_dataset_is_named(self):
-        for name in ("/fastsim2/fields/px", "/fastsim2/fx", "/hertz/a", "/creep_curve/fy", "/inputs/normal_force"):
+        for name in ("/fastsim2/fields/px", "/fastsim2/fx", "/hertz/a", "/creep_curve/fastsim2/fy", "/inputs/normal_force"):
             write_rolling_contact(self.path)
             with h5py.File(self.path, "a") as file:
                 del file[name]
@@ -138,9 +149,9 @@ class CommandLineTest(FolderTest):
     def test_shapes_that_differ(self):
         write_rolling_contact(self.path)
         with h5py.File(self.path, "a") as file:
-            del file["/creep_curve/fx"]
-            file["/creep_curve/fx"] = np.zeros(3)
-        self.expect_error("/creep_curve/fx", "(3,)")
+            del file["/creep_curve/fastsim2/fx"]
+            file["/creep_curve/fastsim2/fx"] = np.zeros(3)
+        self.expect_error("/creep_curve/fastsim2/fx", "(3,)")
 
     def test_folder_that_cannot_be_made(self):
         write_model_problem(self.path)
