@@ -4,12 +4,15 @@
 #include "validation/cattaneo.hpp"
 #include "validation/cattaneo_to_carter.hpp"
 #include "validation/creep_curve.hpp"
+#include "validation/edge_constants.hpp"
 #include "validation/exact_112.hpp"
 #include "validation/exact_test_set.hpp"
 #include "validation/fastsim2_table1.hpp"
 #include "validation/fastsim2_table2.hpp"
 #include "validation/hertz.hpp"
+#include "validation/kalker_coefficients.hpp"
 #include "validation/model_problem.hpp"
+#include "validation/refinement.hpp"
 #include "validation/solver_growth.hpp"
 
 #include <algorithm>
@@ -24,6 +27,8 @@ constexpr std::array all_studies = {
     Study{"cattaneo-to-carter", "a shifted sphere that begins to roll, step by step to the steady state",
           run_cattaneo_to_carter},
     Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
+    Study{"edge-constants", "where leading elements end inside the edge of contact, for second order",
+          run_edge_constants},
     Study{"exact-112", "112 of the 3,220 cases by exact theory", run_exact_112},
     Study{"exact-test-set", "all 3,220 cases by exact theory: failures, steps, products, time", run_exact_test_set},
     Study{"fastsim2-table1", "Table 1 of the FASTSIM2 paper: FASTSIM2 against exact theory on 3,220 cases",
@@ -31,8 +36,12 @@ constexpr std::array all_studies = {
     Study{"fastsim2-table2", "Table 2 of the FASTSIM2 paper: discretisation errors on 3,220 cases",
           run_fastsim2_table2},
     Study{"hertz", "the normal problem against Hertz's closed form, and its order", run_hertz},
+    Study{"kalker-coefficients", "creepage coefficients without slip beside Kalker's table, and a finer table",
+          run_kalker_coefficients},
     Study{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies",
           run_model_problem},
+    Study{"refinement", "the test of the refinement paper: its figures 1 to 8, and times beside its Table 1",
+          run_refinement},
     Study{"solver-growth", "Table 1 of the refinement paper: how the cost of ConvexGS grows, beside Newton's",
           run_solver_growth},
 };

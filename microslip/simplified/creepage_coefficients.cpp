@@ -1,5 +1,7 @@
 #include "microslip/simplified/creepage_coefficients.hpp"
 
+#include "microslip/simplified/computed_coefficients.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -112,14 +114,14 @@ Scales limit_along(double g, double nu) {
           pi / 4 * (1 - nu * (lambda - 2) / n)};
 }
 
-/// Below the table's last row: the limit, corrected by its relative error at that row in proportion to g, so that the
-/// coefficients are continuous and tend to the limit.
-CreepageCoefficients beyond_table(const CreepageCoefficients& last_row, Scales (*limit)(double, double), double g,
-                                  double nu) {
-  const Scales here = limit(g, nu), there = limit(0.1, nu);
+/// Below the table's last row, at g = last: the limit, corrected by its relative error at that row in proportion to g,
+/// so that the coefficients are continuous and tend to the limit.
+CreepageCoefficients beyond_table(const CreepageCoefficients& last_row, double last, Scales (*limit)(double, double),
+                                  double g, double nu) {
+  const Scales here = limit(g, nu), there = limit(last, nu);
   const Scales known = {last_row.c11, last_row.c22, last_row.c23, last_row.c33};
   Scales c{};
-  for (int n = 0; n < numbers; ++n) c[n] = here[n] * (1 + (known[n] / there[n] - 1) * g / 0.1);
+  for (int n = 0; n < numbers; ++n) c[n] = here[n] * (1 + (known[n] / there[n] - 1) * g / last);
   return {c[0], c[1], c[2], c[3]};
 }
 
@@ -128,15 +130,22 @@ const Branch along(slender_along, scales_along);
 
 } // namespace
 
-CreepageCoefficients creepage_coefficients(double a_over_b, double nu) {
+CreepageCoefficients creepage_coefficients(double a_over_b, double nu, CreepageTable table) {
   const bool wide = a_over_b <= 1;
   const Branch& branch = wide ? across : along;
   const double g = wide ? a_over_b : 1 / a_over_b;
+  const auto limit = wide ? limit_across : limit_along;
+  if (table == CreepageTable::computed) {
+    const double last = wide ? computed_least_ratio : computed_largest_ratio;
+    if (a_over_b >= computed_least_ratio && a_over_b <= computed_largest_ratio)
+      return computed_coefficients(a_over_b, nu);
+    return beyond_table(computed_coefficients(last, nu), wide ? last : 1 / last, limit, g, nu);
+  }
   // Lagrange's parabola through nu = 0, .25, .5.
   const std::array<double, materials> weights = {8 * (nu - 0.25) * (nu - 0.5), -16 * nu * (nu - 0.5),
                                                  8 * nu * (nu - 0.25)};
   if (g >= 0.1) return branch.at(g, weights);
-  return beyond_table(branch.at(0.1, weights), wide ? limit_across : limit_along, g, nu);
+  return beyond_table(branch.at(0.1, weights), 0.1, limit, g, nu);
 }
 
 } // namespace microslip

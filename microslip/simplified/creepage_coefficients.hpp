@@ -8,8 +8,15 @@ struct CreepageCoefficients {
   double c11, c22, c23, c33; ///< dimensionless
 };
 
+/// Where the coefficients come from.
+enum class CreepageTable {
+  kalker,   ///< Kalker 1990, table E.3: three digits at a/b = .1 to 10; nearly everybody's
+  computed, ///< our own, right to 1e-4 from a/b = .05 to 20
+};
+
 /// The coefficients for semi-axes a (rolling direction) and b and Poisson's ratio nu in [0, 0.5]. At the entries of
-/// Kalker's table (Kalker 1990, table E.3) they are the printed values.
-CreepageCoefficients creepage_coefficients(double a_over_b, double poisson_ratio);
+/// Kalker's table they are the printed values. Beyond a table they tend to the limits of slender ellipses.
+CreepageCoefficients creepage_coefficients(double a_over_b, double poisson_ratio,
+                                           CreepageTable table = CreepageTable::kalker);
 
 } // namespace microslip

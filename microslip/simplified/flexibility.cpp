@@ -1,7 +1,6 @@
 #include "microslip/simplified/flexibility.hpp"
 
 #include "microslip/numerics/dual.hpp"
-#include "microslip/simplified/creepage_coefficients.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -81,8 +80,8 @@ bool reduces(const SlopeReduction& r) {
 
 template <class Real>
 BasicFlexibilities<Real> flexibilities(FlexibilityModel model, const SlopeReduction& reduction,
-                                       const EllipticContact& contact, const Drive<Real>& drive) {
-  const CreepageCoefficients k = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
+                                       const EllipticContact& contact, const Drive<Real>& drive, CreepageTable table) {
+  const CreepageCoefficients k = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio, table);
   const Flexibilities three = of_linear_theory(contact, k);
   BasicFlexibilities<Real> l = {Real(three.longitudinal), Real(three.lateral), Real(three.spin)};
   if (model == FlexibilityModel::one) {
@@ -97,16 +96,19 @@ BasicFlexibilities<Real> flexibilities(FlexibilityModel model, const SlopeReduct
 }
 
 template BasicFlexibilities<double> flexibilities(FlexibilityModel, const SlopeReduction&, const EllipticContact&,
-                                                  const Drive<double>&);
+                                                  const Drive<double>&, CreepageTable);
 template BasicFlexibilities<Dual<double, 3>> flexibilities(FlexibilityModel, const SlopeReduction&,
-                                                           const EllipticContact&, const Drive<Dual<double, 3>>&);
+                                                           const EllipticContact&, const Drive<Dual<double, 3>>&,
+                                                           CreepageTable);
 template BasicFlexibilities<Dual<double, 4>> flexibilities(FlexibilityModel, const SlopeReduction&,
-                                                           const EllipticContact&, const Drive<Dual<double, 4>>&);
+                                                           const EllipticContact&, const Drive<Dual<double, 4>>&,
+                                                           CreepageTable);
 
-Flexibilities flexibilities(FlexibilityModel model, const SlopeReduction& reduction, const EllipticContact& contact) {
+Flexibilities flexibilities(FlexibilityModel model, const SlopeReduction& reduction, const EllipticContact& contact,
+                            CreepageTable table) {
   const Creepage& c = contact.creepage;
   return flexibilities(model, reduction, contact,
-                       Drive<double>{c.longitudinal, c.lateral, c.spin, contact.normal_force});
+                       Drive<double>{c.longitudinal, c.lateral, c.spin, contact.normal_force}, table);
 }
 
 } // namespace microslip

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/simplified/contact.hpp"
+#include "microslip/simplified/creepage_coefficients.hpp"
 
 namespace microslip {
 
@@ -33,8 +34,10 @@ template <class Real> struct Drive { Real xi, eta, phi, normal_force; };
 /// load.
 template <class Real>
 BasicFlexibilities<Real> flexibilities(FlexibilityModel model, const SlopeReduction& reduction,
-                                       const EllipticContact& contact, const Drive<Real>& drive);
+                                       const EllipticContact& contact, const Drive<Real>& drive,
+                                       CreepageTable table = CreepageTable::kalker);
 /// The same with the contact's own creepages and load.
-Flexibilities flexibilities(FlexibilityModel model, const SlopeReduction& reduction, const EllipticContact& contact);
+Flexibilities flexibilities(FlexibilityModel model, const SlopeReduction& reduction, const EllipticContact& contact,
+                            CreepageTable table = CreepageTable::kalker);
 
 } // namespace microslip

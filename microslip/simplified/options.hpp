@@ -18,6 +18,7 @@ struct SimplifiedOptions {
   int my = 10; ///< rows, 1 to 10,000
   TractionBound bound = TractionBound::parabolic;
   FlexibilityModel flexibility = FlexibilityModel::three;
+  CreepageTable creepage_table = CreepageTable::kalker;
   SlopeReduction slope_reduction = {};
   RollingDirection direction = RollingDirection::forward;
   InstructionSet instruction_set = best_instruction_set(); ///< results are the same to the last bit with all of them

@@ -115,7 +115,7 @@ struct RowSolver::Workspace {
   /// Rigid slip and peak of the bound for the rows of a contact, from `first_row` of the arrays on.
   template <class Real> void prepare(const EllipticContact& contact, int first_row) {
     const auto drive = drive_of<Real>(contact.creepage, contact.normal_force);
-    const auto l = flexibilities(options.flexibility, options.slope_reduction, contact, drive);
+    const auto l = flexibilities(options.flexibility, options.slope_reduction, contact, drive, options.creepage_table);
     const Real along = drive.xi / l.longitudinal, across = drive.eta / l.lateral, turn = drive.phi / l.spin;
     for (int k = 0; k < numbers_of<Real>; ++k) {
       const EffectiveSlip w = {number(along, k), number(across, k), number(turn, k)};
@@ -221,7 +221,8 @@ struct RowSolver::Workspace {
   ContactFields fields(const EllipticContact& contact) {
     ContactFields f(options.mx, options.my);
     FieldRecorder recorder(options.mx, kernels.width);
-    const Flexibilities l = flexibilities(options.flexibility, options.slope_reduction, contact);
+    const Flexibilities l =
+        flexibilities(options.flexibility, options.slope_reduction, contact, options.creepage_table);
     prepare<double>(contact, 0);
     for (int first = 0; first < options.my; first += kernels.width) {
       fill_tables<double>(contact, first);
