@@ -84,7 +84,7 @@ public:
     for (std::size_t i = 0; i < forces_.size(); ++i) {
       const double target = forces_[i] == 0 ? *problem_.force_x : *problem_.force_y;
       double sum = -target / problem_.element_area;
-      for (std::size_t k = 0; k < n_; ++k) sum += unknowns[forces_[i] * n_ + k];
+      for (std::size_t k = 0; k < n_; ++k) sum += area(k) * unknowns[forces_[i] * n_ + k];
       f[2 * n_ + i] = n_ > 0 ? sum / std::sqrt(double(n_)) : 0;
       norm2 += f[2 * n_ + i] * f[2 * n_ + i];
     }
@@ -121,7 +121,7 @@ public:
     }
     for (std::size_t i = 0; i < forces_.size(); ++i) {
       double sum = 0;
-      for (std::size_t k = 0; k < n_; ++k) sum += v[forces_[i] * n_ + k];
+      for (std::size_t k = 0; k < n_; ++k) sum += area(k) * v[forces_[i] * n_ + k];
       out[2 * n_ + i] = sum / std::sqrt(double(n_));
     }
   }
@@ -157,6 +157,8 @@ private:
     return problem_.constant_share.empty() ? 1 : problem_.constant_share[elements_[k]];
   }
 
+  double area(std::size_t k) const { return problem_.area_share.empty() ? 1 : problem_.area_share[elements_[k]]; }
+
   const FrictionProblem& problem_;
   double rho_, unit_ = 1, scale_ = 0;
   std::size_t n_ = 0;
@@ -191,7 +193,7 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
       at.derivative(v, step_slip, out);
     };
     // Far from the solution a rough direction is enough.
-    const double forcing = std::clamp(0.5 * options.tolerance * at.scale() / norm, 1e-3, 0.1);
+    const double forcing = std::clamp(0.5 * options.tolerance * at.scale() / norm, 0.1, 0.3);
     gmres_.solve(product, right, step, forcing, options.most_inner);
     at.slip_growth(step, step_slip);
 
