@@ -1,6 +1,7 @@
 #include "microslip/exact/active_set_normal.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/normal_totals.hpp"
 #include "microslip/exact/offset_kernel.hpp"
 
 #include <algorithm>
@@ -147,18 +148,8 @@ private:
   }
 
   NormalSolution finish(Status status) {
-    for (int j = 0; j < grid_.my; ++j)
-      for (int i = 0; i < grid_.mx; ++i) {
-        const double p = s_.pressure[index(i, j)];
-        if (!(p > 0)) continue;
-        ++s_.contact_elements;
-        s_.normal_force += p * grid_.element_area();
-        s_.peak_pressure = std::max(s_.peak_pressure, p);
-        const bool rim_x = grid_.mx > 1 && (i == 0 || i == grid_.mx - 1);
-        const bool rim_y = grid_.my > 1 && (j == 0 || j == grid_.my - 1);
-        s_.touches_border = s_.touches_border || rim_x || rim_y;
-      }
     s_.status = status;
+    find_totals(grid_, gap_, s_);
     return std::move(s_);
   }
 

@@ -34,8 +34,8 @@ ElementGrid ElementGrid::across_line(double a, int n, int margin, double length)
 }
 
 void check(const ElementGrid& grid) {
-  require_count("grid.mx", grid.mx, 1, 10000);
-  require_count("grid.my", grid.my, 1, 10000);
+  require_count("grid.mx", grid.mx, 1, 100000000);
+  require_count("grid.my", grid.my, 1, 100000000);
   require_positive("grid.dx", grid.dx, "m");
   require_positive("grid.dy", grid.dy, "m");
   require_finite("grid.x0", grid.x0, "m");

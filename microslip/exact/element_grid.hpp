@@ -26,7 +26,7 @@ struct ElementGrid {
   static ElementGrid across_line(double a, int n, int margin = 0, double length = 1);
 };
 
-/// Throws Error unless the grid has elements of positive size.
+/// Throws Error unless the grid has elements of positive size, at most 1e8 along an axis.
 void check(const ElementGrid& grid);
 
 } // namespace microslip

@@ -38,8 +38,15 @@ struct FrictionSolution {
 /// D dp = -F in adhesion (|z| <= g), and n.dp = -n.F, (1 - alpha) t.dp + alpha rho t.D dp = -t.F in slip.
 class FrictionNewton {
 public:
+  /// Tractions [Pa]; empty: zero.
+  struct Tractions {
+    std::span<const double> px, py;
+  };
   struct Options {
-    double tolerance = 1e-6;
+    double tolerance = 1e-6; ///< of FrictionSolution::residual
+    /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
+    /// below 1e-12: a step however small is done to its own scale, and nothing of it is lost in the next one.
+    std::optional<Tractions> before = {};
     int most_steps = 100;
     int most_inner = 300; ///< products in the linear solver of one step
   };

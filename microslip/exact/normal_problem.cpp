@@ -1,6 +1,8 @@
 #include "microslip/exact/normal_problem.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/memory_need.hpp"
+#include "microslip/exact/normal_totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,23 +116,13 @@ private:
   NormalSolution finish(int iterations, Status status, long products_before) {
     NormalSolution s;
     s.approach = approach_;
-    for (int j = 0; j < grid_.my; ++j)
-      for (int i = 0; i < grid_.mx; ++i) {
-        const double p = pressure_[static_cast<std::size_t>(j) * grid_.mx + i];
-        if (!(p > 0)) continue;
-        ++s.contact_elements;
-        s.normal_force += p * grid_.element_area();
-        s.peak_pressure = std::max(s.peak_pressure, p);
-        const bool rim_x = grid_.mx > 1 && (i == 0 || i == grid_.mx - 1);
-        const bool rim_y = grid_.my > 1 && (j == 0 || j == grid_.my - 1);
-        s.touches_border = s.touches_border || rim_x || rim_y;
-      }
     s.pressure = std::move(pressure_);
     s.displacement = std::move(displacement_);
     s.residual = residual_;
     s.iterations = iterations;
     s.products = response_.products() - products_before;
     s.status = status;
+    find_totals(grid_, gap_, s);
     return s;
   }
 
@@ -146,7 +138,7 @@ private:
 } // namespace
 
 NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid& grid)
-    : grid_(grid), response_(material, grid) {}
+    : grid_(require_memory(ContactProblem::normal, grid)), response_(material, grid) {}
 
 NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance) {
   if (gap.size() != grid_.count())

@@ -16,15 +16,25 @@ struct NormalLoad {
   double value = 0; ///< approach delta [m] or normal force Fn [N]
 };
 
+/// Sides of the grid.
+struct BorderSides {
+  bool low_x = false, high_x = false, low_y = false, high_y = false;
+
+  bool any() const { return low_x || high_x || low_y || high_y; }
+};
+
 /// The contact area and the pressure on it.
 struct NormalSolution {
   std::vector<double> pressure;     ///< p_n [Pa], >= 0
   std::vector<double> displacement; ///< u_n = A_zz p_n [m]
+  std::vector<double> gap;          ///< deformed, e = h - delta + u_n [m]; zero in contact but for the residual
   double approach = 0;              ///< delta [m]
   double normal_force = 0;          ///< [N]
+  double elastic_energy = 0;        ///< of the normal pressure, sum of p_n u_n dx dy/2 [J]
   double peak_pressure = 0;         ///< of the elements [Pa]
   int contact_elements = 0;
   bool touches_border = false; ///< contact reaches the rim of the grid: the potential contact is too small
+  BorderSides border;          ///< where it does
   double residual = 0;         ///< largest |e| in contact and largest -e outside, over the largest displacement
   int iterations = 0;
   long products = 0;
@@ -36,10 +46,11 @@ struct NormalSolution {
 /// bodies.
 class NormalProblem {
 public:
+  /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
   NormalProblem(const CombinedMaterial& material, const ElementGrid& grid);
 
   /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN or a load out of
-  /// range.
+  /// range. Input so large that the result overflows gives Status::invalid_input.
   NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8);
 
 private:

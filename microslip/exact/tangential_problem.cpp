@@ -1,6 +1,7 @@
 #include "microslip/exact/tangential_problem.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/memory_need.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +34,30 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   require_between("tolerance", input.tolerance, "-", 1e-14, 1);
 }
 
+FrictionNewton::Tractions tractions_of(const TangentialState* state) {
+  if (!state) return {};
+  return {state->px, state->py};
+}
+
+bool is_finite(const TangentialSolution& s) {
+  const ContactForces& f = s.forces;
+  return std::isfinite(f.fx) && std::isfinite(f.fy) && std::isfinite(f.mz) && std::isfinite(s.elastic_energy) &&
+         std::isfinite(s.frictional_power) && std::isfinite(s.power_by_creepage) &&
+         std::isfinite(s.creepage.longitudinal) && std::isfinite(s.creepage.lateral) && std::isfinite(s.residual);
+}
+
 } // namespace
 
+bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
+  if (input.motion != ContactMotion::steady) return true;
+  constexpr double rounding = 1e-9;
+  const double step = input.step > 0 ? input.step : grid.dx;
+  return step >= 0.55 * grid.dx * (1 - rounding) || grid.dx <= grid.dy * (1 + rounding);
+}
+
 TangentialProblem::TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid)
-    : material_(material), grid_(grid), displacement_(TangentialResponse::displacement(material, grid)) {}
+    : material_(material), grid_(require_memory(ContactProblem::tangential, grid)),
+      displacement_(TangentialResponse::displacement(material, grid)) {}
 
 SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, double step,
                                                const std::vector<EnteringElement>& entering) {
@@ -122,48 +143,56 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     }
   } else {
     // A shift or a step of rolling changes what was there before, so that is where to begin.
-    const TangentialState* from = input.start || input.motion == ContactMotion::steady ? input.start : input.previous;
-    const auto start = [&](const Field TangentialState::*component) -> std::span<const double> {
-      if (!from) return {};
-      return from->*component;
-    };
-    s = newton_.solve(problem, {.tolerance = input.tolerance}, start(&TangentialState::px),
-                      start(&TangentialState::py));
+    const bool steady = input.motion == ContactMotion::steady;
+    const FrictionNewton::Tractions before = tractions_of(steady ? nullptr : input.previous);
+    const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
+    FrictionNewton::Options options{.tolerance = input.tolerance};
+    if (!steady) options.before = before;
+    s = newton_.solve(problem, options, start.px, start.py);
   }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
   out.residual = s.residual;
   out.newton_steps = s.newton_steps;
   out.products = s.products;
+  find_results(std::move(s), input, out);
+  return out;
+}
+
+/// Fields and totals of a solution.
+void TangentialProblem::find_results(FrictionSolution s, const TangentialInput& input, TangentialSolution& out) {
+  const std::size_t n = grid_.count();
+  const double area = grid_.element_area();
   out.ux.resize(n), out.uy.resize(n);
   displacement_.apply(s.px, s.py, out.ux, out.uy);
-
   out.state.assign(n, CellState::exterior);
+  out.slip_direction.assign(n, 0.0);
   ContactForces& f = out.forces;
   f.status = s.status;
   for (int j = 0; j < grid_.my; ++j)
     for (int i = 0; i < grid_.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
-      if (!(bound[k] > 0)) continue;
-      const double px = s.px[k], py = s.py[k], size = std::hypot(px, py);
+      if (!(out.bound[k] > 0)) continue;
+      const double px = s.px[k], py = s.py[k];
+      const bool slides = s.sliding[k];
       f.fx += px * area;
       f.fy += py * area;
       f.mz += (grid_.x(i) * py - grid_.y(j) * px) * area;
-      const bool slides = s.sliding[k];
       out.state[k] = slides ? CellState::slip : CellState::adhesion;
       (slides ? f.slip_area : f.adhesion_area) += area;
+      if (slides) out.slip_direction[k] = std::atan2(-py, -px); // known even where slip is as small as its residual
       out.elastic_energy += 0.5 * (px * out.ux[k] + py * out.uy[k]) * area;
       out.frictional_power -= (px * s.sx[k] + py * s.sy[k]) * area;
-      out.peak_traction = std::max(out.peak_traction, size);
+      out.peak_traction = std::max(out.peak_traction, std::hypot(px, py));
     }
-  const double speed = shift ? 1 : input.rolling_speed;
+  const double speed = input.motion == ContactMotion::shift ? 1 : input.rolling_speed;
   out.frictional_power *= speed;
   out.power_by_creepage =
       -speed * (out.creepage.longitudinal * f.fx + out.creepage.lateral * f.fy + out.creepage.spin * f.mz);
   out.tractions = {std::move(s.px), std::move(s.py)};
   out.sx = std::move(s.sx);
   out.sy = std::move(s.sy);
-  return out;
+  if (f.status != Status::no_solution && !is_finite(out)) f.status = Status::invalid_input;
 }
 
 } // namespace microslip

@@ -35,14 +35,24 @@ struct TangentialInput {
   double rolling_speed = 1;                  ///< V [m/s], for the frictional power
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
   const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
+  /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
+  /// FrictionNewton::Options::before.
   double tolerance = 1e-6;
 };
 
+/// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
+/// it is but for steady rolling with a step below .55 dx on elements that are longer than wide (dx > dy): there the
+/// differences of displacements over a step miss what changes within an element. Such problems have solutions, but
+/// maybe several. Of 500 seeded ones with steps of .05 to .5 dx, a/b of .1 to 10 and as many elements along either
+/// axis, 98 % converge; the others end with Status::not_converged.
+bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
+
 struct TangentialSolution {
   TangentialState tractions;
-  std::vector<double> bound;  ///< g [Pa]
-  std::vector<double> ux, uy; ///< displacement difference u1 - u2 [m]
-  std::vector<double> sx, sy; ///< relative slip [-], for a shift the slip distance [m]; 0 outside the contact
+  std::vector<double> bound;          ///< g [Pa]
+  std::vector<double> ux, uy;         ///< displacement difference u1 - u2 [m]
+  std::vector<double> sx, sy;         ///< relative slip [-], for a shift the slip distance [m]; 0 outside the contact
+  std::vector<double> slip_direction; ///< angle of the slip from the x axis [rad], -pi to pi; 0 where nothing slips
   std::vector<CellState> state;
   ContactForces forces;
   Creepage creepage;           ///< as given, or as found where a force is given
@@ -62,10 +72,12 @@ struct TangentialSolution {
 /// - u'.
 class TangentialProblem {
 public:
+  /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
   TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid);
 
   /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
-  /// converging and a force beyond friction are statuses.
+  /// converging and a force beyond friction are statuses; input so large that a total overflows gives
+  /// Status::invalid_input.
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
 private:
@@ -73,6 +85,8 @@ private:
 
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
+
+  void find_results(FrictionSolution solution, const TangentialInput& input, TangentialSolution& out);
 
   CombinedMaterial material_;
   ElementGrid grid_;

@@ -108,13 +108,17 @@ struct ToeplitzTransform::Plans {
 };
 
 ToeplitzTransform::ToeplitzTransform(int mx, int my, int components) {
-  require_count("mx", mx, 1, 20000);
-  require_count("my", my, 1, 20000);
+  require_count("mx", mx, 1, 100000000);
+  require_count("my", my, 1, 100000000);
   plans_ = std::make_unique<Plans>(mx, my, components);
 }
 ToeplitzTransform::ToeplitzTransform(ToeplitzTransform&&) noexcept = default;
 ToeplitzTransform& ToeplitzTransform::operator=(ToeplitzTransform&&) noexcept = default;
 ToeplitzTransform::~ToeplitzTransform() = default;
+
+std::size_t ToeplitzTransform::padded_size(int mx, int my) {
+  return (static_cast<std::size_t>(good_size(2 * mx - 1)) / 2 + 1) * static_cast<std::size_t>(good_size(2 * my - 1));
+}
 
 int ToeplitzTransform::mx() const {
   return plans_->mx;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@ public:
   void load(std::span<const std::span<const double>> in);
   /// out_r = sum_c kernels[r components + c] * in_c, for as many grid functions as were loaded.
   void apply(std::span<const Spectrum* const> kernels, std::span<const std::span<double>> out);
+
+  /// Complex numbers in a padded transform: what a Spectrum has.
+  static std::size_t padded_size(int mx, int my);
 
   int mx() const;
   int my() const;

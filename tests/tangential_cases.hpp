@@ -1,0 +1,153 @@
+#pragma once
+
+#include "friction_conditions.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/exact/normal_problem.hpp"
+#include "microslip/exact/tangential_problem.hpp"
+#include "test_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+
+inline constexpr auto forward = RollingDirection::forward, backward = RollingDirection::backward;
+
+/// A contact on a grid: the bound is mu times the pressures of the discrete normal problem.
+struct Problem {
+  CombinedMaterial material;
+  ElementGrid grid;
+  Field bound;
+  double capacity; ///< mu Fn [N]
+  double length;   ///< half the contact's length along x [m]
+};
+
+inline Problem with_gap(const CombinedMaterial& material, const ElementGrid& grid, const GapCurvatures& curvature,
+                        double normal_force, double friction, double length) {
+  Field gap;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i)
+      gap.push_back(curvature.x * grid.x(i) * grid.x(i) + curvature.y * grid.y(j) * grid.y(j));
+  Field bound = NormalProblem(material, grid).solve(gap, {NormalLoad::Given::force, normal_force}).pressure;
+  for (double& g : bound) g *= friction;
+  return {material, grid, std::move(bound), friction * normal_force, length};
+}
+
+inline Problem elliptic(const EllipticContact& c, int n, int m, int margin = 1) {
+  const CombinedMaterial material{c.shear_modulus, c.poisson_ratio, 0};
+  return with_gap(material, ElementGrid::across_ellipse(c.a, c.b, n, m, margin),
+                  hertz_from_ellipse(c.a, c.b, material, c.normal_force).gap, c.normal_force,
+                  c.friction.static_coefficient(), c.a);
+}
+
+inline EllipticContact steel_contact(double ratio) {
+  return {.a = 4e-3 * std::sqrt(ratio),
+          .b = 4e-3 / std::sqrt(ratio),
+          .shear_modulus = 82e9,
+          .poisson_ratio = 0.28,
+          .normal_force = 5e4,
+          .friction = FrictionLaw::coulomb(0.3),
+          .creepage = {}};
+}
+
+/// Creepages in units of those at which linear theory, with each alone, reaches mu Fn.
+inline Creepage scaled_creepage(const EllipticContact& contact, double xi, double eta, double phi) {
+  const Creepage unit = saturating_creepage(contact);
+  return {xi * unit.longitudinal, eta * unit.lateral, phi * unit.spin};
+}
+
+inline TangentialSolution solve(const Problem& p, const TangentialInput& input) {
+  return TangentialProblem(p.material, p.grid).solve(p.bound, input);
+}
+
+inline double signed_step(const Problem& p, const TangentialInput& input) {
+  return (input.direction == forward ? 1 : -1) * (input.step > 0 ? input.step : p.grid.dx);
+}
+
+/// s = w + (u - u')/dq for rolling, w + u - u' for a shift, with displacements summed pair by pair.
+inline PlaneFields dense_slip(const Problem& p, const TangentialInput& input, const TangentialSolution& s) {
+  const bool shift = input.motion == ContactMotion::shift;
+  const double step = shift ? 0 : signed_step(p, input), length = shift ? 1 : std::abs(step);
+  const TangentialState* before = input.motion == ContactMotion::steady ? &s.tractions : input.previous;
+  PlaneFields slip = dense_displacement(p.material, p.grid, s.tractions.px, s.tractions.py);
+  PlaneFields previous{Field(p.bound.size(), 0.0), Field(p.bound.size(), 0.0)};
+  if (before) previous = dense_displacement(p.material, p.grid, before->px, before->py, step);
+  for (int j = 0; j < p.grid.my; ++j)
+    for (int i = 0; i < p.grid.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * p.grid.mx + i;
+      const Creepage& c = s.creepage;
+      slip.x[k] = (slip.x[k] - previous.x[k]) / length + c.longitudinal - c.spin * p.grid.y(j);
+      slip.y[k] = (slip.y[k] - previous.y[k]) / length + c.lateral + c.spin * (p.grid.x(i) + input.spin_offset * step);
+    }
+  return slip;
+}
+
+inline double diagonal(const Problem& p, const TangentialInput& input) {
+  if (input.motion == ContactMotion::shift) return TangentialResponse::displacement(p.material, p.grid).diagonal();
+  const double step = signed_step(p, input);
+  return input.motion == ContactMotion::steady
+             ? TangentialResponse::growth(p.material, p.grid, step).diagonal()
+             : TangentialResponse::displacement(p.material, p.grid, 0, std::abs(step)).diagonal();
+}
+
+/// All contact conditions, and the totals by their definitions.
+inline void expect_solution(const Problem& p, const TangentialInput& input, const TangentialSolution& s) {
+  ASSERT_EQ(s.forces.status, Status::ok);
+  ASSERT_LE(s.residual, input.tolerance);
+  const PlaneFields slip = dense_slip(p, input, s);
+  std::vector<char> slides;
+  for (const CellState state : s.state) slides.push_back(state == CellState::slip);
+  // The returned tractions differ from the iterate by the residual, and their slip by D times that.
+  const double d = diagonal(p, input), tolerance = 10 * input.tolerance;
+  expect_friction_conditions({p.bound, s.tractions.px, s.tractions.py, slip.x, slip.y, d}, slides, tolerance);
+
+  double fx = 0, fy = 0, mz = 0, power = 0, peak = 0, adhesion = 0, sliding = 0;
+  const double area = p.grid.element_area(), slip_unit = tolerance * norm(p.bound) * d;
+  for (int j = 0; j < p.grid.my; ++j)
+    for (int i = 0; i < p.grid.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * p.grid.mx + i;
+      const double px = s.tractions.px[k], py = s.tractions.py[k];
+      if (!(p.bound[k] > 0)) {
+        ASSERT_EQ(s.state[k], CellState::exterior);
+        ASSERT_EQ(std::hypot(px, py, s.sx[k]), 0);
+        ASSERT_EQ(s.slip_direction[k], 0);
+        continue;
+      }
+      // Slip has its direction, but for what is too small to have one.
+      const double along = slides[k] ? std::hypot(slip.x[k], slip.y[k]) : 0;
+      ASSERT_NEAR(along * std::cos(s.slip_direction[k]), slides[k] ? slip.x[k] : 0, slip_unit);
+      ASSERT_NEAR(along * std::sin(s.slip_direction[k]), slides[k] ? slip.y[k] : 0, slip_unit);
+      ASSERT_NEAR(s.sx[k], slip.x[k], slip_unit);
+      ASSERT_NEAR(s.sy[k], slip.y[k], slip_unit);
+      fx += px * area;
+      fy += py * area;
+      mz += (p.grid.x(i) * py - p.grid.y(j) * px) * area;
+      power -= (px * s.sx[k] + py * s.sy[k]) * area * (input.motion == ContactMotion::shift ? 1 : input.rolling_speed);
+      peak = std::max(peak, std::hypot(px, py));
+      (slides[k] ? sliding : adhesion) += area;
+    }
+  const double rounding = 1e-12 * p.capacity;
+  EXPECT_NEAR(s.forces.fx, fx, rounding);
+  EXPECT_NEAR(s.forces.fy, fy, rounding);
+  EXPECT_NEAR(s.forces.mz, mz, rounding * (p.length + p.grid.my * p.grid.dy));
+  EXPECT_NEAR(s.frictional_power, power, 1e-12 * std::abs(power));
+  EXPECT_GE(s.frictional_power, -slip_unit * p.capacity * input.rolling_speed);
+  EXPECT_GE(s.elastic_energy, 0);
+  EXPECT_EQ(s.peak_traction, peak);
+  EXPECT_NEAR(s.forces.adhesion_area, adhesion, 1e-12 * (adhesion + sliding));
+  EXPECT_NEAR(s.forces.slip_area, sliding, 1e-12 * (adhesion + sliding));
+  EXPECT_EQ(s.bound, p.bound);
+  if (input.force_x) {
+    EXPECT_NEAR(fx, *input.force_x, tolerance * p.capacity);
+  }
+  if (input.force_y) {
+    EXPECT_NEAR(fy, *input.force_y, tolerance * p.capacity);
+  }
+}
+
+} // namespace microslip

@@ -1,0 +1,151 @@
+#include "tangential_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+using std::numbers::pi;
+
+/// Sphere under 7/8 of the sliding force (Johnson 1985, section 7.2). Cattaneo's and Mindlin's solution is exact for
+/// nu = 0, where tractions along x move the surface along x only.
+struct Cattaneo {
+  double radius = 1e-3, share = 0.875;
+  Problem problem;
+  double shift, energy, work; ///< closed forms
+
+  Cattaneo(double poisson_ratio, int n) {
+    const CombinedMaterial material{200e6, poisson_ratio, 0};
+    const HertzContact hertz = hertz_from_ellipse(radius, radius, material, 9.1954);
+    const double mu = 0.4;
+    problem = with_gap(material, ElementGrid::across_ellipse(radius, radius, n, 2), hertz.gap, hertz.normal_force, mu,
+                       radius);
+    const double whole =
+        3 * problem.capacity * (2 - poisson_ratio) / (8 * radius * material.shear_modulus); // shift at full sliding
+    const double rest = 1 - share, fraction = 1 - std::pow(rest, 2.0 / 3);
+    shift = whole * fraction;
+    // Work done by the force on its way, the integral of F over the shift
+    const double by_force = problem.capacity * whole * (fraction - 0.4 * (1 - std::pow(rest, 5.0 / 3)));
+    const double product = share * problem.capacity * shift;
+    energy = product - by_force;
+    work = 2 * by_force - product;
+  }
+
+  TangentialInput input() const {
+    TangentialInput input;
+    input.motion = ContactMotion::shift;
+    input.force_x = -share * problem.capacity;
+    input.force_y = 0;
+    input.tolerance = 1e-9;
+    return input;
+  }
+};
+
+TEST(TangentialShift, CattaneoShiftIsOfSecondOrder) {
+  for (const int n : {10, 20, 40}) {
+    SCOPED_TRACE(n);
+    const Cattaneo c(0, n);
+    const TangentialSolution s = solve(c.problem, c.input());
+    ASSERT_EQ(s.forces.status, Status::ok);
+    // The rim of the adhesion area passes through elements, so that errors jitter about second order.
+    EXPECT_NEAR(s.creepage.longitudinal, c.shift, 0.3 / (n * n) * c.shift);
+    EXPECT_NEAR(s.creepage.lateral, 0, 1e-9 * c.shift);
+    EXPECT_NEAR(s.elastic_energy, c.energy, 0.3 / (n * n) * c.energy);
+    EXPECT_NEAR(s.frictional_power, c.work, 2.0 / (n * n) * c.work);
+    const double radius = std::sqrt(s.forces.adhesion_area / pi);
+    EXPECT_NEAR(radius, 0.5 * c.radius, 0.6 / n * c.radius);
+    EXPECT_NEAR(s.forces.fx, -c.share * c.problem.capacity, 1e-9 * c.problem.capacity);
+  }
+}
+
+/// In adhesion p = -mu p0 (sqrt(1 - r^2) - c sqrt(1 - r^2/c^2)), c = 1/2, with r in units of the contact's radius.
+TEST(TangentialShift, CattaneoTractions) {
+  const Cattaneo c(0, 40);
+  const TangentialSolution s = solve(c.problem, c.input());
+  const double peak = 1.5 * c.problem.capacity / (pi * c.radius * c.radius);
+  const ElementGrid& grid = c.problem.grid;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
+      const double r2 = (grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (c.radius * c.radius);
+      const double p = std::sqrt(std::max(0.0, 1 - r2)) - 0.5 * std::sqrt(std::max(0.0, 1 - 4 * r2));
+      EXPECT_NEAR(s.tractions.px[k] / peak, -p, r2 < 0.8 ? 0.02 : 0.08);
+      EXPECT_NEAR(s.tractions.py[k] / peak, 0, 1e-6);
+      if (r2 < 0.2) {
+        EXPECT_EQ(s.state[k], CellState::adhesion);
+      } else if (r2 > 0.3 && r2 < 0.95) {
+        EXPECT_EQ(s.state[k], CellState::slip);
+      }
+    }
+}
+
+/// For nu = .42 Mindlin's shift is an approximation; CONTACT's printed figures for the same 15 elements (User guide,
+/// section 5.1): approach, shift, work, energy less that of the normal problem, elements.
+TEST(TangentialShift, CattaneoAsContactPrintsIt) {
+  const Cattaneo c(0.42, 15);
+  const TangentialSolution s = solve(c.problem, c.input());
+  EXPECT_NEAR(s.creepage.longitudinal, 8.155e-6, 0.0005e-6);
+  EXPECT_NEAR(s.frictional_power, 2.750e-6, 0.0005e-6);
+  EXPECT_NEAR(s.elastic_energy, 8.525e-5 - 7.350e-5, 0.001e-5);
+  EXPECT_NEAR(s.forces.adhesion_area / c.problem.grid.element_area(), 45, 1e-9);
+  EXPECT_NEAR(s.forces.slip_area / c.problem.grid.element_area(), 132, 1e-9);
+}
+
+/// Unloading from the force F1 to F2 (Johnson 1985, equation (7.50)): the path counts, not the force.
+TEST(TangentialShift, UnloadingFollowsMindlinAndDeresiewicz) {
+  const Cattaneo c(0, 30);
+  TangentialProblem problem(c.problem.material, c.problem.grid);
+  TangentialInput input = c.input();
+  TangentialSolution s = problem.solve(c.problem.bound, input);
+  const double whole = c.shift / (1 - std::pow(1 - c.share, 2.0 / 3));
+  double total = s.creepage.longitudinal;
+  for (const double share : {0.4, 0.0, -0.5}) {
+    SCOPED_TRACE(share);
+    const TangentialState before = s.tractions;
+    input.previous = input.start = &before;
+    input.force_x = -share * c.problem.capacity;
+    s = problem.solve(c.problem.bound, input);
+    ASSERT_EQ(s.forces.status, Status::ok);
+    total += s.creepage.longitudinal;
+    const double power = 2.0 / 3, down = 1 - std::pow(1 - (c.share - share) / 2, power);
+    EXPECT_NEAR(total, c.shift - 2 * whole * down, 1e-3 * whole);
+  }
+}
+
+/// A shift in two parts is the whole one while slip keeps its direction.
+TEST(TangentialShift, TwoHalfShiftsAreAWholeOne) {
+  const Cattaneo c(0, 15);
+  TangentialInput input;
+  input.motion = ContactMotion::shift;
+  input.tolerance = 1e-10;
+  input.creepage.longitudinal = c.shift;
+  const TangentialSolution whole = solve(c.problem, input);
+  input.creepage.longitudinal = c.shift / 2;
+  const TangentialSolution half = solve(c.problem, input);
+  input.previous = &half.tractions;
+  const TangentialSolution second = solve(c.problem, input);
+  EXPECT_GT(std::abs(second.forces.fx), std::abs(half.forces.fx));
+  EXPECT_NEAR(second.forces.fx, whole.forces.fx, 1e-8 * c.problem.capacity);
+  EXPECT_NEAR(second.elastic_energy, whole.elastic_energy, 1e-7 * whole.elastic_energy);
+}
+
+/// A shift from no tractions: w = s - u, so -p.w is twice the elastic energy and the work of friction.
+TEST(TangentialShift, EnergyBalanceOfAShift) {
+  const Problem p = elliptic(steel_contact(1), 12, 12);
+  TangentialInput input;
+  input.motion = ContactMotion::shift;
+  input.tolerance = 1e-11;
+  input.creepage = {1e-5, -5e-6, 1e-3};
+  const TangentialSolution s = solve(p, input);
+  EXPECT_GT(s.frictional_power, 0);
+  EXPECT_GT(s.elastic_energy, 0);
+  EXPECT_NEAR(s.power_by_creepage, 2 * s.elastic_energy + s.frictional_power, 1e-9 * s.power_by_creepage);
+}
+
+} // namespace
+} // namespace microslip
