@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 
 struct BatchArguments {
   fs::path input, output;
-  std::string theory = "fastsim2", grid = "10x10", bound = "parabolic", flexibility = "three",
-              discretisation = "second_order";
+  std::string theory = "fastsim2", grid = "10x10", bound = "parabolic", flexibility = "three";
+  std::string discretisation = "second_order";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
@@ -261,7 +261,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   option("--grid", arguments->grid, "cells or elements across the ellipse along x and y");
   option("--bound", arguments->bound, "traction bound of the simplified theory: parabolic or elliptic");
   option("--flexibility", arguments->flexibility, "flexibilities of the simplified theory: three, one or blended");
-  option("--discretisation", arguments.discretisation, "of the exact theory: second_order or classical");
+  option("--discretisation", arguments->discretisation, "of the exact theory: second_order or classical");
   option("--threads", arguments->threads, "results do not depend on it; default: all processors");
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"

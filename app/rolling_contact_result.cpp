@@ -57,7 +57,7 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   ExactResult result;
   EllipticContactSolver solver(options);
   result.contact = solver.solve(contact, motion, progress);
-  result.gap = solver.deformed_gap(contact);
+  result.gap = solver.deformed_gap(contact, motion);
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
   result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
   contact.creepage = result.contact.creepage;

@@ -54,6 +54,11 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
 }
 
+bool EllipticContactSolver::is_second_order(const ExactMotion& motion) const {
+  return options_.discretisation == Discretisation::second_order && motion.kind == ContactMotion::steady &&
+         motion.step == 0;
+}
+
 /// Whether what depends on ellipse and material only is there for this contact; if not, room is made for it.
 bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool second_order) {
   const bool same = a_ == contact.a && b_ == contact.b && material_.shear_modulus == contact.shear_modulus &&
@@ -71,7 +76,8 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
   if (is_prepared_for(contact, false)) return;
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
-  normal_ = NormalProblem(material_, grid_).solve(hertzian_gap(a_, b_, material_, grid_), {NormalLoad::Given::force, 1});
+  normal_ =
+      NormalProblem(material_, grid_).solve(hertzian_gap(a_, b_, material_, grid_), {NormalLoad::Given::force, 1});
   tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
 }
 
@@ -185,8 +191,7 @@ SecondOrderSolution EllipticContactSolver::solve_mirrored(const EllipticContact&
     const FittedContact& fitted = second_order_->contact();
     std::vector<double> grid_bound(fitted.grid.count());
     for (std::size_t k = 0; k < bound.size(); ++k) grid_bound[fitted.elements[k].cell] = bound[k];
-    const TangentialState start =
-        start_from_fastsim2(mirrored, fitted.grid, grid_bound, RollingDirection::forward);
+    const TangentialState start = start_from_fastsim2(mirrored, fitted.grid, grid_bound, RollingDirection::forward);
     for (const FittedElement& e : fitted.elements) {
       px.push_back(start.px[e.cell]);
       py.push_back(start.py[e.cell]);
@@ -257,24 +262,24 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
 ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
                                           const Progress& progress) {
   if (!is_valid(contact) || !is_valid(motion)) return invalid();
-  const bool second_order = options_.discretisation == Discretisation::second_order &&
-                            motion.kind == ContactMotion::steady && motion.step == 0;
   try {
-    return second_order ? solve_second_order(contact, motion) : solve_classical(contact, motion, progress);
+    return is_second_order(motion) ? solve_second_order(contact, motion) : solve_classical(contact, motion, progress);
   } catch (const Error&) { // numbers that overflow on the way
     return invalid();
   }
 }
 
-std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact) const {
+std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact,
+                                                        const ExactMotion& motion) const {
   const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
-  const ElementGrid grid = options_.discretisation == Discretisation::second_order
+  const ElementGrid grid = is_second_order(motion)
                                ? fit_ellipse(contact.a, contact.b, options_.mx, options_.my).grid
                                : ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin);
-  std::vector<double> gap = hertzian_gap(contact.a, contact.b, material, grid);
-  const NormalSolution normal = NormalProblem(material, grid).solve(gap, {NormalLoad::Given::force, 1});
-  for (std::size_t k = 0; k < gap.size(); ++k)
-    gap[k] = contact.normal_force * (gap[k] - normal.approach + normal.displacement[k]);
+  std::vector<double> gap =
+      NormalProblem(material, grid)
+          .solve(hertzian_gap(contact.a, contact.b, material, grid), {NormalLoad::Given::force, 1})
+          .gap;
+  for (double& distance : gap) distance *= contact.normal_force;
   return gap; // the same in both directions along a row
 }
 

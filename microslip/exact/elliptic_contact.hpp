@@ -76,11 +76,12 @@ public:
   /// told of the steps of transient rolling and may end it.
   ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
-  /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal problem
-  /// on their grid. Throws Error for a contact out of range.
-  std::vector<double> deformed_gap(const EllipticContact& contact) const;
+  /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
+  /// problem on their grid. Throws Error for a contact out of range.
+  std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {}) const;
 
 private:
+  bool is_second_order(const ExactMotion& motion) const;
   void prepare_classical(const EllipticContact& contact);
   void prepare_second_order(const EllipticContact& contact);
   bool is_prepared_for(const EllipticContact& contact, bool second_order);

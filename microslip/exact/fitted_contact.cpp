@@ -20,7 +20,9 @@ constexpr double nearest_edge = 0.92;
 /// Appends the elements of a row in contact from `trailing` to `leading`.
 void fit_row(const ElementGrid& grid, int row, double trailing, double leading, std::vector<FittedElement>& elements) {
   const double h = grid.dx, origin = grid.x0 - h / 2;
-  const auto cell = [&](int column) { return static_cast<std::size_t>(row) * grid.mx + std::clamp(column, 0, grid.mx - 1); };
+  const auto cell = [&](int column) {
+    return static_cast<std::size_t>(row) * grid.mx + std::clamp(column, 0, grid.mx - 1);
+  };
   const int last = static_cast<int>(std::floor((leading - origin) / h - nearest_edge));
   const double left = origin + last * h, width = h * leading_element_width((leading - left) / h);
   if (left + width / 2 <= trailing) { // shorter than an element

@@ -20,7 +20,8 @@ SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedC
   for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
 }
 
-/// The mean of the two ways that meet at an element's centre; at the trailing edge, where there is but one, extrapolated.
+/// The mean of the two ways that meet at an element's centre; at the trailing edge, where there is but one,
+/// extrapolated.
 Field SecondOrderRolling::slip_at_centre(const Field& slip) const {
   Field mean = slip;
   for (std::size_t k = 0; k < slip.size(); ++k) {
@@ -69,7 +70,8 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
                                 .force_y = input.force_y,
                                 .area_share = area_share_};
   double capacity = 0;
-  for (std::size_t k = 0; k < elements.size(); ++k) capacity += bound[k] * area_share_[k] * contact_.grid.element_area();
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    capacity += bound[k] * area_share_[k] * contact_.grid.element_area();
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   if (wanted >= capacity && wanted > 0) return full_sliding(bound, input, wanted / capacity - 1);
 

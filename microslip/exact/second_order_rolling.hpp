@@ -12,13 +12,13 @@ namespace microslip {
 
 struct SecondOrderInput {
   Creepage creepage;
-  std::optional<double> force_x, force_y;      ///< [N], on body 1; the creepage in that direction is an unknown then
-  std::span<const double> start_px, start_py;  ///< where to begin, for each element [Pa]; empty: zero tractions
-  double tolerance = 1e-6;                     ///< of the residual, as in FrictionSolution
+  std::optional<double> force_x, force_y;     ///< [N], on body 1; the creepage in that direction is an unknown then
+  std::span<const double> start_px, start_py; ///< where to begin, for each element [Pa]; empty: zero tractions
+  double tolerance = 1e-6;                    ///< of the residual, as in FrictionSolution
 };
 
 struct SecondOrderSolution {
-  FrictionSolution friction; ///< tractions, slip and state of each element
+  FrictionSolution friction;  ///< tractions, slip and state of each element
   std::vector<double> ux, uy; ///< displacement difference [m]
   Creepage creepage;
 };

@@ -13,8 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int block = 4;         // columns next to each other: a line of the cache
-constexpr int batch = 2 * block; // transforms in one call: rows, or columns and their mirror images
+constexpr int block = 4;                           // columns next to each other: a line of the cache
+constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 
 /// Transform of a kernel that is even in both directions, or odd in both, from its quarter of the padded grid.
@@ -36,9 +36,8 @@ std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, bool odd, s
     const int sizes[] = {rows - 2, columns - 2}, room[] = {rows, columns};
     const fftw_r2r_kind kinds[] = {FFTW_RODFT00, FFTW_RODFT00};
     double* inner = quarter.data() + columns + 1;
-    const fftw::Plan plan = fftw::make([&] {
-      return fftw_plan_many_r2r(2, sizes, 1, inner, room, 1, 0, inner, room, 1, 0, kinds, FFTW_ESTIMATE);
-    });
+    const fftw::Plan plan = fftw::make(
+        [&] { return fftw_plan_many_r2r(2, sizes, 1, inner, room, 1, 0, inner, room, 1, 0, kinds, FFTW_ESTIMATE); });
     fftw_execute(plan.get());
   }
   // Two odd directions: (-i)^2.
