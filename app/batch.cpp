@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 struct BatchArguments {
   fs::path input, output;
   std::string theory = "fastsim2", grid = "10x10", bound = "parabolic", flexibility = "three";
+  std::string discretisation = "second_order";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
@@ -61,6 +62,7 @@ RowSolver make_simplified_solver(const BatchArguments& arguments, Theory theory)
 std::vector<EllipticContactSolver> make_exact_solvers(const BatchArguments& arguments) {
   ExactOptions options;
   parse_grid(arguments.grid, 4000, options.mx, options.my);
+  options.discretisation = from_word<Discretisation>("--discretisation", arguments.discretisation);
   std::vector<EllipticContactSolver> solvers;
   for (int i = 0; i < arguments.threads; ++i) solvers.emplace_back(options);
   return solvers;
@@ -259,6 +261,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   option("--grid", arguments->grid, "cells or elements across the ellipse along x and y");
   option("--bound", arguments->bound, "traction bound of the simplified theory: parabolic or elliptic");
   option("--flexibility", arguments->flexibility, "flexibilities of the simplified theory: three, one or blended");
+  option("--discretisation", arguments->discretisation, "of the exact theory: second_order or classical");
   option("--threads", arguments->threads, "results do not depend on it; default: all processors");
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"

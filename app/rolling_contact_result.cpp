@@ -53,9 +53,11 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   coarser.mx = (options.mx + 1) / 2;
   coarser.my = (options.my + 1) / 2;
   auto motion = input.motion;
-  motion.step = step_of(input, contact); // the same on both grids
+  if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
   ExactResult result;
-  result.contact = EllipticContactSolver(options).solve(contact, motion, progress);
+  EllipticContactSolver solver(options);
+  result.contact = solver.solve(contact, motion, progress);
+  result.gap = solver.deformed_gap(contact, motion);
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
   result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
   contact.creepage = result.contact.creepage;
@@ -109,8 +111,10 @@ void write_motion(ResultFile& file, const RollingCase& input, const Creepage& cr
 void write_solution(ResultFile& file, const RollingCase& input) {
   const auto& options = input.options;
   file.text("inputs/theory", std::string(to_word(input.theory)), "algorithm");
-  if (input.theory == Theory::exact)
+  if (input.theory == Theory::exact) {
+    file.text("inputs/discretisation", std::string(to_word(input.discretisation)), "of the exact theory");
     file.scalar("inputs/tolerance", input.tolerance, "-", "relative residual at which the exact theory stops");
+  }
   file.scalar("inputs/mx", options.mx, "-", "cells along x");
   file.scalar("inputs/my", options.my, "-", "rows along y");
   file.text("inputs/bound", std::string(to_word(options.bound)), "shape of the traction bound");
@@ -176,7 +180,8 @@ void write_theory(ResultFile& file, const std::string& theory, const ContactFiel
   file.array(theory + "/fields/state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
-void write_exact(ResultFile& file, const ExactContact& contact) {
+void write_exact(ResultFile& file, const ExactResult& result) {
+  const auto& contact = result.contact;
   write_theory(file, "exact", contact.fields);
   const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("exact/") + name, value, unit, what);
@@ -195,7 +200,7 @@ void write_exact(ResultFile& file, const ExactContact& contact) {
   const ResultFile::Shape shape = {static_cast<std::size_t>(contact.fields.my),
                                    static_cast<std::size_t>(contact.fields.mx)};
   file.array("exact/fields/pn", contact.pressure, "Pa", "pressure", shape);
-  file.array("exact/fields/gap", contact.gap, "m", "deformed distance of the bodies", shape);
+  file.array("exact/fields/gap", result.gap, "m", "deformed distance of the bodies", shape);
   file.array("exact/fields/ux", contact.ux, "m", "displacement difference, longitudinal", shape);
   file.array("exact/fields/uy", contact.uy, "m", "displacement difference, lateral", shape);
 }
@@ -259,7 +264,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   file.scalar("tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution");
   write_hertz(file, result.hertz);
   if (const auto& exact = result.exact) {
-    write_exact(file, exact->contact);
+    write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
     write_tolerances(file, "exact", exact->grid_error, "half the elements");
     if (exact->curve) write_curve(file, "exact", *exact->curve);

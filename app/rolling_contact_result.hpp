@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace microslip {
 
@@ -26,6 +27,7 @@ struct SimplifiedResult {
 /// What the exact theory makes of a case.
 struct ExactResult {
   ExactContact contact;
+  std::vector<double> gap; ///< deformed distance of the bodies at the cells of its fields [m]
   GridError grid_error;            ///< to the grid with half the elements in each direction
   std::optional<CreepCurve> curve; ///< if it converges for steady rolling
 };

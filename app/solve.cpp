@@ -52,9 +52,10 @@ std::string describe_simplified(const RollingCase& input) {
 
 std::string describe_exact(const RollingCase& input) {
   const auto& [kind, force_x, force_y, step, steps] = input.motion;
-  const auto motion = kind == ContactMotion::shift       ? std::string("shift")
-                      : kind == ContactMotion::transient ? fmt::format("transient rolling, {} steps", steps)
-                                                         : "steady rolling";
+  const auto motion = kind == ContactMotion::shift ? std::string("shift")
+                      : kind == ContactMotion::transient
+                          ? fmt::format("transient rolling, {} steps", steps)
+                          : fmt::format("steady rolling, {}", to_word(input.discretisation));
   return fmt::format("exact theory, {} x {} elements, {}", input.options.mx, input.options.my, motion);
 }
 

@@ -128,9 +128,10 @@ void check_theory(const TomlSection& motion, const TomlSection& friction, const 
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
-  solution.allow({"theory", "grid", "tolerance", "bound", "flexibility", "slope_reduction"});
+  solution.allow({"theory", "grid", "discretisation", "tolerance", "bound", "flexibility", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
+  input.discretisation = solution.option("discretisation", input.discretisation);
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
@@ -191,6 +192,7 @@ EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& h
 ExactOptions exact_options(const RollingCase& input) {
   return {.mx = input.options.mx,
           .my = input.options.my,
+          .discretisation = input.discretisation,
           .direction = input.options.direction,
           .tolerance = input.tolerance};
 }

@@ -34,7 +34,8 @@ struct RollingCase {
   ExactMotion motion = {};  ///< what is not steady rolling with given creepages needs the exact theory
   Theory theory = Theory::fastsim2;
   SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
-  double tolerance = 1e-6;                          ///< of the exact theory
+  Discretisation discretisation = Discretisation::second_order; ///< of the exact theory
+  double tolerance = 1e-6;                                      ///< of its residual
 };
 
 /// Largest number of cells along either side of a grid whose fields are kept.

@@ -18,6 +18,7 @@ template <> constexpr auto words_of<Theory> = std::array<Word, 4>{"fastsim", "fa
 template <> constexpr auto words_of<TractionBound> = std::array<Word, 2>{"parabolic", "elliptic"};
 template <> constexpr auto words_of<FlexibilityModel> = std::array<Word, 3>{"three", "one", "blended"};
 template <> constexpr auto words_of<RollingDirection> = std::array<Word, 2>{"forward", "backward"};
+template <> constexpr auto words_of<Discretisation> = std::array<Word, 2>{"second_order", "classical"};
 template <> constexpr auto words_of<ContactMotion> = std::array<Word, 3>{"shift", "transient", "steady"};
 
 } // namespace
@@ -41,16 +42,19 @@ template std::span<const std::string_view> option_words<TractionBound>();
 template std::span<const std::string_view> option_words<FlexibilityModel>();
 template std::span<const std::string_view> option_words<RollingDirection>();
 template std::span<const std::string_view> option_words<ContactMotion>();
+template std::span<const std::string_view> option_words<Discretisation>();
 template std::string_view to_word(Theory);
 template std::string_view to_word(TractionBound);
 template std::string_view to_word(FlexibilityModel);
 template std::string_view to_word(RollingDirection);
 template std::string_view to_word(ContactMotion);
+template std::string_view to_word(Discretisation);
 template Theory from_word(std::string_view, std::string_view);
 template TractionBound from_word(std::string_view, std::string_view);
 template FlexibilityModel from_word(std::string_view, std::string_view);
 template RollingDirection from_word(std::string_view, std::string_view);
 template ContactMotion from_word(std::string_view, std::string_view);
+template Discretisation from_word(std::string_view, std::string_view);
 
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/theory.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/elliptic_contact.hpp"
 
 #include <span>
 #include <string_view>
@@ -9,7 +9,8 @@
 namespace microslip {
 
 /// The words by which files and the command line name options, e.g. "fastsim_half_step" or "parabolic". There are
-/// words for Theory, TractionBound, FlexibilityModel, RollingDirection and ContactMotion.
+/// words for Theory, TractionBound, FlexibilityModel, RollingDirection, ContactMotion and
+/// Discretisation.
 template <class Option> std::span<const std::string_view> option_words();
 template <class Option> std::string_view to_word(Option option);
 

@@ -146,6 +146,7 @@ steps = 7
 [solution]
 theory = "exact"
 grid = [24, 12]
+discretisation = "classical"
 tolerance = 1e-9)"),
                                 "w.toml");
   EXPECT_EQ(input.theory, Theory::exact);
@@ -160,6 +161,7 @@ tolerance = 1e-9)"),
   EXPECT_EQ(options.mx, 24);
   EXPECT_EQ(options.my, 12);
   EXPECT_EQ(options.tolerance, 1e-9);
+  EXPECT_EQ(options.discretisation, Discretisation::classical);
   const auto shift = parse_case(with("rolling_speed = 30", R"(kind = "shift"
 shift_longitudinal = 1e-5
 force_lateral = 10

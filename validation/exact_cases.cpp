@@ -13,6 +13,7 @@ namespace {
 
 ExactOptions options_of(int n) {
   ExactOptions options;
+  options.discretisation = Discretisation::classical;
   options.mx = options.my = n;
   return options;
 }

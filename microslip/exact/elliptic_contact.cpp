@@ -36,6 +36,16 @@ bool is_valid(const ExactMotion& m) {
          std::isfinite(m.step) && m.steps >= 1 && m.steps <= 1000000;
 }
 
+/// The undeformed distance at the elements' centres that gives this ellipse under 1 N [m].
+std::vector<double> hertzian_gap(double a, double b, const CombinedMaterial& material, const ElementGrid& grid) {
+  const GapCurvatures gap = hertz_from_ellipse(a, b, material, 1).gap;
+  std::vector<double> h(grid.count());
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i)
+      h[static_cast<std::size_t>(j) * grid.mx + i] = gap.x * grid.x(i) * grid.x(i) + gap.y * grid.y(j) * grid.y(j);
+  return h;
+}
+
 } // namespace
 
 EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : options_(options) {
@@ -44,28 +54,36 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
 }
 
-/// Everything that depends on ellipse and material only. Pressure is proportional to the load at a given ellipse, so
-/// the normal problem is solved once, for 1 N.
-void EllipticContactSolver::prepare(const EllipticContact& contact) {
-  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
-  const bool same = tangential_ && a_ == contact.a && b_ == contact.b &&
-                    material_.shear_modulus == material.shear_modulus &&
-                    material_.poisson_ratio == material.poisson_ratio;
-  if (same) return;
+bool EllipticContactSolver::is_second_order(const ExactMotion& motion) const {
+  return options_.discretisation == Discretisation::second_order && motion.kind == ContactMotion::steady &&
+         motion.step == 0;
+}
+
+/// Whether what depends on ellipse and material only is there for this contact; if not, room is made for it.
+bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool second_order) {
+  const bool same = a_ == contact.a && b_ == contact.b && material_.shear_modulus == contact.shear_modulus &&
+                    material_.poisson_ratio == contact.poisson_ratio;
+  if (same && (second_order ? second_order_ != nullptr : tangential_ != nullptr)) return true;
   tangential_.reset();
-  grid_ = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin);
-  const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, material, 1).gap;
-  std::vector<double> h(grid_.count());
-  for (int j = 0; j < grid_.my; ++j)
-    for (int i = 0; i < grid_.mx; ++i)
-      h[static_cast<std::size_t>(j) * grid_.mx + i] = gap.x * grid_.x(i) * grid_.x(i) + gap.y * grid_.y(j) * grid_.y(j);
-  normal_ = NormalProblem(material, grid_).solve(h, {NormalLoad::Given::force, 1});
-  gap_ = std::move(h);
-  for (std::size_t k = 0; k < gap_.size(); ++k) gap_[k] += normal_.displacement[k] - normal_.approach;
-  tangential_ = std::make_unique<TangentialProblem>(material, grid_);
+  second_order_.reset();
   a_ = contact.a;
   b_ = contact.b;
-  material_ = material;
+  material_ = {contact.shear_modulus, contact.poisson_ratio, 0};
+  return false;
+}
+
+/// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
+void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
+  if (is_prepared_for(contact, false)) return;
+  grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
+  normal_ =
+      NormalProblem(material_, grid_).solve(hertzian_gap(a_, b_, material_, grid_), {NormalLoad::Given::force, 1});
+  tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
+}
+
+void EllipticContactSolver::prepare_second_order(const EllipticContact& contact) {
+  if (is_prepared_for(contact, true)) return;
+  second_order_ = std::make_unique<SecondOrderRolling>(material_, fit_ellipse(a_, b_, options_.mx, options_.my));
 }
 
 /// Solves the tangential problem; transient rolling step by step.
@@ -111,15 +129,13 @@ ExactContact EllipticContactSolver::results(TangentialSolution s, double normal_
   ExactContact out;
   ContactFields& f = out.fields = ContactFields(grid_.mx, grid_.my);
   out.pressure = normal_.pressure;
-  out.gap = gap_;
   for (std::size_t k = 0; k < grid_.count(); ++k) {
     f.x[k] = grid_.x(static_cast<int>(k % grid_.mx));
     f.y[k] = grid_.y(static_cast<int>(k / grid_.mx));
     f.area[k] = grid_.element_area();
     out.pressure[k] *= normal_force;
-    out.gap[k] *= normal_force;
   }
-  for (auto* field : {&f.x, &out.pressure, &out.gap}) *field = in_rows(std::move(*field));
+  for (auto* field : {&f.x, &out.pressure}) *field = in_rows(std::move(*field));
   f.bound = in_rows(std::move(s.bound));
   f.px = in_rows(std::move(s.tractions.px));
   f.py = in_rows(std::move(s.tractions.py));
@@ -142,14 +158,9 @@ ExactContact EllipticContactSolver::results(TangentialSolution s, double normal_
   return out;
 }
 
-ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
-                                          const Progress& progress) {
-  if (!is_valid(contact) || !is_valid(motion)) return invalid();
-  try {
-    prepare(contact);
-  } catch (const Error&) { // numbers that overflow on the way
-    return invalid();
-  }
+ExactContact EllipticContactSolver::solve_classical(const EllipticContact& contact, const ExactMotion& motion,
+                                                    const Progress& progress) {
+  prepare_classical(contact);
   std::vector<double> bound = normal_.pressure;
   for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
   std::vector<ExactStep> history;
@@ -161,6 +172,115 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const 
     out.products += out.history[i].products;
   }
   return out;
+}
+
+/// The problem for rolling along +x; rolling along -x is its mirror image.
+SecondOrderSolution EllipticContactSolver::solve_mirrored(const EllipticContact& contact, const ExactMotion& motion,
+                                                          const std::vector<double>& bound) {
+  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
+  EllipticContact mirrored = contact;
+  mirrored.creepage.longitudinal *= side;
+  mirrored.creepage.spin *= side;
+  SecondOrderInput input;
+  input.creepage = mirrored.creepage;
+  if (motion.force_x) input.force_x = side * *motion.force_x;
+  input.force_y = motion.force_y;
+  input.tolerance = options_.tolerance;
+  std::vector<double> px, py;
+  if (!motion.force_x && !motion.force_y) {
+    const FittedContact& fitted = second_order_->contact();
+    std::vector<double> grid_bound(fitted.grid.count());
+    for (std::size_t k = 0; k < bound.size(); ++k) grid_bound[fitted.elements[k].cell] = bound[k];
+    const TangentialState start = start_from_fastsim2(mirrored, fitted.grid, grid_bound, RollingDirection::forward);
+    for (const FittedElement& e : fitted.elements) {
+      px.push_back(start.px[e.cell]);
+      py.push_back(start.py[e.cell]);
+    }
+    input.start_px = px;
+    input.start_py = py;
+  }
+  return second_order_->solve(bound, input);
+}
+
+/// Results on the cells of the grid, in each row from the leading edge on; those of the mirror image turned back.
+ExactContact EllipticContactSolver::results(const SecondOrderSolution& s, const EllipticContact& contact,
+                                            const std::vector<double>& bound) const {
+  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
+  const FittedContact& fitted = second_order_->contact();
+  const ElementGrid& grid = fitted.grid;
+  const FrictionSolution& friction = s.friction;
+  ExactContact out;
+  ContactFields& f = out.fields = ContactFields(grid.mx, grid.my);
+  out.pressure.resize(grid.count());
+  out.ux.resize(grid.count()), out.uy.resize(grid.count());
+  const auto reversed = [&](std::size_t cell) { return cell + grid.mx - 1 - 2 * (cell % grid.mx); };
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    f.x[reversed(cell)] = side * grid.x(static_cast<int>(cell % grid.mx));
+    f.y[cell] = grid.y(static_cast<int>(cell / grid.mx));
+    f.area[cell] = grid.element_area();
+  }
+  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
+    const FittedElement& e = fitted.elements[k];
+    const std::size_t cell = reversed(e.cell);
+    const double x = side * e.centre(), y = grid.y(e.row), area = e.width() * grid.dy;
+    const double px = side * friction.px[k], py = friction.py[k], sx = side * friction.sx[k], sy = friction.sy[k];
+    f.x[cell] = x;
+    f.area[cell] = area;
+    f.bound[cell] = bound[k];
+    f.px[cell] = px, f.py[cell] = py;
+    f.sx[cell] = sx, f.sy[cell] = sy;
+    f.state[cell] = friction.sliding[k] ? CellState::slip : CellState::adhesion;
+    out.ux[cell] = side * s.ux[k], out.uy[cell] = s.uy[k];
+    out.pressure[cell] = fitted.load_share[k] * contact.normal_force;
+    out.peak_pressure = std::max(out.peak_pressure, out.pressure[cell]);
+    out.peak_traction = std::max(out.peak_traction, std::hypot(px, py));
+    f.forces.fx += px * area;
+    f.forces.fy += py * area;
+    f.forces.mz += (x * py - y * px) * area;
+    (friction.sliding[k] ? f.forces.slip_area : f.forces.adhesion_area) += area;
+    f.frictional_power -= contact.rolling_speed * (px * sx + py * sy) * area;
+    out.elastic_energy += 0.5 * (px * out.ux[cell] + py * out.uy[cell]) * area;
+  }
+  f.forces.status = friction.status;
+  out.creepage = {side * s.creepage.longitudinal, s.creepage.lateral, side * s.creepage.spin};
+  const auto& [xi, eta, phi] = out.creepage;
+  out.power_by_creepage = -contact.rolling_speed * (xi * f.forces.fx + eta * f.forces.fy + phi * f.forces.mz);
+  out.approach = hertz_from_ellipse(a_, b_, material_, contact.normal_force).approach;
+  out.residual = friction.residual;
+  out.newton_steps = friction.newton_steps;
+  out.products = friction.products;
+  return out;
+}
+
+ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion) {
+  prepare_second_order(contact);
+  std::vector<double> bound = second_order_->contact().load_share;
+  for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
+  return results(solve_mirrored(contact, motion, bound), contact, bound);
+}
+
+ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
+                                          const Progress& progress) {
+  if (!is_valid(contact) || !is_valid(motion)) return invalid();
+  try {
+    return is_second_order(motion) ? solve_second_order(contact, motion) : solve_classical(contact, motion, progress);
+  } catch (const Error&) { // numbers that overflow on the way
+    return invalid();
+  }
+}
+
+std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact,
+                                                        const ExactMotion& motion) const {
+  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+  const ElementGrid grid = is_second_order(motion)
+                               ? fit_ellipse(contact.a, contact.b, options_.mx, options_.my).grid
+                               : ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin);
+  std::vector<double> gap =
+      NormalProblem(material, grid)
+          .solve(hertzian_gap(contact.a, contact.b, material, grid), {NormalLoad::Given::force, 1})
+          .gap;
+  for (double& distance : gap) distance *= contact.normal_force;
+  return gap; // the same in both directions along a row
 }
 
 } // namespace microslip

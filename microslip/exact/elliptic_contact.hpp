@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/normal_problem.hpp"
+#include "microslip/exact/second_order_rolling.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 #include "microslip/progress.hpp"
 
@@ -10,10 +11,17 @@
 
 namespace microslip {
 
+/// How steady rolling is discretised. Shifts and transient rolling are always classical.
+enum class Discretisation {
+  second_order, ///< SecondOrderRolling: forces with errors of second order in the elements' size
+  classical,    ///< TangentialProblem: Kalker's regular elements, errors of first order
+};
+
 /// How the exact theory discretises a Hertzian contact.
 struct ExactOptions {
   int mx = 24; ///< elements across the ellipse along x, 1 to 4,000
   int my = 24; ///< and along y
+  Discretisation discretisation = Discretisation::second_order;
   RollingDirection direction = RollingDirection::forward;
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
 };
@@ -41,11 +49,10 @@ struct ExactContact {
   ContactFields fields; ///< rows with y ascending, in each from the leading to the trailing edge; with margins outside
                         ///< the contact
   std::vector<double> pressure; ///< p_n at the cells of `fields` [Pa]
-  std::vector<double> gap;      ///< deformed distance h - delta + u_n [m], zero in contact
   std::vector<double> ux, uy;   ///< displacement difference u1 - u2 [m]
   Creepage creepage;            ///< as given, or as found where a force is given
-  double approach = 0;          ///< [m], of the discrete normal problem
-  double peak_pressure = 0;     ///< [Pa]
+  double approach = 0;          ///< [m]; second order: Hertz's, classical: of the discrete normal problem
+  double peak_pressure = 0;     ///< of the elements [Pa]
   double peak_traction = 0;     ///< of the elements [Pa]
   double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) [W]; for a shift the work, without V [J]
   double elastic_energy = 0;    ///< of the tangential tractions [J]
@@ -69,19 +76,33 @@ public:
   /// told of the steps of transient rolling and may end it.
   ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
+  /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
+  /// problem on their grid. Throws Error for a contact out of range.
+  std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {}) const;
+
 private:
-  void prepare(const EllipticContact& contact);
+  bool is_second_order(const ExactMotion& motion) const;
+  void prepare_classical(const EllipticContact& contact);
+  void prepare_second_order(const EllipticContact& contact);
+  bool is_prepared_for(const EllipticContact& contact, bool second_order);
+  ExactContact solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
                           const Progress& progress, std::vector<ExactStep>& history);
   ExactContact results(TangentialSolution solution, double normal_force) const;
+  ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion);
+  SecondOrderSolution solve_mirrored(const EllipticContact& contact, const ExactMotion& motion,
+                                     const std::vector<double>& bound);
+  ExactContact results(const SecondOrderSolution& solution, const EllipticContact& contact,
+                       const std::vector<double>& bound) const;
 
   ExactOptions options_;
-  ElementGrid grid_;
   double a_ = 0, b_ = 0;
   CombinedMaterial material_ = {0, 0, 0};
-  NormalSolution normal_;   ///< for a load of 1 N; pressures and load are proportional at a given ellipse
-  std::vector<double> gap_; ///< deformed, for 1 N too
+  // What belongs to that ellipse and material: one or the other.
+  ElementGrid grid_;
+  NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
   std::unique_ptr<TangentialProblem> tangential_;
+  std::unique_ptr<SecondOrderRolling> second_order_;
 };
 
 } // namespace microslip

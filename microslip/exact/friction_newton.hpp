@@ -19,6 +19,7 @@ struct FrictionProblem {
   double element_area;                              ///< [m^2]
   std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known but for a constant ...
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
+  std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
 };
 
 struct FrictionSolution {

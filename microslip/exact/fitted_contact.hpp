@@ -1,0 +1,37 @@
+#pragma once
+
+#include "microslip/exact/element_grid.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace microslip {
+
+/// An element of a contact that rolls along +x. All have the length of the grid's but the leading one of a row, which
+/// is fitted to the edge (edge_element.hpp), and the only one of a row shorter than an element.
+struct FittedElement {
+  int row = 0;
+  std::size_t cell = 0;       ///< of the grid: where results on the grid have it
+  double left = 0, right = 0; ///< [m]
+  double end = 0;             ///< its slip is that of the way from its centre to here [m]
+  bool fitted = false;        ///< is not one of the grid's elements
+  bool leads = false;         ///< is the first one that particles enter
+  bool trails = false;        ///< is the last one
+
+  double centre() const { return (left + right) / 2; }
+  double width() const { return right - left; }
+};
+
+/// A contact area covered with elements that are fitted to its leading edge: row after row, in each from the trailing
+/// to the leading edge. Elements of a row that follow one another have consecutive indices.
+struct FittedContact {
+  ElementGrid grid; ///< that the elements are part of, with columns to spare ahead of the contact
+  std::vector<FittedElement> elements;
+  std::vector<double> load_share; ///< of each element in the integral of the traction bound, over its area [1/m^2]
+};
+
+/// n x m elements across Hertz's ellipse. The bound is averaged over the area that an element stands for: what no
+/// element covers counts for the nearest one of its row, so that the shares times the areas have the sum 1 to rounding.
+FittedContact fit_ellipse(double a, double b, int n, int m);
+
+} // namespace microslip
