@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 struct BatchArguments {
   fs::path input, output;
   std::string theory = "fastsim2", grid = "10x10", bound = "parabolic", flexibility = "three";
-  std::string discretisation = "second_order";
+  std::string coefficients = "kalker", discretisation = "second_order";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
@@ -56,6 +56,7 @@ RowSolver make_simplified_solver(const BatchArguments& arguments, Theory theory)
   parse_grid(arguments.grid, 10000, options.mx, options.my);
   options.bound = from_word<TractionBound>("--bound", arguments.bound);
   options.flexibility = from_word<FlexibilityModel>("--flexibility", arguments.flexibility);
+  options.creepage_table = from_word<CreepageTable>("--coefficients", arguments.coefficients);
   return {marching_scheme(theory), options};
 }
 
@@ -261,6 +262,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   option("--grid", arguments->grid, "cells or elements across the ellipse along x and y");
   option("--bound", arguments->bound, "traction bound of the simplified theory: parabolic or elliptic");
   option("--flexibility", arguments->flexibility, "flexibilities of the simplified theory: three, one or blended");
+  option("--coefficients", arguments->coefficients, "table of creepage coefficients: kalker or computed");
   option("--discretisation", arguments->discretisation, "of the exact theory: second_order or classical");
   option("--threads", arguments->threads, "results do not depend on it; default: all processors");
   command->footer(

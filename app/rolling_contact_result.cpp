@@ -119,6 +119,7 @@ void write_solution(ResultFile& file, const RollingCase& input) {
   file.scalar("inputs/my", options.my, "-", "rows along y");
   file.text("inputs/bound", std::string(to_word(options.bound)), "shape of the traction bound");
   file.text("inputs/flexibility", std::string(to_word(options.flexibility)), "flexibilities of the simplified theory");
+  file.text("inputs/coefficients", std::string(to_word(options.creepage_table)), "table of creepage coefficients");
   const auto& reduction = options.slope_reduction;
   file.scalar("inputs/slope_reduction_initial", reduction.initial, "-", "factor on the creep curve's initial slope");
   file.scalar("inputs/slope_reduction_at_infinity", reduction.at_infinity, "-", "its part that is left at large slip");

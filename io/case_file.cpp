@@ -128,13 +128,15 @@ void check_theory(const TomlSection& motion, const TomlSection& friction, const 
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
-  solution.allow({"theory", "grid", "discretisation", "tolerance", "bound", "flexibility", "slope_reduction"});
+  solution.allow(
+      {"theory", "grid", "discretisation", "tolerance", "bound", "flexibility", "coefficients", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
+  input.options.creepage_table = solution.option("coefficients", input.options.creepage_table);
 
   const auto reduction = solution.optional_section("slope_reduction");
   reduction.allow({"initial", "at_infinity", "decay"});

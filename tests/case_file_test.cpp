@@ -80,6 +80,7 @@ theory = "fastsim_half_step"
 grid = [1, 2000]
 bound = "elliptic"
 flexibility = "blended"
+coefficients = "computed"
 slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
                                 "w.toml");
   EXPECT_EQ(input.creepage.longitudinal, 1e-3);
@@ -92,6 +93,7 @@ slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
   EXPECT_EQ(input.options.my, 2000);
   EXPECT_EQ(input.options.bound, TractionBound::elliptic);
   EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(input.options.creepage_table, CreepageTable::computed);
   EXPECT_EQ(input.options.slope_reduction.initial, 0.5);
   EXPECT_EQ(input.options.slope_reduction.at_infinity, 0.25);
   EXPECT_EQ(input.options.slope_reduction.decay, 2);
