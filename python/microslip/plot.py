@@ -13,6 +13,7 @@ from microslip.picture_style import SETTINGS
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
+from microslip.subsurface_pictures import subsurface_pictures
 
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
@@ -20,6 +21,7 @@ PICTURES_OF_KIND = {
     "fastsim2-table2": fastsim2_table2_pictures,
     "model-problem": model_problem_pictures,
     "refinement": refinement_pictures,
+    "subsurface": subsurface_pictures,
 }
 
 

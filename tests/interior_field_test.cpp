@@ -1,0 +1,269 @@
+#include "microslip/exact/interior_field.hpp"
+
+#include "expect_error.hpp"
+#include "interior_states.hpp"
+#include "microslip/elasticity/influence.hpp"
+#include "microslip/exact/memory_need.hpp"
+#include "microslip/exact/surface_response.hpp"
+#include "validation/hertzian_stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr Material steel{82e9, 0.28};
+
+struct Load {
+  std::vector<double> px, py, pn;
+  SurfaceTractions tractions() const { return {px, py, pn}; }
+};
+
+Load random_load(const ElementGrid& grid, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> any(-1e6, 1e6);
+  Load load;
+  for (auto* p : {&load.px, &load.py, &load.pn}) {
+    p->resize(grid.count());
+    for (double& value : *p) value = any(engine);
+  }
+  return load;
+}
+
+ElementGrid rectangles(int mx, int my, double dx = 3e-4, double dy = 2e-4) {
+  return {.mx = mx, .my = my, .x0 = -1e-3, .y0 = 2e-3, .dx = dx, .dy = dy, .line = false};
+}
+ElementGrid strips(int mx) {
+  return {.mx = mx, .my = 1, .x0 = -1e-3, .y0 = 0, .dx = 3e-4, .dy = 7, .line = true};
+}
+std::vector<ElementGrid> grids() {
+  return {rectangles(1, 1), rectangles(9, 1), rectangles(1, 6), rectangles(11, 8, 5e-5, 1e-3), strips(1), strips(17)};
+}
+std::string text(const ElementGrid& grid) {
+  return std::to_string(grid.mx) + " x " + std::to_string(grid.my) + (grid.line ? " strips" : " rectangles");
+}
+
+/// Pressure p0 sqrt(1 - r^2) at the elements' centres, p0 = 1.
+Load hertzian(const ElementGrid& grid, double a) {
+  Load load;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const double x = grid.x(i) / a, y = grid.line ? 0 : grid.y(j) / a;
+      load.pn.push_back(std::sqrt(std::max(0.0, 1 - x * x - y * y)));
+    }
+  return load;
+}
+
+double stress_difference(const Stress& a, const Stress& b) {
+  return difference(nine({0, 0, 0, a}), nine({0, 0, 0, b}), 1, 1);
+}
+
+// --- sums and transforms
+
+TEST(InteriorField, IsTheSumOverTheElements) {
+  const ElementGrid grid = rectangles(4, 3);
+  const Load load = random_load(grid, 1);
+  for (const Body body : {Body::first, Body::second}) {
+    const InteriorField field(steel, body, grid, load.tractions());
+    const InteriorPoint p = {-3e-4, 2.1e-3, 1e-4};
+    Nine sum{};
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = 0; i < grid.mx; ++i) {
+        const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
+        const auto a =
+            nines(interior_influence(steel, body, grid.dx, grid.dy, p.x - grid.x(i), p.y - grid.y(j), p.depth));
+        sum = combine(combine(combine(sum, load.px[k], a[0]), load.py[k], a[1]), load.pn[k], a[2]);
+      }
+    EXPECT_LT(difference(nine(field.at(p)), sum, 1e-9, 1e6), 1e-14);
+  }
+}
+
+/// At the surface and at any depth, in both bodies, with and without a margin.
+TEST(InteriorField, LayersAreTheSumsAtTheCentres) {
+  for (const ElementGrid& grid : grids())
+    for (const Body body : {Body::first, Body::second})
+      for (const int margin : {0, 3}) {
+        const Load load = random_load(grid, 2);
+        const InteriorField field(steel, body, grid, load.tractions());
+        InteriorLayers layers(field, margin);
+        ASSERT_EQ(layers.grid().mx, grid.mx + 2 * margin);
+        ASSERT_EQ(layers.grid().my, grid.line ? 1 : grid.my + 2 * margin);
+        for (const double depth : {0.0, 1e-5, 2e-4, 5e-3}) {
+          const std::vector<InteriorState> states = layers.at_depth(depth);
+          for (int j = 0; j < layers.grid().my; ++j)
+            for (int i = 0; i < layers.grid().mx; ++i) {
+              const auto k = static_cast<std::size_t>(j) * layers.grid().mx + i;
+              const InteriorState sum = field.at({layers.grid().x(i), layers.grid().y(j), depth});
+              EXPECT_LT(difference(nine(states[k]), nine(sum), 1e6 * grid.mx * grid.dx / 82e9, 1e6), 1e-12)
+                  << text(grid) << ", depth " << depth << ", " << i << ", " << j;
+            }
+        }
+      }
+}
+
+/// What is not given counts as zero, and nothing at all gives nothing.
+TEST(InteriorField, TractionsThatAreNotGiven) {
+  const ElementGrid grid = rectangles(5, 4);
+  const Load load = random_load(grid, 3);
+  const std::vector<double> none(grid.count());
+  const InteriorPoint p = {-3e-4, 2.1e-3, 1e-4};
+  const InteriorField short_one(steel, Body::first, grid, {{}, load.py, {}});
+  const InteriorField whole(steel, Body::first, grid, {none, load.py, none});
+  EXPECT_EQ(nine(short_one.at(p)), nine(whole.at(p)));
+  EXPECT_EQ(nine(InteriorLayers(short_one).at_depth(1e-4)[7]), nine(InteriorLayers(whole).at_depth(1e-4)[7]));
+  const InteriorField unloaded(steel, Body::first, grid, {});
+  EXPECT_EQ(nine(unloaded.at(p)), Nine{});
+  for (const InteriorState& s : InteriorLayers(unloaded, 2).at_depth(1e-4)) EXPECT_EQ(nine(s), Nine{});
+}
+
+TEST(InteriorField, ManyPointsAreAsOneByOne) {
+  const ElementGrid grid = rectangles(20, 20);
+  const Load load = random_load(grid, 4);
+  const InteriorField field(steel, Body::first, grid, load.tractions());
+  std::vector<InteriorPoint> points;
+  for (int k = 0; k < 400; ++k) points.push_back({1e-5 * k, 2e-3, 1e-6 * k});
+  const auto states = field.at(points);
+  for (std::size_t k = 0; k < points.size(); ++k) EXPECT_EQ(nine(states[k]), nine(field.at(points[k])));
+}
+
+// --- boundary values
+
+/// sigma_iz = -p_i at the centres of the elements, in both bodies.
+TEST(InteriorField, SurfaceStressesAreTheTractions) {
+  for (const ElementGrid& grid : grids())
+    for (const Body body : {Body::first, Body::second}) {
+      const Load load = random_load(grid, 5);
+      const auto states = InteriorLayers(InteriorField(steel, body, grid, load.tractions())).at_depth(0);
+      for (std::size_t k = 0; k < states.size(); ++k) {
+        EXPECT_NEAR(states[k].stress.xz, -load.px[k], 1e-8) << text(grid);
+        EXPECT_NEAR(states[k].stress.yz, -load.py[k], 1e-8) << text(grid);
+        EXPECT_NEAR(states[k].stress.zz, -load.pn[k], 1e-8) << text(grid);
+      }
+    }
+}
+
+/// u1 - u2 at the surface is what the contact problem is solved with; each of two equal bodies has one half of it.
+TEST(InteriorField, SurfaceDisplacementsAreThoseOfTheContactProblem) {
+  for (const ElementGrid& grid : grids()) {
+    Load load = random_load(grid, 6);
+    std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
+    const CombinedMaterial combined = combine(steel, steel);
+    TangentialResponse::displacement(combined, grid).apply(load.px, load.py, ux, uy);
+    NormalResponse(combined, grid).apply(load.pn, uz);
+    const auto of = [&](Body body, const SurfaceTractions& t) {
+      return InteriorLayers(InteriorField(steel, body, grid, t)).at_depth(0);
+    };
+    const auto shear1 = of(Body::first, {load.px, load.py, {}}), shear2 = of(Body::second, {load.px, load.py, {}});
+    const auto press1 = of(Body::first, {{}, {}, load.pn}), press2 = of(Body::second, {{}, {}, load.pn});
+    const double tolerance = 1e-12 * 1e6 * grid.mx * std::max(grid.dx, 1e-3) / 82e9;
+    for (std::size_t k = 0; k < ux.size(); ++k) {
+      EXPECT_NEAR(shear1[k].ux, ux[k] / 2, tolerance) << text(grid);
+      EXPECT_NEAR(shear2[k].ux, -ux[k] / 2, tolerance) << text(grid);
+      EXPECT_NEAR(shear1[k].uy, uy[k] / 2, tolerance) << text(grid);
+      EXPECT_NEAR(shear2[k].uy, -uy[k] / 2, tolerance) << text(grid);
+      EXPECT_NEAR(press1[k].uz, uz[k] / 2, tolerance) << text(grid);
+      EXPECT_NEAR(press2[k].uz, -uz[k] / 2, tolerance) << text(grid);
+    }
+  }
+}
+
+/// Far below, only forces and moments count: the stresses are those of the resultant at the centre of each load.
+TEST(InteriorField, FarBelowOnlyTheResultantCounts) {
+  const ElementGrid grid = rectangles(12, 10);
+  const Load load = random_load(grid, 7);
+  const InteriorField field(steel, Body::first, grid, load.tractions());
+  double fx = 0, fy = 0, fn = 0;
+  for (std::size_t k = 0; k < grid.count(); ++k) {
+    fx += load.px[k] * grid.element_area();
+    fy += load.py[k] * grid.element_area();
+    fn += load.pn[k] * grid.element_area();
+  }
+  const double depth = 1.0, x = 0.4, y = -0.7, r2 = x * x + y * y + depth * depth;
+  const double pull = (fx * x + fy * y + fn * depth) * -3 / (2 * std::numbers::pi * r2 * r2 * std::sqrt(r2));
+  const Stress s = field.at({x, y, depth}).stress; // sigma_iz = pull x_i z
+  const double size = (std::abs(fx) + std::abs(fy) + std::abs(fn)) * 0.1;
+  EXPECT_NEAR(s.zz, pull * depth * depth, size);
+  EXPECT_NEAR(s.xz, pull * x * depth, size);
+  EXPECT_NEAR(s.yz, pull * y * depth, size);
+}
+
+// --- Hertz's closed forms
+
+TEST(InteriorField, BelowASphere) {
+  const double a = 2e-3;
+  double before = 0;
+  for (const int n : {20, 40, 80}) {
+    const auto grid = ElementGrid::across_ellipse(a, a, n);
+    const Load load = hertzian(grid, a);
+    const InteriorField field(steel, Body::first, grid, load.tractions());
+    double worst = 0;
+    for (const double x : {0.0, 0.3, 0.8, 1.1, 2.0})
+      for (const double z : {0.25, 0.5, 1.0, 2.5})
+        worst = std::max(worst, stress_difference(field.at({a * x, 0, a * z}).stress,
+                                                  validation::stress_below_sphere(steel.poisson_ratio, x, z)));
+    EXPECT_LT(worst, 0.9 / (n * std::sqrt(n)));
+    if (before > 0) {
+      EXPECT_LT(worst, before / 2);
+    }
+    before = worst;
+  }
+}
+
+TEST(InteriorField, BelowACylinder) {
+  const double a = 2e-3;
+  double before = 0;
+  for (const int n : {40, 80, 160}) {
+    const auto grid = ElementGrid::across_line(a, n);
+    const Load load = hertzian(grid, a);
+    const InteriorField field(steel, Body::first, grid, load.tractions());
+    const InteriorField pulled(steel, Body::first, grid, {load.pn, {}, {}});
+    double worst = 0;
+    for (const double x : {0.0, 0.3, -0.8, 1.1, 2.0})
+      for (const double z : {0.2, 0.5, 0.786, 2.5}) {
+        worst = std::max(worst, stress_difference(field.at({a * x, 5, a * z}).stress,
+                                                  validation::stress_below_cylinder(steel.poisson_ratio, x, z)));
+        worst = std::max(worst, stress_difference(pulled.at({a * x, 0, a * z}).stress,
+                                                  validation::stress_below_pulled_cylinder(steel.poisson_ratio, x, z)));
+      }
+    EXPECT_LT(worst, 0.7 / (n * std::sqrt(n)));
+    if (before > 0) {
+      EXPECT_LT(worst, before / 2.5);
+    }
+    before = worst;
+  }
+}
+
+// --- input
+
+TEST(InteriorField, RefusesInputOutOfRange) {
+  const ElementGrid grid = rectangles(3, 2);
+  const std::vector<double> good(6, 1.0), five(5, 1.0), bad = {1, 2, 3, 4, 5, std::nan("")};
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto make = [&](const Material& m, const ElementGrid& g, const SurfaceTractions& t) {
+    return InteriorField(m, Body::first, g, t);
+  };
+  expect_error([&] { make({-1, 0.3}, grid, {}); }, "shear_modulus", "[Pa]");
+  expect_error([&] { make({1, 0.6}, grid, {}); }, "poisson_ratio", "[-]: must be in [0, 0.5]");
+  expect_error([&] { make(steel, rectangles(0, 2), {}); }, "grid.mx", "[-]");
+  expect_error([&] { make(steel, grid, {five, {}, {}}); }, "size of px", "[-]");
+  expect_error([&] { make(steel, grid, {{}, bad, {}}); }, "py", "[Pa]");
+  const InteriorField field = make(steel, grid, {{}, {}, good});
+  expect_error([&] { field.at({0, 0, -1e-9}); }, "depth", "[m]: must be at least 0");
+  expect_error([&] { field.at({inf, 0, 0}); }, "x", "[m]");
+  const std::vector<InteriorPoint> points = {{0, 0, 0}, {0, std::nan(""), 0}};
+  expect_error([&] { field.at(points); }, "y", "[m]");
+  expect_error([&] { InteriorLayers(field, -1); }, "margin", "[-]");
+  if (physical_memory() < 2e11) {
+    expect_error([&] { InteriorLayers(field, 10000); }, "points of a plane", "[-]: must be no more than");
+  }
+  InteriorLayers layers(field);
+  expect_error([&] { layers.at_depth(-1); }, "depth", "[m]: must be at least 0");
+}
+
+} // namespace
+} // namespace microslip
