@@ -2,10 +2,10 @@
 
 #include "validation/exact_cases.hpp"
 #include "validation/report.hpp"
+#include "validation/second_order.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -16,13 +16,36 @@
 namespace microslip::validation {
 namespace {
 
+enum class Solver { classical_from_nothing, classical, second_order };
+
 struct Run {
   int elements;
-  Start start;
+  Solver solver;
   double work_until; ///< share of the study's work up to its end
 };
-constexpr std::array runs = {Run{24, Start::no_tractions, 0.1}, Run{24, Start::fastsim2, 0.15},
-                             Run{48, Start::no_tractions, 0.7}, Run{48, Start::fastsim2, 1}};
+constexpr Run runs[] = {
+    {12, Solver::second_order, 0.005}, {12, Solver::classical, 0.01}, {12, Solver::classical_from_nothing, 0.015},
+    {24, Solver::second_order, 0.03},  {24, Solver::classical, 0.06}, {24, Solver::classical_from_nothing, 0.1},
+    {48, Solver::second_order, 0.2},   {48, Solver::classical, 0.45}, {48, Solver::classical_from_nothing, 1}};
+
+const char* describe(Solver solver) {
+  switch (solver) {
+  case Solver::classical_from_nothing:
+    return "classical, from no tractions";
+  case Solver::classical:
+    return "classical, from FASTSIM2's tractions";
+  case Solver::second_order:
+    return "second order, from FASTSIM2's tractions";
+  }
+  return "";
+}
+
+std::vector<ExactCase> solve(const std::vector<EllipticContact>& contacts, const Run& run,
+                             const StudyOptions& options) {
+  if (run.solver == Solver::second_order) return solve_at_second_order(contacts, run.elements, options);
+  return solve_exactly(contacts, run.elements, run.solver == Solver::classical ? Start::fastsim2 : Start::no_tractions,
+                       options);
+}
 
 std::string distribution(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -43,13 +66,12 @@ void report_run(Report& report, const Run& run, const std::vector<ExactCase>& ca
     worst = std::max(worst, c.residual);
     if (c.forces.status != Status::ok) ++failures;
   }
-  report.heading(fmt::format("{0} x {0} elements across the ellipse, from {1}", run.elements,
-                             run.start == Start::fastsim2 ? "FASTSIM2's tractions" : "no tractions"));
+  report.heading(fmt::format("{0} x {0} elements across the ellipse, {1}", run.elements, describe(run.solver)));
   report.figure("cases that do not converge", std::to_string(failures), "0", failures == 0);
   report.figure("largest residual", fmt::format("{:.3e}", worst), "<= 1e-6", worst <= 1e-6);
   report.line("Newton steps: " + distribution(steps));
   report.line("products:     " + distribution(products));
-  report.line(fmt::format("time:         {:.1f} s on {} thread{}, {:.1f} ms of a thread for a case", seconds, threads,
+  report.line(fmt::format("time:         {:.1f} s on {} thread{}, {:.2f} ms of a thread for a case", seconds, threads,
                           threads == 1 ? "" : "s", 1e3 * seconds * threads / double(cases.size())));
 }
 
@@ -65,7 +87,7 @@ bool run_exact_test_set(const StudyOptions& options, std::ostream& out) {
     part.progress = part_of(options.progress, begin, run.work_until);
     begin = run.work_until;
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<ExactCase> cases = solve_exactly(contacts, run.elements, run.start, part);
+    const std::vector<ExactCase> cases = solve(contacts, run, part);
     if (cases.empty()) return false;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     report_run(report, run, cases, wall.count(), options.threads);

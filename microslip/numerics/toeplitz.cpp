@@ -1,36 +1,14 @@
 #include "microslip/numerics/toeplitz.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/numerics/fftw.hpp"
 
 #include <algorithm>
-#include <mutex>
-
-#include <fftw3.h>
 
 namespace microslip {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// FFTW's planner is not safe from several threads; executing plans is.
-std::mutex& planner() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-fftw_complex* raw(Complex* z) {
-  return reinterpret_cast<fftw_complex*>(z);
-}
-
-/// The smallest number from n on that has only the factors 2, 3, 5, 7, for which transforms are fast.
-int good_size(int n) {
-  for (;; ++n) {
-    int rest = n;
-    for (int factor : {2, 3, 5, 7})
-      while (rest % factor == 0) rest /= factor;
-    if (rest == 1) return n;
-  }
-}
 
 /// z = k v, or z += k v, for complex numbers written out in real ones, which the compiler vectorises.
 void multiply(const double* k, const double* v, double* z, std::size_t size, bool add) {
@@ -43,28 +21,6 @@ void multiply(const double* k, const double* v, double* z, std::size_t size, boo
   }
 }
 
-template <class T> struct FreeFftw {
-  void operator()(T* memory) const { fftw_free(memory); }
-};
-template <class T> using Buffer = std::unique_ptr<T[], FreeFftw<T>>;
-template <class T> Buffer<T> allocate(std::size_t n) {
-  auto* memory = static_cast<T*>(fftw_malloc(n * sizeof(T)));
-  if (!memory) throw std::bad_alloc();
-  return Buffer<T>(memory);
-}
-
-struct DestroyPlan {
-  void operator()(fftw_plan plan) const {
-    const std::lock_guard lock(planner());
-    fftw_destroy_plan(plan);
-  }
-};
-using Plan = std::unique_ptr<fftw_plan_s, DestroyPlan>;
-Plan made(fftw_plan plan) {
-  if (!plan) throw Error("fft: FFTW cannot plan this transform");
-  return Plan(plan);
-}
-
 } // namespace
 
 /// Rows are transformed first, only those that are not zero; then columns, contiguous ones together. Padded rows have
@@ -73,37 +29,44 @@ struct ToeplitzTransform::Plans {
   int mx, my, components;
   int nx, ny;  ///< padded grid
   int columns; ///< nx/2 + 1
-  Buffer<Complex> loaded, work;
-  Plan rows_forward, columns_forward, columns_backward, rows_backward;
-  Plan kernel_rows;
+  fftw::Buffer<Complex> loaded, work;
+  fftw::Plan rows_forward, columns_forward, columns_backward, rows_backward;
+  fftw::Plan kernel_rows;
   int loaded_components = 0;
   long products = 0;
 
-  Plans(int x, int y, int n) : mx(x), my(y), components(n), nx(good_size(2 * x - 1)), ny(good_size(2 * y - 1)) {
+  Plans(int x, int y, int n)
+      : mx(x), my(y), components(n), nx(fftw::good_size(2 * x - 1)), ny(fftw::good_size(2 * y - 1)) {
     columns = nx / 2 + 1;
-    loaded = allocate<Complex>(size() * components);
-    work = allocate<Complex>(size());
-    const std::lock_guard lock(planner());
-    Complex* z = work.get();
-    auto* r = reinterpret_cast<double*>(z);
-    rows_forward = made(
-        fftw_plan_many_dft_r2c(1, &nx, my, r, nullptr, 1, 2 * columns, raw(z), nullptr, 1, columns, FFTW_ESTIMATE));
-    kernel_rows = made(
-        fftw_plan_many_dft_r2c(1, &nx, ny, r, nullptr, 1, 2 * columns, raw(z), nullptr, 1, columns, FFTW_ESTIMATE));
-    columns_forward = made(fftw_plan_many_dft(1, &ny, columns, raw(z), nullptr, columns, 1, raw(z), nullptr, columns, 1,
-                                              FFTW_FORWARD, FFTW_ESTIMATE));
-    columns_backward = made(fftw_plan_many_dft(1, &ny, columns, raw(z), nullptr, columns, 1, raw(z), nullptr, columns,
-                                               1, FFTW_BACKWARD, FFTW_ESTIMATE));
-    rows_backward = made(
-        fftw_plan_many_dft_c2r(1, &nx, my, raw(z), nullptr, 1, columns, r, nullptr, 1, 2 * columns, FFTW_ESTIMATE));
+    loaded = fftw::allocate<Complex>(size() * components);
+    work = fftw::allocate<Complex>(size());
+    fftw_complex* z = fftw::raw(work.get());
+    auto* r = reinterpret_cast<double*>(work.get());
+    const auto rows_plan = [&](int count) {
+      return fftw::make([&] {
+        return fftw_plan_many_dft_r2c(1, &nx, count, r, nullptr, 1, 2 * columns, z, nullptr, 1, columns, FFTW_ESTIMATE);
+      });
+    };
+    const auto columns_plan = [&](int sign) {
+      return fftw::make([&] {
+        return fftw_plan_many_dft(1, &ny, columns, z, nullptr, columns, 1, z, nullptr, columns, 1, sign, FFTW_ESTIMATE);
+      });
+    };
+    rows_forward = rows_plan(my);
+    kernel_rows = rows_plan(ny);
+    columns_forward = columns_plan(FFTW_FORWARD);
+    columns_backward = columns_plan(FFTW_BACKWARD);
+    rows_backward = fftw::make([&] {
+      return fftw_plan_many_dft_c2r(1, &nx, my, z, nullptr, 1, columns, r, nullptr, 1, 2 * columns, FFTW_ESTIMATE);
+    });
   }
 
   std::size_t size() const { return static_cast<std::size_t>(columns) * ny; }
   double* row(Complex* z, int j) const { return reinterpret_cast<double*>(z + static_cast<std::size_t>(j) * columns); }
 
   void forward(Complex* z, fftw_plan rows) {
-    fftw_execute_dft_r2c(rows, reinterpret_cast<double*>(z), raw(z));
-    fftw_execute_dft(columns_forward.get(), raw(z), raw(z));
+    fftw_execute_dft_r2c(rows, reinterpret_cast<double*>(z), fftw::raw(z));
+    fftw_execute_dft(columns_forward.get(), fftw::raw(z), fftw::raw(z));
   }
 };
 
@@ -117,7 +80,8 @@ ToeplitzTransform& ToeplitzTransform::operator=(ToeplitzTransform&&) noexcept = 
 ToeplitzTransform::~ToeplitzTransform() = default;
 
 std::size_t ToeplitzTransform::padded_size(int mx, int my) {
-  return (static_cast<std::size_t>(good_size(2 * mx - 1)) / 2 + 1) * static_cast<std::size_t>(good_size(2 * my - 1));
+  return (static_cast<std::size_t>(fftw::good_size(2 * mx - 1)) / 2 + 1) *
+         static_cast<std::size_t>(fftw::good_size(2 * my - 1));
 }
 
 int ToeplitzTransform::mx() const {
@@ -169,8 +133,8 @@ void ToeplitzTransform::apply(std::span<const Spectrum* const> kernels, std::spa
       const auto* v = reinterpret_cast<const double*>(p.loaded.get() + c * size);
       multiply(k, v, z, size, c > 0);
     }
-    fftw_execute_dft(p.columns_backward.get(), raw(p.work.get()), raw(p.work.get()));
-    fftw_execute_dft_c2r(p.rows_backward.get(), raw(p.work.get()), z);
+    fftw_execute_dft(p.columns_backward.get(), fftw::raw(p.work.get()), fftw::raw(p.work.get()));
+    fftw_execute_dft_c2r(p.rows_backward.get(), fftw::raw(p.work.get()), z);
     for (int j = 0; j < p.my; ++j)
       std::copy_n(p.row(p.work.get(), j), p.mx, out[r].data() + static_cast<std::size_t>(j) * p.mx);
   }

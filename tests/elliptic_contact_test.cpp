@@ -1,0 +1,297 @@
+#include "microslip/exact/elliptic_contact.hpp"
+
+#include "expect_error.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "test_cases.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr Discretisation both_discretisations[] = {Discretisation::second_order, Discretisation::classical};
+constexpr RollingDirection both_directions[] = {RollingDirection::forward, RollingDirection::backward};
+
+/// Steel under 82 kN with creepages in parts of those of saturation.
+EllipticContact steel_contact(double a, double b, double longitudinal, double lateral, double spin) {
+  EllipticContact contact;
+  contact.a = a;
+  contact.b = b;
+  contact.shear_modulus = 82e9;
+  contact.poisson_ratio = 0.28;
+  contact.normal_force = 82e3;
+  contact.friction = FrictionLaw::coulomb(0.3);
+  contact.rolling_speed = 20;
+  const Creepage unit = saturating_creepage(contact);
+  contact.creepage = {longitudinal * unit.longitudinal, lateral * unit.lateral, spin * unit.spin};
+  return contact;
+}
+EllipticContact mixed() {
+  return steel_contact(9e-3, 6e-3, 0.4, -0.5, 0.3);
+}
+
+ExactOptions options(int n, Discretisation discretisation = Discretisation::second_order,
+                     RollingDirection direction = RollingDirection::forward) {
+  return {.mx = n, .my = n, .discretisation = discretisation, .direction = direction, .tolerance = 1e-9};
+}
+
+ExactContact solve(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion = {}) {
+  return EllipticContactSolver(options).solve(contact, motion);
+}
+
+void expect_same(const ExactContact& one, const ExactContact& other) {
+  EXPECT_EQ(one.fields.px, other.fields.px);
+  EXPECT_EQ(one.fields.py, other.fields.py);
+  EXPECT_EQ(one.ux, other.ux);
+  EXPECT_EQ(one.pressure, other.pressure);
+  EXPECT_EQ(one.fields.forces.mz, other.fields.forces.mz);
+}
+
+TEST(EllipticContact, SecondOrderIsTheDefault) {
+  EXPECT_EQ(ExactOptions{}.discretisation, Discretisation::second_order);
+}
+
+/// Forces, areas, load and power are those of the fields.
+TEST(EllipticContact, TotalsAreSumsOverTheFields) {
+  for (const Discretisation discretisation : both_discretisations)
+    for (const RollingDirection direction : both_directions) {
+      const EllipticContact contact = mixed();
+      const ExactContact s = solve(options(14, discretisation, direction), contact);
+      const ContactFields& f = s.fields;
+      double fx = 0, fy = 0, mz = 0, bound = 0, load = 0, energy = 0, power = 0, slip = 0, adhesion = 0;
+      for (std::size_t k = 0; k < f.x.size(); ++k) {
+        fx += f.area[k] * f.px[k];
+        fy += f.area[k] * f.py[k];
+        mz += f.area[k] * (f.x[k] * f.py[k] - f.y[k] * f.px[k]);
+        bound += f.area[k] * f.bound[k];
+        load += f.area[k] * s.pressure[k];
+        energy += f.area[k] * (f.px[k] * s.ux[k] + f.py[k] * s.uy[k]) / 2;
+        power -= contact.rolling_speed * f.area[k] * (f.px[k] * f.sx[k] + f.py[k] * f.sy[k]);
+        slip += f.state[k] == CellState::slip ? f.area[k] : 0;
+        adhesion += f.state[k] == CellState::adhesion ? f.area[k] : 0;
+      }
+      const double unit = friction_force(contact);
+      EXPECT_NEAR(f.forces.fx, fx, 1e-12 * unit);
+      EXPECT_NEAR(f.forces.fy, fy, 1e-12 * unit);
+      EXPECT_NEAR(f.forces.mz, mz, 1e-12 * friction_moment(contact));
+      EXPECT_NEAR(bound, unit, 1e-12 * unit);
+      EXPECT_NEAR(load, contact.normal_force, 1e-12 * contact.normal_force);
+      EXPECT_NEAR(s.elastic_energy, energy, 1e-12 * energy);
+      EXPECT_NEAR(f.frictional_power, power, 1e-9 * power);
+      EXPECT_NEAR(f.forces.slip_area, slip, 1e-12 * slip);
+      EXPECT_NEAR(f.forces.adhesion_area, adhesion, 1e-12 * adhesion);
+    }
+}
+
+/// Rows go from the leading to the trailing edge, y grows from row to row.
+TEST(EllipticContact, RowsBeginAtTheLeadingEdge) {
+  for (const Discretisation discretisation : both_discretisations)
+    for (const RollingDirection direction : both_directions) {
+      const ContactFields f = solve(options(9, discretisation, direction), mixed()).fields;
+      const double side = direction == RollingDirection::forward ? 1 : -1;
+      for (std::size_t k = 0; k < f.x.size(); ++k) {
+        if (k % f.mx > 0) {
+          EXPECT_LT(side * f.x[k], side * f.x[k - 1]);
+        }
+        if (k >= static_cast<std::size_t>(f.mx)) {
+          EXPECT_GT(f.y[k], f.y[k - f.mx]);
+        }
+      }
+    }
+}
+
+/// Rolling along -x is the mirror image of rolling along x: xi, phi, Fx and Mz change their signs.
+TEST(EllipticContact, RollingBackwardIsTheMirrorImage) {
+  for (const Discretisation discretisation : both_discretisations) {
+    const ExactContact forward = solve(options(13, discretisation), mixed());
+    EllipticContact mirrored = mixed();
+    mirrored.creepage.longitudinal *= -1;
+    mirrored.creepage.spin *= -1;
+    const ExactContact s = solve(options(13, discretisation, RollingDirection::backward), mirrored);
+    const double unit = friction_force(mirrored);
+    EXPECT_NEAR(s.fields.forces.fx, -forward.fields.forces.fx, 1e-8 * unit);
+    EXPECT_NEAR(s.fields.forces.fy, forward.fields.forces.fy, 1e-8 * unit);
+    EXPECT_NEAR(s.fields.forces.mz, -forward.fields.forces.mz, 1e-8 * friction_moment(mirrored));
+    EXPECT_EQ(s.creepage.longitudinal, mirrored.creepage.longitudinal);
+    EXPECT_EQ(s.creepage.spin, mirrored.creepage.spin);
+    ASSERT_EQ(s.fields.mx, forward.fields.mx);
+    double peak = 0;
+    for (const double g : forward.fields.bound) peak = std::max(peak, g);
+    for (std::size_t k = 0; k < s.fields.px.size(); ++k) {
+      EXPECT_NEAR(s.fields.x[k], -forward.fields.x[k], 1e-15);
+      EXPECT_NEAR(s.fields.px[k], -forward.fields.px[k], 1e-5 * peak);
+      EXPECT_NEAR(s.fields.py[k], forward.fields.py[k], 1e-5 * peak);
+      EXPECT_NEAR(s.ux[k], -forward.ux[k], 1e-10);
+    }
+  }
+}
+
+/// Two discretisations of one problem: extrapolated, each at its order, they agree. The signs of both directions too.
+TEST(EllipticContact, BothDiscretisationsHaveTheSameLimit) {
+  for (const RollingDirection direction : both_directions)
+    for (const double sign : {1.0, -1.0}) {
+      const EllipticContact contact = steel_contact(9e-3, 6e-3, 0.4, -0.5, 0.3 * sign);
+      const auto limit = [&](Discretisation discretisation, double order) {
+        const ContactForces coarse = solve(options(20, discretisation, direction), contact).fields.forces;
+        const ContactForces fine = solve(options(40, discretisation, direction), contact).fields.forces;
+        const double more = 1 / (std::exp2(order) - 1);
+        return ContactForces{fine.fx + more * (fine.fx - coarse.fx), fine.fy + more * (fine.fy - coarse.fy),
+                             fine.mz + more * (fine.mz - coarse.mz)};
+      };
+      const ContactForces second = limit(Discretisation::second_order, 2), first = limit(Discretisation::classical, 1);
+      EXPECT_NEAR(second.fx, first.fx, 3e-3 * friction_force(contact));
+      EXPECT_NEAR(second.fy, first.fy, 3e-3 * friction_force(contact));
+      EXPECT_NEAR(second.mz, first.mz, 3e-3 * friction_moment(contact));
+    }
+}
+
+/// Shifts, transient rolling and steady rolling with a step that is given are classical all the same.
+TEST(EllipticContact, OtherMotionsAreClassical) {
+  std::vector<ExactMotion> motions(3);
+  motions[0].kind = ContactMotion::shift;
+  motions[1].kind = ContactMotion::transient;
+  motions[1].steps = 3;
+  motions[2].step = 1e-3;
+  for (const ExactMotion& motion : motions) {
+    EllipticContact contact = mixed();
+    if (motion.kind == ContactMotion::shift) contact.creepage = {3e-6, 2e-6, 0};
+    expect_same(solve(options(10), contact, motion), solve(options(10, Discretisation::classical), contact, motion));
+  }
+}
+
+TEST(EllipticContact, TransientRollingKeepsItsSteps) {
+  ExactMotion motion;
+  motion.kind = ContactMotion::transient;
+  motion.steps = 5;
+  const ExactContact s = solve(options(10), mixed(), motion);
+  ASSERT_EQ(s.history.size(), 5U);
+  EXPECT_EQ(s.history.back().forces.fx, s.fields.forces.fx);
+  int steps = 0, asked = 0;
+  for (const ExactStep& step : s.history) steps += step.newton_steps;
+  EXPECT_EQ(s.newton_steps, steps);
+  EXPECT_LT(std::abs(s.history[0].forces.fx), std::abs(s.history[4].forces.fx));
+  const ExactContact ended =
+      EllipticContactSolver(options(10)).solve(mixed(), motion, [&](double) { return ++asked < 2; });
+  EXPECT_EQ(ended.history.size(), 2U);
+}
+
+TEST(EllipticContact, ForcesLeadBackToTheCreepages) {
+  for (const RollingDirection direction : both_directions) {
+    const EllipticContact contact = mixed();
+    const ExactContact given = solve(options(12, Discretisation::second_order, direction), contact);
+    ExactMotion motion;
+    motion.force_x = given.fields.forces.fx;
+    motion.force_y = given.fields.forces.fy;
+    EllipticContact unknown = contact;
+    unknown.creepage.longitudinal = 5;
+    unknown.creepage.lateral = -7;
+    const ExactContact s = solve(options(12, Discretisation::second_order, direction), unknown, motion);
+    const double size = std::hypot(contact.creepage.longitudinal, contact.creepage.lateral);
+    EXPECT_EQ(s.fields.forces.status, Status::ok);
+    EXPECT_NEAR(s.creepage.longitudinal, contact.creepage.longitudinal, 1e-3 * size);
+    EXPECT_NEAR(s.creepage.lateral, contact.creepage.lateral, 1e-3 * size);
+    EXPECT_NEAR(s.fields.forces.fx, *motion.force_x, 1e-8 * friction_force(contact));
+    EXPECT_NEAR(s.fields.forces.fy, *motion.force_y, 1e-8 * friction_force(contact));
+  }
+}
+
+/// What a solver has done before leaves no trace, whatever it was.
+TEST(EllipticContact, SolversCanBeUsedForOneContactAfterTheOther) {
+  EllipticContactSolver solver(options(9));
+  ExactMotion transient;
+  transient.kind = ContactMotion::transient;
+  EllipticContact other = steel_contact(5e-3, 7e-3, 0.2, 0.3, -0.4), rubber = mixed();
+  rubber.shear_modulus = 1e6;
+  rubber.poisson_ratio = 0.5;
+  rubber.normal_force = 10;
+  for (const EllipticContact& contact : {mixed(), other, mixed(), rubber, mixed()})
+    for (const ExactMotion& motion : {ExactMotion{}, transient, ExactMotion{}})
+      expect_same(solver.solve(contact, motion), solve(options(9), contact, motion));
+}
+
+/// Frictional power in two ways: their difference, and that of the areas to the ellipse, vanish with the grid.
+TEST(EllipticContact, PowersAgreeInTheLimit) {
+  const EllipticContact contact = mixed();
+  double last = 1;
+  for (const int n : {12, 24, 48}) {
+    const ExactContact s = solve(options(n), contact);
+    const double difference = std::abs(1 - s.fields.frictional_power / s.power_by_creepage);
+    EXPECT_LT(difference, 0.7 * last) << n;
+    last = difference;
+  }
+  EXPECT_LT(last, 0.1);
+}
+
+TEST(EllipticContact, ApproachIsHertz) {
+  const EllipticContact contact = mixed();
+  const double hertz = hertz_from_ellipse(contact.a, contact.b, {82e9, 0.28, 0}, contact.normal_force).approach;
+  EXPECT_NEAR(solve(options(10), contact).approach, hertz, 1e-14 * hertz);
+  EXPECT_NEAR(solve(options(30, Discretisation::classical), contact).approach, hertz, 1e-3 * hertz);
+}
+
+/// Zero where the bodies touch, positive around.
+TEST(EllipticContact, DeformedGap) {
+  for (const Discretisation discretisation : both_discretisations) {
+    const EllipticContactSolver solver(options(12, discretisation));
+    const EllipticContact contact = mixed();
+    const auto gap = solver.deformed_gap(contact);
+    const ExactContact s = solve(options(12, discretisation), contact);
+    ASSERT_EQ(gap.size(), s.pressure.size());
+    for (std::size_t k = 0; k < gap.size(); ++k) {
+      const double x = s.fields.x[k] / contact.a, y = s.fields.y[k] / contact.b;
+      if (x * x + y * y < 0.8) {
+        EXPECT_NEAR(gap[k], 0, 1e-6 * s.approach);
+      }
+      if (x * x + y * y > 1.3) {
+        EXPECT_GT(gap[k], 1e-3 * s.approach);
+      }
+    }
+  }
+}
+
+TEST(EllipticContact, InputOutOfRangeIsAStatus) {
+  constexpr double bad[] = {0, -1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+  for (const Discretisation discretisation : both_discretisations) {
+    EllipticContactSolver solver(options(6, discretisation));
+    const auto expect_invalid = [&](const EllipticContact& contact, const ExactMotion& motion = {}) {
+      const ExactContact s = solver.solve(contact, motion);
+      EXPECT_EQ(s.fields.forces.status, Status::invalid_input);
+      EXPECT_TRUE(std::isnan(s.fields.forces.fx));
+    };
+    for (const auto member : {&EllipticContact::a, &EllipticContact::b, &EllipticContact::shear_modulus,
+                              &EllipticContact::normal_force, &EllipticContact::rolling_speed})
+      for (const double value : bad) {
+        EllipticContact contact = mixed();
+        contact.*member = value;
+        expect_invalid(contact);
+      }
+    for (const double value : {-0.1, 0.51, bad[2]}) {
+      EllipticContact contact = mixed();
+      contact.poisson_ratio = value;
+      expect_invalid(contact);
+    }
+    for (const double value : {bad[2], bad[3]}) {
+      EllipticContact contact = mixed();
+      contact.creepage.spin = value;
+      expect_invalid(contact);
+      ExactMotion motion;
+      motion.force_x = value;
+      expect_invalid(mixed(), motion);
+    }
+    EXPECT_EQ(solver.solve(mixed()).fields.forces.status, Status::ok);
+  }
+}
+
+TEST(EllipticContact, RefusesOptionsOutOfRange) {
+  expect_error([] { EllipticContactSolver({.mx = 0}); }, "mx", "[-]: must be in [1, 4000]");
+  expect_error([] { EllipticContactSolver({.my = 4001}); }, "my", "[-]: must be in [1, 4000]");
+  expect_error([] { EllipticContactSolver({.tolerance = 0}); }, "tolerance", "[-]: must be in [1e-14, 1]");
+}
+
+} // namespace
+} // namespace microslip

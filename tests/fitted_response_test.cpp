@@ -1,0 +1,198 @@
+#include "microslip/exact/fitted_response.hpp"
+
+#include "microslip/elasticity/influence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+constexpr CombinedMaterial steel = {82e9, 0.28, 0};
+
+/// What every element does to the centres and the ends of all, from the closed forms; in the order x, y.
+struct DenseResponse {
+  DenseResponse(const CombinedMaterial& material, const FittedContact& contact) : elements(contact.elements) {
+    const std::size_t n = elements.size();
+    for (auto* field : {&at_centre, &at_end}) field->resize(4 * n * n);
+    for (std::size_t to = 0; to < n; ++to)
+      for (std::size_t from = 0; from < n; ++from) {
+        const FittedElement &e = elements[to], &source = elements[from];
+        const double y = contact.grid.y(e.row) - contact.grid.y(source.row);
+        const auto fill = [&](Field& field, double x) {
+          const Influence a = influence(material, source.width(), contact.grid.dy, x - source.centre(), y);
+          const double block[2][2] = {{a.xx, a.xy}, {a.xy, a.yy}};
+          for (std::size_t c = 0; c < 2; ++c)
+            for (std::size_t d = 0; d < 2; ++d) field[((c * n + to) * 2 + d) * n + from] = block[c][d];
+        };
+        fill(at_centre, e.centre());
+        fill(at_end, e.end);
+      }
+  }
+
+  /// Component c at element `to` from the traction d at element `from`.
+  double displacement(std::size_t c, std::size_t to, std::size_t d, std::size_t from) const {
+    return at_centre[((c * elements.size() + to) * 2 + d) * elements.size() + from];
+  }
+  double slip(std::size_t c, std::size_t to, std::size_t d, std::size_t from) const {
+    const std::size_t k = ((c * elements.size() + to) * 2 + d) * elements.size() + from;
+    return (at_centre[k] - at_end[k]) / (elements[to].end - elements[to].centre());
+  }
+
+  const std::vector<FittedElement>& elements;
+  Field at_centre, at_end;
+};
+
+using Pair = std::array<Field, 2>;
+
+/// Largest errors of displacement at the centres and of slip, over those that an element of the grid makes to itself.
+struct Errors {
+  double displacement = 0, slip = 0;
+};
+
+/// Of each element's influence on each.
+Errors errors(const CombinedMaterial& material, const FittedContact& contact) {
+  const DenseResponse dense(material, contact);
+  FittedResponse response(material, contact);
+  const std::size_t n = contact.elements.size();
+  const ElementGrid& grid = contact.grid;
+  const Influence own = influence(material, grid.dx, grid.dy, 0, 0);
+  Pair p{Field(n, 0.0), Field(n, 0.0)}, s = p;
+  Errors worst;
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t from = 0; from < n; ++from) {
+      p[d][from] = 1;
+      response.apply(p[0], p[1], s[0], s[1]);
+      p[d][from] = 0;
+      const std::array u = {response.ux(), response.uy()};
+      for (std::size_t c = 0; c < 2; ++c)
+        for (std::size_t to = 0; to < n; ++to) {
+          const double in_u = u[c][to] - dense.displacement(c, to, d, from);
+          const double in_s = s[c][to] - dense.slip(c, to, d, from);
+          worst.displacement = std::max(worst.displacement, std::abs(in_u) / own.xx);
+          worst.slip = std::max(worst.slip, std::abs(in_s) / response.diagonal());
+        }
+    }
+  return worst;
+}
+
+/// Of the slip by tractions like those of a contact, as a 2-norm over the elements relative to the slip.
+double error_of_smooth_tractions(const FittedContact& contact) {
+  const DenseResponse dense(steel, contact);
+  FittedResponse response(steel, contact);
+  const std::size_t n = contact.elements.size();
+  Pair p{contact.load_share, contact.load_share}, s{Field(n), Field(n)};
+  for (double& py : p[1]) py *= 0.5;
+  response.apply(p[0], p[1], s[0], s[1]);
+  double error = 0, size = 0;
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t to = 0; to < n; ++to) {
+      double exact = 0;
+      for (std::size_t d = 0; d < 2; ++d)
+        for (std::size_t from = 0; from < n; ++from) exact += dense.slip(c, to, d, from) * p[d][from];
+      error += std::pow(s[c][to] - exact, 2);
+      size += exact * exact;
+    }
+  return std::sqrt(error / size);
+}
+
+/// n x m elements whose sides dx/dy have that ratio.
+FittedContact contact_of(int n, int m, double ratio) {
+  return fit_ellipse(2e-3 * ratio * n / m, 2e-3, n, m);
+}
+
+struct Shape {
+  int n, m;
+};
+constexpr std::array ratios = {0.05, 0.2, 1.0, 5.0, 20.0};
+
+/// All elements are near each other, in rows no longer than the polynomials' nodes.
+TEST(FittedResponse, IsTheDenseProductOnTinyGrids) {
+  for (const auto& [n, m] : {Shape{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 2}})
+    for (const double ratio : ratios)
+      for (const double poisson_ratio : {0.0, 0.28, 0.5}) {
+        const Errors e = errors({82e9, poisson_ratio, 0}, contact_of(n, m, ratio));
+        EXPECT_LT(e.displacement, 1e-13) << n << " x " << m << ", dx/dy = " << ratio;
+        EXPECT_LT(e.slip, 1e-13) << n << " x " << m << ", dx/dy = " << ratio;
+      }
+}
+
+/// About 1e-4 in displacements, at worst 1.11e-4 (21 x 9 elements, dx/dy = .2). Slip is a difference of two of them:
+/// where elements are short against their width its own value is less, and the error relative to it more.
+TEST(FittedResponse, IsTheDenseProductToItsAccuracy) {
+  for (const auto& [n, m] : {Shape{1, 7}, {7, 1}, {3, 3}, {4, 5}, {8, 8}, {13, 12}, {21, 9}, {9, 20}})
+    for (const double ratio : ratios) {
+      const Errors e = errors(steel, contact_of(n, m, ratio));
+      EXPECT_LT(e.displacement, 1.2e-4) << n << " x " << m << ", dx/dy = " << ratio;
+      EXPECT_LT(e.slip, ratio < 1 ? 3e-4 : 1e-4) << n << " x " << m << ", dx/dy = " << ratio;
+    }
+}
+
+/// What is left is of changing sign, and nearly cancels in a sum.
+TEST(FittedResponse, SlipOfSmoothTractions) {
+  for (const int n : {8, 12, 16, 24})
+    for (const double ratio : ratios)
+      EXPECT_LT(error_of_smooth_tractions(contact_of(n, n, ratio)), 4e-5) << n << ", dx/dy = " << ratio;
+}
+
+/// Rows may have several runs of elements, each with an edge of its own.
+TEST(FittedResponse, TwoPatchesInTheSameRows) {
+  const FittedContact one = contact_of(7, 6, 1);
+  constexpr int apart = 9;
+  FittedContact two;
+  two.grid = one.grid;
+  two.grid.mx += apart;
+  std::size_t k = 0;
+  for (int row = 0; row < one.grid.my; ++row) {
+    const std::size_t first = k;
+    for (const bool second : {false, true})
+      for (k = first; k < one.elements.size() && one.elements[k].row == row; ++k) {
+        FittedElement e = one.elements[k];
+        const double moved = second ? apart * one.grid.dx : 0;
+        e.cell = static_cast<std::size_t>(row) * two.grid.mx + e.cell % one.grid.mx + (second ? apart : 0);
+        e.left += moved, e.right += moved, e.end += moved;
+        two.elements.push_back(e);
+        two.load_share.push_back(one.load_share[k]);
+      }
+  }
+  ASSERT_EQ(two.elements.size(), 2 * one.elements.size());
+  const Errors e = errors(steel, two);
+  EXPECT_LT(e.displacement, 1.2e-4);
+  EXPECT_LT(e.slip, 1e-4);
+}
+
+TEST(FittedResponse, DiagonalIsThatOfARegularElement) {
+  const FittedContact contact = contact_of(12, 12, 0.7);
+  const FittedResponse response(steel, contact);
+  const DenseResponse dense(steel, contact);
+  std::size_t checked = 0;
+  for (std::size_t k = 0; k < contact.elements.size(); ++k)
+    if (!contact.elements[k].leads && !contact.elements[k + 1].leads) {
+      EXPECT_NEAR(response.diagonal(), (dense.slip(0, k, 0, k) + dense.slip(1, k, 1, k)) / 2,
+                  1e-12 * response.diagonal());
+      ++checked;
+    }
+  EXPECT_GT(checked, 50U);
+}
+
+/// What was done before leaves no trace, and products are counted.
+TEST(FittedResponse, CanBeUsedAgain) {
+  const FittedContact contact = contact_of(8, 8, 1);
+  const std::size_t n = contact.elements.size();
+  FittedResponse response(steel, contact);
+  Pair first{Field(n), Field(n)}, again = first;
+  response.apply(contact.load_share, contact.load_share, first[0], first[1]);
+  response.apply(Field(n, 1.0), Field(n, -2.0), again[0], again[1]);
+  response.apply(contact.load_share, contact.load_share, again[0], again[1]);
+  EXPECT_EQ(again, first);
+  EXPECT_EQ(response.products(), 3);
+}
+
+} // namespace
+} // namespace microslip

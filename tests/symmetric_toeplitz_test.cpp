@@ -1,0 +1,222 @@
+#include "microslip/numerics/symmetric_toeplitz.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+struct Shape {
+  int mx, my;
+
+  std::size_t count() const { return static_cast<std::size_t>(mx) * my; }
+};
+
+std::string text(const Shape& s) {
+  return std::to_string(s.mx) + " x " + std::to_string(s.my);
+}
+
+Field random_field(std::size_t size, unsigned seed) {
+  std::mt19937 engine(seed);
+  Field field(size);
+  for (double& value : field) value = static_cast<double>(engine()) * 0x1p-31 - 1;
+  return field;
+}
+
+/// Kernels with the symmetries of SymmetricToeplitz: random for the offsets 0 .. mx - 1, 0 .. my - 1. xy, being odd, is
+/// zero where one of the offsets is.
+struct RandomKernels {
+  RandomKernels(const Shape& s, unsigned seed)
+      : shape(s), xx(random_field(s.count(), seed)), xy(random_field(s.count(), seed + 1)),
+        yy(random_field(s.count(), seed + 2)) {
+    for (int i = 0; i < s.mx; ++i) xy[i] = 0;
+    for (int j = 0; j < s.my; ++j) xy[static_cast<std::size_t>(j) * s.mx] = 0;
+  }
+
+  SymmetricToeplitz transform() const { return {shape.mx, shape.my, {xx, xy, yy}}; }
+  std::size_t index(int i, int j) const { return static_cast<std::size_t>(std::abs(j)) * shape.mx + std::abs(i); }
+
+  Shape shape;
+  Field xx, xy, yy;
+};
+
+/// Components of a vector field, one after the other.
+using Pair = std::array<Field, 2>;
+
+Pair random_pair(const Shape& s, unsigned seed) {
+  return {random_field(s.count(), seed), random_field(s.count(), seed + 1)};
+}
+
+/// The sums at one element.
+std::array<double, 2> dense_product_at(const RandomKernels& kernels, const Pair& p, int i, int j) {
+  const auto& [mx, my] = kernels.shape;
+  double ux = 0, uy = 0;
+  for (int l = 0; l < my; ++l)
+    for (int k = 0; k < mx; ++k) {
+      const std::size_t offset = kernels.index(i - k, j - l), from = static_cast<std::size_t>(l) * mx + k;
+      const double xy = (i < k) == (j < l) ? kernels.xy[offset] : -kernels.xy[offset];
+      ux += kernels.xx[offset] * p[0][from] + xy * p[1][from];
+      uy += xy * p[0][from] + kernels.yy[offset] * p[1][from];
+    }
+  return {ux, uy};
+}
+
+Pair product(SymmetricToeplitz& transform, const Pair& p) {
+  Pair u{Field(p[0].size()), Field(p[0].size())};
+  transform.apply(p[0], p[1], u[0], u[1]);
+  return u;
+}
+
+/// Largest difference to the dense product over the root mean square of its sums, at every `stride`-th element.
+double error(const RandomKernels& kernels, const Pair& p, const Pair& u, std::size_t stride = 1) {
+  double worst = 0, squares = 0;
+  std::size_t sums = 0;
+  for (std::size_t k = 0; k < u[0].size(); k += stride) {
+    const auto exact =
+        dense_product_at(kernels, p, static_cast<int>(k % kernels.shape.mx), static_cast<int>(k / kernels.shape.mx));
+    for (std::size_t c = 0; c < 2; ++c, ++sums) {
+      worst = std::max(worst, std::abs(u[c][k] - exact[c]));
+      squares += exact[c] * exact[c];
+    }
+  }
+  return worst / std::sqrt(squares / static_cast<double>(sums));
+}
+
+/// A grid that the transforms do in several threads.
+constexpr Shape large{130, 171};
+
+/// Number of OpenMP threads while it lives.
+class Threads {
+public:
+  explicit Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+  ~Threads() { omp_set_num_threads(before_); }
+
+private:
+  int before_;
+};
+
+TEST(SymmetricToeplitz, IsTheDenseProduct) {
+  for (int mx = 1; mx <= 12; ++mx)
+    for (int my = 1; my <= 12; ++my) {
+      const Shape s{mx, my};
+      const RandomKernels kernels(s, 3);
+      SymmetricToeplitz transform = kernels.transform();
+      const Pair p = random_pair(s, 7);
+      EXPECT_LT(error(kernels, p, product(transform, p)), 1e-13) << text(s);
+    }
+}
+
+TEST(SymmetricToeplitz, IsTheDenseProductOnLongAndLargeGrids) {
+  for (const Shape& s : {Shape{301, 1}, {1, 301}, {97, 2}, {2, 97}, {61, 48}, large}) {
+    const RandomKernels kernels(s, 3);
+    SymmetricToeplitz transform = kernels.transform();
+    const Pair p = random_pair(s, 7);
+    EXPECT_LT(error(kernels, p, product(transform, p), s.count() / 200 + 1), 1e-13) << text(s);
+  }
+}
+
+/// A unit gives the kernel around it back, so that each number of a kernel is seen for itself and nothing wraps around.
+TEST(SymmetricToeplitz, UnitsGiveTheKernelsBack) {
+  for (const Shape& s : {Shape{1, 1}, {2, 3}, {7, 4}, {12, 12}}) {
+    const RandomKernels kernels(s, 11);
+    SymmetricToeplitz transform = kernels.transform();
+    for (std::size_t place = 0; place < s.count(); ++place)
+      for (std::size_t c = 0; c < 2; ++c) {
+        Pair p{Field(s.count(), 0.0), Field(s.count(), 0.0)};
+        p[c][place] = 1;
+        EXPECT_LT(error(kernels, p, product(transform, p)), 1e-14) << text(s) << ' ' << place << ' ' << c;
+      }
+  }
+}
+
+/// Threads share out rows and columns, which are transformed alike whoever does it.
+TEST(SymmetricToeplitz, NumberOfThreadsDoesNotMatterToTheLastBit) {
+  const RandomKernels kernels(large, 21);
+  const Pair p = random_pair(large, 22);
+  std::vector<Pair> results;
+  for (const int count : {1, 2, 3}) {
+    const Threads threads(count);
+    SymmetricToeplitz transform = kernels.transform();
+    results.push_back(product(transform, p));
+  }
+  EXPECT_EQ(results[1], results[0]);
+  EXPECT_EQ(results[2], results[0]);
+}
+
+/// The threads that there are when it is used may be fewer than when it was made, as inside of a parallel region.
+TEST(SymmetricToeplitz, FewerThreadsThanItWasMadeFor) {
+  const RandomKernels kernels(large, 31);
+  const Pair p = random_pair(large, 32);
+  const Threads threads(3);
+  SymmetricToeplitz transform = kernels.transform();
+  const Pair with_three = product(transform, p);
+  const int levels = omp_get_max_active_levels();
+  omp_set_max_active_levels(0);
+  const Pair with_one = product(transform, p);
+  omp_set_max_active_levels(levels);
+  EXPECT_EQ(with_one, with_three);
+}
+
+/// What was done before leaves no trace, and input may be output.
+TEST(SymmetricToeplitz, CanBeUsedAgainAndInPlace) {
+  for (const Shape& s : {Shape{9, 5}, {12, 16}}) {
+    const RandomKernels kernels(s, 41);
+    SymmetricToeplitz transform = kernels.transform();
+    const Pair p = random_pair(s, 42);
+    const Pair first = product(transform, p);
+    product(transform, random_pair(s, 43));
+    EXPECT_EQ(product(transform, p), first);
+    EXPECT_EQ(transform.products(), 3);
+    Pair in_place = p;
+    transform.apply(in_place[0], in_place[1], in_place[0], in_place[1]);
+    EXPECT_EQ(in_place, first);
+  }
+}
+
+TEST(SymmetricToeplitz, MovedObjectsWork) {
+  const Shape s{6, 4};
+  const RandomKernels kernels(s, 51), others({3, 3}, 52);
+  const Pair p = random_pair(s, 53);
+  SymmetricToeplitz transform = kernels.transform();
+  SymmetricToeplitz moved(std::move(transform));
+  EXPECT_LT(error(kernels, p, product(moved, p)), 1e-13);
+  SymmetricToeplitz assigned = others.transform();
+  assigned = std::move(moved);
+  EXPECT_LT(error(kernels, p, product(assigned, p)), 1e-13);
+}
+
+/// Objects made, used and destroyed in two threads at once.
+TEST(SymmetricToeplitz, DistinctObjectsInDistinctThreads) {
+  std::array<double, 2> worst{};
+  const auto work = [&worst](unsigned thread) {
+    for (unsigned round = 0; round < 40; ++round) {
+      const Shape s{3 + static_cast<int>(7 * thread + round % 9), 5 + static_cast<int>(round % 4)};
+      const RandomKernels kernels(s, 100 * thread + round);
+      SymmetricToeplitz transform = kernels.transform();
+      const Pair p = random_pair(s, 7 * round + thread);
+      worst[thread] = std::max(worst[thread], error(kernels, p, product(transform, p)));
+    }
+  };
+  std::thread first(work, 0U), second(work, 1U);
+  first.join();
+  second.join();
+  EXPECT_LT(worst[0], 1e-13);
+  EXPECT_LT(worst[1], 1e-13);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,348 @@
+#include "validation/second_order.hpp"
+
+#include "microslip/elasticity/influence.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/edge_element.hpp"
+#include "microslip/exact/elliptic_contact.hpp"
+#include "validation/error_statistics.hpp"
+#include "validation/hertzian_solve.hpp"
+#include "validation/relative_forces.hpp"
+#include "validation/report.hpp"
+#include "validation/test_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <omp.h>
+
+namespace microslip::validation {
+namespace {
+
+using std::numbers::pi;
+using Field = std::vector<double>;
+
+constexpr CombinedMaterial steel = {82e9, 0.28, 0};
+
+// Figure 1: order
+
+constexpr std::array order_grids = {8, 12, 16, 24, 32, 48, 64, 96};
+
+/// A line contact of the half-width 1 with a leading element fitted to the edge; slip as in FittedResponse, dense.
+class FittedLine : public SlipResponse {
+public:
+  explicit FittedLine(int n) : h_(2.0 / n) {
+    // A whole element from the edge is within the range of distances for every n.
+    const double rear = 1 - h_;
+    for (int i = 0; i < n; ++i) left_.push_back(-1 + i * h_);
+    left_.push_back(rear + leading_element_width(1) * h_);
+  }
+
+  std::size_t size() const { return left_.size() - 1; }
+  double width(std::size_t i) const { return left_[i + 1] - left_[i]; }
+  double element() const { return h_; }
+
+  /// The mean of sqrt(1 - x^2) over the area that each element stands for.
+  Field bound() const {
+    const auto integral = [](double x) { return (x * std::sqrt(1 - x * x) + std::asin(x)) / 2; };
+    Field mean(size());
+    for (std::size_t i = 0; i < size(); ++i)
+      mean[i] = (integral(i + 1 < size() ? left_[i + 1] : 1) - integral(left_[i])) / width(i);
+    return mean;
+  }
+
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+             std::span<double> sy) override {
+    ++products_;
+    for (std::size_t i = 0; i < size(); ++i) {
+      sx[i] = sy[i] = 0;
+      for (std::size_t j = 0; j < size(); ++j) {
+        const Influence a = growth(i, j);
+        sx[i] += a.xx * px[j];
+        sy[i] += a.yy * py[j];
+      }
+    }
+  }
+  double diagonal() const override {
+    const Influence a = growth(0, 0);
+    return (a.xx + a.yy) / 2;
+  }
+  long products() const override { return products_; }
+
+private:
+  double centre(std::size_t i) const { return (left_[i] + left_[i + 1]) / 2; }
+
+  Influence growth(std::size_t i, std::size_t j) const {
+    const double x = centre(i), end = i + 1 < size() ? centre(i + 1) : left_.back() + h_ / 2;
+    const Influence here = line_influence(steel, width(j), x - centre(j), 1);
+    const Influence there = line_influence(steel, width(j), end - centre(j), 1);
+    return {(here.xx - there.xx) / (end - x), 0, (here.yy - there.yy) / (end - x), 0, 0, 0};
+  }
+
+  double h_;
+  Field left_;
+  long products_ = 0;
+};
+
+/// Carter: the adhesion area has the half-width alpha, the force is 1 - alpha^2 of the bound's integral pi/2. Its error
+/// over that integral.
+double carter_error(int n, double alpha) {
+  FittedLine line(n);
+  const Field bound = line.bound();
+  // Carter's tractions, whose bound is sqrt(1 - x^2) here, make displacements grow at this rate where they adhere.
+  const double creepage = 2 * (1 - steel.poisson_ratio) / steel.shear_modulus * (1 - alpha);
+  const Field cx(line.size(), creepage), cy(line.size(), 0.0);
+  const FrictionProblem problem{.response = line, .bound = bound, .cx = cx, .cy = cy, .element_area = line.element()};
+  FrictionNewton newton;
+  const FrictionSolution s = newton.solve(problem, {.tolerance = 1e-10});
+  if (s.status != Status::ok) throw Error("Carter's problem: not converged");
+  double force = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) force -= s.px[i] * line.width(i);
+  return force / (pi / 2) - (1 - alpha * alpha);
+}
+
+/// -Fx/(mu Fn) in the test of the refinement paper at a creepage.
+double paper_force(int n, double creepage) {
+  constexpr double friction = 0.3;
+  EllipticContact contact;
+  contact.a = 5e-3;
+  contact.b = 25e-3;
+  contact.shear_modulus = steel.shear_modulus;
+  contact.poisson_ratio = steel.poisson_ratio;
+  contact.normal_force = 1.3e-6 * steel.shear_modulus;
+  contact.friction = FrictionLaw::coulomb(friction);
+  contact.creepage.longitudinal = creepage;
+  const ExactContact s = EllipticContactSolver({.mx = n, .my = n, .tolerance = 1e-8}).solve(contact);
+  if (s.fields.forces.status != Status::ok) throw Error("the refinement paper's test: not converged");
+  return -s.fields.forces.fx / (friction * contact.normal_force);
+}
+
+/// Prints errors on order_grids and their ratios from n to 2 n elements, and judges the mean order from the first to
+/// the last grid.
+void report_order(Report& report, const std::string& name, const std::array<double, order_grids.size()>& errors) {
+  std::string values, ratios;
+  for (std::size_t g = 0; g < order_grids.size(); ++g) {
+    values += fmt::format("{:>10.1e}", errors[g]);
+    const auto half = std::find(order_grids.begin(), order_grids.end(), order_grids[g] / 2);
+    ratios += half == order_grids.end() ? fmt::format("{:>10}", "")
+                                        : fmt::format("{:>10.2f}", errors[half - order_grids.begin()] / errors[g]);
+  }
+  report.line(fmt::format("{:<18}{}", name, values));
+  report.line(fmt::format("{:<18}{}", "  from half of it", ratios));
+  const double order =
+      std::log(errors.front() / errors.back()) / std::log(double(order_grids.back()) / order_grids.front());
+  report.figure("  mean order, 8 to 96", fmt::format("{:.2f}", order), ">= 1.8", order >= 1.8);
+}
+
+/// Root mean square over several cases, from error(n, case): where the edge of slip lies within its element changes an
+/// error of second order up to its sign.
+template <class Cases, class ErrorOf>
+std::array<double, order_grids.size()> mean_errors(const Cases& cases, const ErrorOf& error) {
+  std::array<double, order_grids.size()> mean{};
+  for (std::size_t g = 0; g < order_grids.size(); ++g) {
+    for (const auto& each : cases) mean[g] += std::pow(error(order_grids[g], each), 2) / double(std::size(cases));
+    mean[g] = std::sqrt(mean[g]);
+  }
+  return mean;
+}
+
+/// A creepage of the refinement paper's test, and the force that it has in the limit.
+struct PaperCase {
+  double creepage, force;
+};
+
+PaperCase paper_case(double creepage) {
+  return {creepage, limit(paper_force(96, creepage), 96, paper_force(192, creepage), 192, 2)};
+}
+
+void report_orders(Report& report) {
+  std::string heads;
+  for (const int n : order_grids) heads += fmt::format("{:>10}", n);
+  report.heading("Order: errors of Fx over mu Fn, elements across");
+  report.line(fmt::format("{:<18}{}", "", heads));
+  report_order(report, "Carter, alpha .5", mean_errors(std::array{0.5}, carter_error));
+  report_order(report, "Carter, rms of 9",
+               mean_errors(std::array{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, carter_error));
+  const auto error = [](int n, const PaperCase& c) { return paper_force(n, c.creepage) - c.force; };
+  const PaperCase printed = paper_case(0.000857);
+  report_order(report, "paper's test", mean_errors(std::array{printed}, error));
+  report_order(report, "same, rms of 4",
+               mean_errors(std::array{paper_case(0.0003), paper_case(0.0006), printed, paper_case(0.0012)}, error));
+  report.figure("-Fx/(mu Fn), extrapolated from 96 and 192", fmt::format("{:.5f}", printed.force), ".7128",
+                std::abs(printed.force - 0.7128) <= 5e-4);
+}
+
+// Figure 2: accuracy
+
+constexpr const char* reference_file = MICROSLIP_REFERENCE_DATA "/exact_theory_112.csv";
+
+/// Contacts of our test set, and forces that CONTACT extrapolates from 31 and 63 elements.
+struct ReferenceCases {
+  std::vector<EllipticContact> contacts;
+  std::vector<RelativeForces> forces;
+};
+
+ReferenceCases read_reference() {
+  ReferenceCases cases;
+  const auto all = test_set_contacts();
+  std::ifstream in(reference_file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] < '0' || line[0] > '9') continue; // remarks and heads
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream text(line);
+    std::array<double, 20> v{};
+    for (double& value : v) text >> value;
+    if (!text || v[0] < 1 || v[0] > double(all.size()))
+      throw Error(std::string(reference_file) + ": a line has not the columns expected");
+    cases.contacts.push_back(all[static_cast<std::size_t>(v[0]) - 1]);
+    cases.forces.push_back({v[17], v[18], v[19]});
+  }
+  return cases;
+}
+
+using Results = std::vector<RelativeForces>;
+
+Results extrapolated(const Results& coarse, int coarse_elements, const Results& fine, int fine_elements) {
+  Results limits;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    const auto of = [&](double RelativeForces::*component) {
+      return limit(coarse[i].*component, coarse_elements, fine[i].*component, fine_elements, 2);
+    };
+    limits.push_back({of(&RelativeForces::fx), of(&RelativeForces::fy), of(&RelativeForces::mz)});
+  }
+  return limits;
+}
+
+std::array<double, 3> rms(const Results& results, const Results& reference) {
+  std::array<double, 3> values{};
+  const std::array components = {&RelativeForces::fx, &RelativeForces::fy, &RelativeForces::mz};
+  for (std::size_t c = 0; c < 3; ++c) {
+    auto e = differences(results, reference, components[c]);
+    values[c] = statistics(e).rms;
+  }
+  return values;
+}
+
+constexpr std::array accuracy_grids = {8, 12, 16, 24, 48, 96};
+/// Work on a grid, in that on the finest.
+double work(int n) {
+  return std::pow(n / 96.0, 2.5);
+}
+
+/// Results on accuracy_grids, of the contacts that slide in part.
+struct Solved {
+  std::vector<Results> on;
+  int failures = 0;
+};
+
+std::optional<Solved> solve_all(ReferenceCases& cases, const StudyOptions& options) {
+  std::vector<std::vector<ExactCase>> all;
+  double total = 0, done = 0;
+  for (const int n : accuracy_grids) total += work(n);
+  for (const int n : accuracy_grids) {
+    StudyOptions part = options;
+    part.progress = part_of(options.progress, done / total, (done + work(n)) / total);
+    done += work(n);
+    all.push_back(solve_at_second_order(cases.contacts, n, part));
+    if (all.back().empty()) return std::nullopt;
+  }
+  Solved solved;
+  for (const auto& on_grid : all)
+    for (const ExactCase& c : on_grid) solved.failures += c.forces.status != Status::ok;
+  ReferenceCases partial;
+  solved.on.resize(accuracy_grids.size());
+  for (std::size_t i = 0; i < cases.contacts.size(); ++i) {
+    if (!slides_in_part(all.back()[i].forces, cases.contacts[i])) continue;
+    partial.contacts.push_back(cases.contacts[i]);
+    partial.forces.push_back(cases.forces[i]);
+    for (std::size_t g = 0; g < accuracy_grids.size(); ++g)
+      solved.on[g].push_back(relative(all[g][i].forces, cases.contacts[i]));
+  }
+  cases = partial;
+  return solved;
+}
+
+void report_rms(Report& report, const std::string& name, const Results& results, const Results& own_limit,
+                const Results& published) {
+  const auto own = rms(results, own_limit), other = rms(results, published);
+  report.line(fmt::format("{:<10}{:>12.5f}{:>10.5f}{:>10.5f}{:>12.5f}{:>10.5f}{:>10.5f}", name, own[0], own[1], own[2],
+                          other[0], other[1], other[2]));
+}
+
+void report_wanted(Report& report, const std::string& name, const Results& results, const Results& own_limit,
+                   double wanted_fx, double wanted_fy) {
+  const auto own = rms(results, own_limit);
+  report.figure(name + ", rms of Fx", fmt::format("{:.5f}", own[0]), fmt::format("<= {}", wanted_fx),
+                own[0] <= wanted_fx);
+  report.figure(name + ", rms of Fy", fmt::format("{:.5f}", own[1]), fmt::format("<= {}", wanted_fy),
+                own[1] <= wanted_fy);
+}
+
+void report_accuracy(Report& report, const Solved& solved, const ReferenceCases& cases) {
+  const auto on = [&](int n) -> const Results& {
+    return solved.on[std::find(accuracy_grids.begin(), accuracy_grids.end(), n) - accuracy_grids.begin()];
+  };
+  const auto both = [&](int n) { return extrapolated(on(n), n, on(2 * n), 2 * n); };
+  const Results own_limit = both(48);
+  report.heading(fmt::format("{} partial-slip cases of the 112: rms of Fx, Fy over mu Fn, Mz over mu Fn sqrt(a b)",
+                             cases.contacts.size()));
+  report.line(
+      fmt::format("{:<10}{:>32}{:>32}", "elements", "against 48 + 96 extrapolated", "against CONTACT's 31 + 63"));
+  report.line(fmt::format("{:<10}{:>12}{:>10}{:>10}{:>12}{:>10}{:>10}", "", "Fx", "Fy", "Mz", "Fx", "Fy", "Mz"));
+  for (const int n : accuracy_grids) report_rms(report, std::to_string(n), on(n), own_limit, cases.forces);
+  for (const int n : {8, 12, 24, 48})
+    report_rms(report, fmt::format("{} + {}", n, 2 * n), both(n), own_limit, cases.forces);
+  report.figure("cases that do not converge, of 112 on each grid", std::to_string(solved.failures), "0",
+                solved.failures == 0);
+  report_wanted(report, "24 x 24", on(24), own_limit, 0.0005, 0.002);
+  report_wanted(report, "extrapolated from 12 and 24", both(12), own_limit, 0.0003, 0.0007);
+  report_wanted(report, "extrapolated from 8 and 16", both(8), own_limit, 0.0005, 0.0015);
+}
+
+} // namespace
+
+std::vector<ExactCase> solve_at_second_order(std::span<const EllipticContact> contacts, int n,
+                                             const StudyOptions& options) {
+  std::vector<ExactCase> cases(contacts.size());
+  std::atomic<int> done = 0;
+  std::atomic<bool> stopped = false;
+#pragma omp parallel num_threads(options.threads)
+  {
+    EllipticContactSolver solver({.mx = n, .my = n});
+// In blocks, so that an ellipse's influence coefficients are used often.
+#pragma omp for schedule(dynamic, 20)
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (stopped) continue;
+      const ExactContact s = solver.solve(contacts[i]);
+      cases[i] = {s.fields.forces, s.residual, s.newton_steps, s.products};
+      const double fraction = ++done / double(contacts.size());
+      if (omp_get_thread_num() == 0 && options.progress && !options.progress(fraction)) stopped = true;
+    }
+  }
+  if (stopped) cases.clear();
+  return cases;
+}
+
+bool run_second_order(const StudyOptions& options, std::ostream& out) {
+  Report report(out);
+  report_orders(report);
+  if (!std::filesystem::exists(reference_file)) {
+    report.line("SKIPPED: the file exact_theory_112.csv is not in the folder MICROSLIP_REFERENCE_DATA of the build");
+    return report.all_met();
+  }
+  ReferenceCases cases = read_reference();
+  const auto solved = solve_all(cases, options);
+  if (!solved) return false;
+  report_accuracy(report, *solved, cases);
+  return report.all_met();
+}
+
+} // namespace microslip::validation
