@@ -1,7 +1,7 @@
 #pragma once
 
+#include "microslip/exact/hertzian_rolling.hpp"
 #include "microslip/exact/normal_problem.hpp"
-#include "microslip/exact/second_order_rolling.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 #include "microslip/progress.hpp"
 
@@ -90,8 +90,7 @@ private:
                           const Progress& progress, std::vector<ExactStep>& history);
   ExactContact results(TangentialSolution solution, double normal_force) const;
   ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion);
-  SecondOrderSolution solve_mirrored(const EllipticContact& contact, const ExactMotion& motion,
-                                     const std::vector<double>& bound);
+  TangentialState fitted_start(const EllipticContact& contact, const std::vector<double>& bound) const;
   ExactContact results(const SecondOrderSolution& solution, const EllipticContact& contact,
                        const std::vector<double>& bound) const;
 
@@ -102,7 +101,7 @@ private:
   ElementGrid grid_;
   NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
   std::unique_ptr<TangentialProblem> tangential_;
-  std::unique_ptr<SecondOrderRolling> second_order_;
+  std::unique_ptr<HertzianRolling> second_order_;
 };
 
 } // namespace microslip

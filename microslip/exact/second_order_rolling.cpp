@@ -75,15 +75,17 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   if (wanted >= capacity && wanted > 0) return full_sliding(bound, input, wanted / capacity - 1);
 
-  FrictionSolution s = newton_.solve(problem, {.tolerance = std::max(tolerance_of_first, input.tolerance)},
-                                     input.start_px, input.start_py);
+  FrictionSolution s =
+      newton_.solve(problem, {.tolerance = std::max(tolerance_of_first, input.tolerance)}, input.start);
   if (s.status == Status::ok) {
     const Field mean_x = slip_at_centre(s.sx), mean_y = slip_at_centre(s.sy);
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (s.sliding[k]) cx[k] += mean_x[k] - s.sx[k], cy[k] += mean_y[k] - s.sy[k];
     const int steps = s.newton_steps;
     const long products = s.products;
-    s = newton_.solve(problem, {.tolerance = input.tolerance}, s.px, s.py);
+    s = newton_.solve(
+        problem, {.tolerance = input.tolerance},
+        {.px = s.px, .py = s.py, .constants = Vec2{s.constant_x, s.constant_y}, .growth = input.start.growth});
     s.newton_steps += steps;
     s.products += products;
   }

@@ -12,9 +12,9 @@ namespace microslip {
 
 struct SecondOrderInput {
   Creepage creepage;
-  std::optional<double> force_x, force_y;     ///< [N], on body 1; the creepage in that direction is an unknown then
-  std::span<const double> start_px, start_py; ///< where to begin, for each element [Pa]; empty: zero tractions
-  double tolerance = 1e-6;                    ///< of the residual, as in FrictionSolution
+  std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
+  FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
+  double tolerance = 1e-6;                ///< of the residual, as in FrictionSolution
 };
 
 struct SecondOrderSolution {
