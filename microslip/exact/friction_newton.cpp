@@ -220,6 +220,10 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
   Field f(n), right(n), step(n), change(n), step_slip(slip.size()), trial(n), trial_slip(slip.size()), trial_f(n),
       best_x, best_slip;
   double norm = at.evaluate(x, slip, f), best_norm = norm;
+  // How well the linear equations predicted the last step: they need not be solved better than that (Eisenstat & Walker
+  // 1996, choice 1).
+  constexpr double roughest = 0.3;
+  double misfit = roughest;
   for (; norm > goal && steps < options.most_steps; ++steps) {
     at.linearise(x, slip);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
@@ -230,9 +234,9 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
       at.slip_growth(change, step_slip);
       at.derivative(change, step_slip, damping, out);
     };
-    // A rough direction is enough: more accuracy costs more products than the Newton steps it saves.
-    const double forcing = std::clamp(0.5 * goal / norm, 0.1, 0.3);
-    gmres.solve(product, right, step, forcing, options.most_inner);
+    const double least = std::min(0.8 * goal / norm, roughest);
+    const double linear_norm =
+        gmres.solve(product, right, step, std::clamp(misfit, least, roughest), options.most_inner).residual;
     at.follow_constants(step);
     at.slip_growth(step, step_slip);
 
@@ -248,6 +252,7 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
       best_x = x;
       best_slip = slip;
     }
+    misfit = std::abs(trial_norm - linear_norm) / norm;
     std::swap(x, trial);
     std::swap(slip, trial_slip);
     std::swap(f, trial_f);
