@@ -225,16 +225,45 @@ ExactContact EllipticContactSolver::results(const SecondOrderSolution& s, const 
 }
 
 /// The problem for rolling along +x; rolling along -x is its mirror image.
+EllipticContact EllipticContactSolver::mirrored(EllipticContact contact) const {
+  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
+  contact.creepage.longitudinal *= side;
+  contact.creepage.spin *= side;
+  return contact;
+}
+
 ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion) {
   prepare_second_order(contact);
-  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
-  EllipticContact mirrored = contact;
-  mirrored.creepage.longitudinal *= side;
-  mirrored.creepage.spin *= side;
   std::optional<double> force_x = motion.force_x;
-  if (force_x) *force_x *= side;
-  const SecondOrderSolution solution = second_order_->solve(mirrored, force_x, motion.force_y, options_.tolerance);
+  if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
+  const SecondOrderSolution solution =
+      second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance);
   return results(solution, contact, second_order_->bound(contact));
+}
+
+ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
+  constexpr double tolerance = 1e-9, linear_tolerance = 3e-6;
+  if (!is_valid(contact)) return {.contact = invalid()};
+  prepare_second_order(contact);
+  const EllipticContact forward = mirrored(contact);
+  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, tolerance, true);
+  const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
+  ExactDerivatives out{.contact = results(solution, contact, second_order_->bound(contact))};
+  out.products = derivatives.products;
+  const FittedContact& fitted = second_order_->contact();
+  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
+  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
+    const FittedElement& e = fitted.elements[k];
+    const double area = e.width() * fitted.grid.dy, y = fitted.grid.y(e.row);
+    for (int i = 0; i < 3; ++i) {
+      const auto& change = derivatives.by[i];
+      const double sign = i == 1 ? 1 : side; // xi and phi change sign in the mirror
+      out.jacobian[0][i] += sign * side * change.px[k] * area;
+      out.jacobian[1][i] += sign * change.py[k] * area;
+      out.jacobian[2][i] += sign * side * (e.centre() * change.py[k] - y * change.px[k]) * area;
+    }
+  }
+  return out;
 }
 
 ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,

@@ -168,6 +168,16 @@ public:
     }
   }
 
+  /// The values of two fields at the elements in contact as one vector, and back.
+  void gather(std::span<const double> fx, std::span<const double> fy, std::span<double> vector) const {
+    for (std::size_t k = 0; k < n_; ++k) vector[k] = fx[elements_[k]], vector[n_ + k] = fy[elements_[k]];
+  }
+  void scatter(std::span<const double> vector, Field& fx, Field& fy) const {
+    fx.assign(problem_.bound.size(), 0.0);
+    fy.assign(problem_.bound.size(), 0.0);
+    for (std::size_t k = 0; k < n_; ++k) fx[elements_[k]] = vector[k], fy[elements_[k]] = vector[n_ + k];
+  }
+
   void copy_to(FrictionSolution& s, std::span<const double> unknowns, std::span<const double> slip) const {
     for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(problem_.bound.size(), 0.0);
     s.sliding.assign(problem_.bound.size(), 0);
@@ -292,6 +302,33 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   s.products = problem.response.products() - products_before;
   s.status = norm <= goal ? Status::ok : Status::not_converged;
   return s;
+}
+
+FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& problem, const FrictionSolution& solution,
+                                                     std::span<const double> dcx, std::span<const double> dcy,
+                                                     double tolerance) {
+  constexpr int most = 1000;
+  const long products_before = problem.response.products();
+  Iterate at(problem, 1 / problem.response.diagonal());
+  const std::size_t n = at.size();
+  Field x(n), slip(n), right(n), zero(n), step(n), growth(n);
+  at.start({.px = solution.px, .py = solution.py}, x, slip);
+  at.linearise(x, slip);
+  at.gather(dcx, dcy, slip);
+  at.derivative(zero, slip, 0, right);
+  for (double& value : right) value = -value;
+  const auto product = [&](std::span<const double> v, std::span<double> out) {
+    at.slip_growth(v, growth);
+    at.derivative(v, growth, 0, out);
+  };
+  gmres_.solve(product, right, step, tolerance, most);
+  at.slip_growth(step, growth);
+  for (std::size_t k = 0; k < n; ++k) growth[k] += slip[k];
+  Change change;
+  at.scatter(step, change.px, change.py);
+  at.scatter(growth, change.sx, change.sy);
+  change.products = problem.response.products() - products_before;
+  return change;
 }
 
 } // namespace microslip

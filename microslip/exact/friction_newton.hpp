@@ -65,6 +65,16 @@ public:
   FrictionSolution solve(const FrictionProblem& problem, const Options& options, const Start& start);
   FrictionSolution solve(const FrictionProblem& problem, const Options& options) { return solve(problem, options, {}); }
 
+  /// By how much the tractions of a solution change when the slip without tractions changes by dcx, dcy (per unit of
+  /// whatever changes): the implicit function theorem for F(p) = 0, forces not given. Also the slip's change. Solved to
+  /// a relative residual of `tolerance`; holds where no element is just between adhesion and slip.
+  struct Change {
+    std::vector<double> px, py, sx, sy;
+    long products = 0;
+  };
+  Change differentiate(const FrictionProblem& problem, const FrictionSolution& solution, std::span<const double> dcx,
+                       std::span<const double> dcy, double tolerance);
+
 private:
   Gmres gmres_;
 };

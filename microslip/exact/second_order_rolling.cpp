@@ -50,54 +50,93 @@ SecondOrderSolution SecondOrderRolling::full_sliding(std::span<const double> bou
   return out;
 }
 
-SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, const SecondOrderInput& input) {
-  const auto& elements = contact_.elements;
-  Creepage creepage = input.creepage;
-  if (input.force_x) creepage.longitudinal = 0;
-  if (input.force_y) creepage.lateral = 0;
-  Field cx(elements.size()), cy(cx);
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    const FittedElement& e = elements[k];
+/// w at the middle of each element's way.
+void SecondOrderRolling::rigid_slip(const Creepage& creepage, Field& cx, Field& cy) const {
+  for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
+    const FittedElement& e = contact_.elements[k];
     cx[k] = creepage.longitudinal - creepage.spin * contact_.grid.y(e.row);
     cy[k] = creepage.lateral + creepage.spin * (e.centre() + e.end) / 2;
   }
-  const FrictionProblem problem{.response = response_,
-                                .bound = bound,
-                                .cx = cx,
-                                .cy = cy,
-                                .element_area = contact_.grid.element_area(),
-                                .force_x = input.force_x,
-                                .force_y = input.force_y,
-                                .area_share = area_share_};
+}
+
+/// Adds the slip at the elements' centres less that on their ways, for the elements that slide in a solution. Linear in
+/// the slip.
+void SecondOrderRolling::add_correction(const FrictionSolution& of, const Field& sx, const Field& sy, Field& cx,
+                                        Field& cy) const {
+  const Field mean_x = slip_at_centre(sx), mean_y = slip_at_centre(sy);
+  for (std::size_t k = 0; k < sx.size(); ++k)
+    if (of.sliding[k]) cx[k] += mean_x[k] - sx[k], cy[k] += mean_y[k] - sy[k];
+}
+
+FrictionProblem SecondOrderRolling::problem(std::span<const double> bound, std::span<const double> cx,
+                                            std::span<const double> cy) {
+  return {.response = response_,
+          .bound = bound,
+          .cx = cx,
+          .cy = cy,
+          .element_area = contact_.grid.element_area(),
+          .area_share = area_share_};
+}
+
+SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, const SecondOrderInput& input) {
+  const auto& elements = contact_.elements;
   double capacity = 0;
   for (std::size_t k = 0; k < elements.size(); ++k)
     capacity += bound[k] * area_share_[k] * contact_.grid.element_area();
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   if (wanted >= capacity && wanted > 0) return full_sliding(bound, input, wanted / capacity - 1);
 
-  FrictionSolution s =
-      newton_.solve(problem, {.tolerance = std::max(tolerance_of_first, input.tolerance)}, input.start);
-  if (s.status == Status::ok) {
-    const Field mean_x = slip_at_centre(s.sx), mean_y = slip_at_centre(s.sy);
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      if (s.sliding[k]) cx[k] += mean_x[k] - s.sx[k], cy[k] += mean_y[k] - s.sy[k];
-    const int steps = s.newton_steps;
-    const long products = s.products;
-    s = newton_.solve(
-        problem, {.tolerance = input.tolerance},
-        {.px = s.px, .py = s.py, .constants = Vec2{s.constant_x, s.constant_y}, .growth = input.start.growth});
-    s.newton_steps += steps;
-    s.products += products;
-  }
   SecondOrderSolution out;
-  out.creepage = creepage;
+  out.creepage = input.creepage;
+  if (input.force_x) out.creepage.longitudinal = 0;
+  if (input.force_y) out.creepage.lateral = 0;
+  Field cx(elements.size()), cy(cx);
+  rigid_slip(out.creepage, cx, cy);
+  FrictionProblem with = problem(bound, cx, cy);
+  with.force_x = input.force_x;
+  with.force_y = input.force_y;
+  const double first = input.converge_plain ? input.tolerance : std::max(tolerance_of_first, input.tolerance);
+  out.plain = newton_.solve(with, {.tolerance = first}, input.start);
+  FrictionSolution& s = out.friction = out.plain;
+  if (s.status == Status::ok) {
+    add_correction(out.plain, out.plain.sx, out.plain.sy, cx, cy);
+    s = newton_.solve(with, {.tolerance = input.tolerance},
+                      {.px = out.plain.px,
+                       .py = out.plain.py,
+                       .constants = Vec2{out.plain.constant_x, out.plain.constant_y},
+                       .growth = input.start.growth});
+    s.newton_steps += out.plain.newton_steps;
+    s.products += out.plain.products;
+  }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
   Field sx(elements.size()), sy(sx);
   response_.apply(s.px, s.py, sx, sy);
   out.ux.assign(response_.ux().begin(), response_.ux().end());
   out.uy.assign(response_.uy().begin(), response_.uy().end());
-  out.friction = std::move(s);
+  return out;
+}
+
+SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<const double> bound,
+                                                                  const Creepage& creepage,
+                                                                  const SecondOrderSolution& solution,
+                                                                  double tolerance) {
+  const std::size_t n = contact_.elements.size();
+  Field cx(n), cy(n), corrected_x(n), corrected_y(n), dcx(n), dcy(n);
+  rigid_slip(creepage, cx, cy);
+  corrected_x = cx;
+  corrected_y = cy;
+  add_correction(solution.plain, solution.plain.sx, solution.plain.sy, corrected_x, corrected_y);
+  const FrictionProblem plain = problem(bound, cx, cy), corrected = problem(bound, corrected_x, corrected_y);
+  Derivatives out;
+  const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    rigid_slip(units[i], dcx, dcy);
+    const auto first = newton_.differentiate(plain, solution.plain, dcx, dcy, tolerance);
+    add_correction(solution.plain, first.sx, first.sy, dcx, dcy);
+    out.by[i] = newton_.differentiate(corrected, solution.friction, dcx, dcy, tolerance);
+    out.products += first.products + out.by[i].products;
+  }
   return out;
 }
 
