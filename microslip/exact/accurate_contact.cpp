@@ -9,8 +9,7 @@
 namespace microslip {
 namespace {
 
-constexpr int coarsest = 8, finest = 512;
-constexpr double caution = 0.85;
+constexpr int coarsest = 4, finest = 512;
 
 double limit(double coarse, double fine) {
   return (4 * fine - coarse) / 3;
@@ -63,12 +62,15 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
   if (motion.kind != ContactMotion::steady || motion.step != 0)
     throw Error("motion: must be steady rolling without a step of its own to be extrapolated");
   AccurateContact out;
-  ExactContact coarse = solve_on(coarsest, contact, motion);
-  long products = coarse.products;
-  for (int elements = 2 * coarsest;; elements *= 2) {
+  const ExactContact first = solve_on(coarsest, contact, motion);
+  ExactContact coarse = solve_on(2 * coarsest, contact, motion);
+  double last_change = difference(contact, first, coarse);
+  long products = first.products + coarse.products;
+  for (int elements = 4 * coarsest;; elements *= 2) {
     ExactContact fine = solve_on(elements, contact, motion);
     products += fine.products;
-    const double error = caution * difference(contact, coarse, fine);
+    const double change = difference(contact, coarse, fine), error = std::max(change, last_change / 4);
+    last_change = change;
     out = extrapolate(coarse, fine);
     out.error = error;
     out.elements = elements;

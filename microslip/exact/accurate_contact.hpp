@@ -17,10 +17,11 @@ struct AccurateContact {
 };
 
 /// Hertzian contacts in steady rolling to an accuracy that is asked for. Errors are of second order, so the limit of a
-/// force is (4 F(h/2) - F(h))/3. Grids of 8 x 8, 16 x 16, ... elements are tried until the limit's error is estimated
-/// below `accuracy`, a fraction of mu Fn for forces and of mu Fn sqrt(a b) for the moment; that of a creepage counts as
-/// the force that it is worth in linear theory. The estimate is .85 times the largest difference between the two grids:
-/// of the 112 reference cases it is never below a third of the true error, mostly some eight times as large.
+/// force is (4 F(h/2) - F(h))/3. Grids of 8 and 16, 16 and 32, ... elements across are tried until the limit's error is
+/// estimated below `accuracy`, a fraction of mu Fn for forces and of mu Fn sqrt(a b) for the moment; that of a creepage
+/// counts as the force that it is worth in linear theory. The estimate is the largest change from F(h) to F(h/2), or a
+/// quarter of that from F(2 h) to F(h) if that is more: of the 112 reference cases it is never below the true error and
+/// mostly some eight times as large.
 class AccurateContactSolver {
 public:
   /// Throws Error unless the accuracy is in [1e-5, .1]. Of the options direction and tolerance are used.

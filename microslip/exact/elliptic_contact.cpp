@@ -242,7 +242,7 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
 }
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
-  constexpr double tolerance = 1e-9, linear_tolerance = 3e-6;
+  constexpr double tolerance = 1e-7, linear_tolerance = 1e-5;
   if (!is_valid(contact)) return {.contact = invalid()};
   prepare_second_order(contact);
   const EllipticContact forward = mirrored(contact);

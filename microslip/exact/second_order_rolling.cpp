@@ -7,9 +7,9 @@
 namespace microslip {
 namespace {
 
-/// The correction is small of second order, so the solution that it is taken from need not be very good: with 1e-2 or
-/// 1e-7 the forces differ by less than 1e-5 mu Fn.
-constexpr double tolerance_of_first = 3e-3;
+/// The correction is small, so the solution that it is taken from need not be very good: against a tolerance of 1e-7
+/// the forces of the test set change by some 1e-5 mu Fn, and the products are fewer by a quarter.
+constexpr double tolerance_of_first = 3e-4;
 
 } // namespace
 
@@ -20,18 +20,22 @@ SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedC
   for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
 }
 
-/// The mean of the two ways that meet at an element's centre; at the trailing edge, where there is but one,
-/// extrapolated.
+/// At an element's centre, where two ways meet: by the four ways around it to third order, (-1, 7, 7, -1)/12, where the
+/// row has them; 1/8 of the second difference belongs to the mean of two and 1/24 to the difference quotients. Else the
+/// mean of the two; at the trailing edge, where there is but one, extrapolated.
 Field SecondOrderRolling::slip_at_centre(const Field& slip) const {
-  Field mean = slip;
+  Field at_centre = slip;
+  const auto& elements = contact_.elements;
   for (std::size_t k = 0; k < slip.size(); ++k) {
-    const FittedElement& e = contact_.elements[k];
-    if (!e.trails)
-      mean[k] = (slip[k - 1] + slip[k]) / 2;
+    const FittedElement& e = elements[k];
+    if (!e.trails && !e.leads && !elements[k - 1].trails)
+      at_centre[k] = (7 * (slip[k - 1] + slip[k]) - slip[k - 2] - slip[k + 1]) / 12;
+    else if (!e.trails)
+      at_centre[k] = (slip[k - 1] + slip[k]) / 2;
     else if (!e.leads)
-      mean[k] = slip[k] + (slip[k] - slip[k + 1]) / 2;
+      at_centre[k] = slip[k] + (slip[k] - slip[k + 1]) / 2;
   }
-  return mean;
+  return at_centre;
 }
 
 /// No creepage gives a force beyond friction's: everything slides in its direction.
