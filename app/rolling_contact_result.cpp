@@ -48,13 +48,17 @@ double step_of(const RollingCase& input, const EllipticContact& contact) {
 }
 
 ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress) {
-  const auto options = exact_options(input);
+  auto options = exact_options(input);
+  ExactResult result;
+  if (input.accuracy) {
+    result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, progress);
+    options.mx = options.my = result.limit->elements;
+  }
   auto coarser = options;
   coarser.mx = (options.mx + 1) / 2;
   coarser.my = (options.my + 1) / 2;
   auto motion = input.motion;
   if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
-  ExactResult result;
   EllipticContactSolver solver(options);
   result.contact = solver.solve(contact, motion, progress);
   result.gap = solver.deformed_gap(contact, motion);
@@ -206,6 +210,19 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   file.array("exact/fields/uy", contact.uy, "m", "displacement difference, lateral", shape);
 }
 
+void write_limit(ResultFile& file, const AccurateContact& limit) {
+  const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
+    file.scalar(std::string("exact/limit/") + name, value, unit, what);
+  };
+  scalar("fx", limit.forces.fx, "N", "longitudinal force, extrapolated");
+  scalar("fy", limit.forces.fy, "N", "lateral force, extrapolated");
+  scalar("mz", limit.forces.mz, "N m", "spin moment, extrapolated");
+  scalar("creep_x", limit.creepage.longitudinal, "-", "longitudinal creepage, extrapolated if its force is given");
+  scalar("creep_y", limit.creepage.lateral, "-", "lateral creepage, extrapolated if its force is given");
+  scalar("error", limit.error, "mu Fn", "estimated error of these");
+  scalar("elements", limit.elements, "-", "across the ellipse, of the finest grid");
+}
+
 /// A number of every step of transient rolling.
 template <class Value>
 void write_history(ResultFile& file, const std::vector<ExactStep>& history, const char* name, const char* unit,
@@ -250,7 +267,8 @@ RollingContactResult solve_case(const RollingCase& input, const Progress& progre
   result.hertz = hertz_contact(input);
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
-  result.status = result.exact ? result.exact->contact.fields.forces.status : Status::ok;
+  if (const auto& exact = result.exact)
+    result.status = exact->limit ? exact->limit->forces.status : exact->contact.fields.forces.status;
   if (input.motion.kind == ContactMotion::steady && result.status == Status::ok) {
     result.simplified = solve_simplified(input, result.contact);
     if (!result.exact) result.status = result.simplified->fields.forces.status;
@@ -268,6 +286,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
     write_tolerances(file, "exact", exact->grid_error, "half the elements");
+    if (exact->limit) write_limit(file, *exact->limit);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
   }
   if (const auto& simplified = result.simplified) {

@@ -3,6 +3,7 @@
 #include "app/creep_curve.hpp"
 #include "io/case_file.hpp"
 #include "io/result_file.hpp"
+#include "microslip/exact/accurate_contact.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -27,9 +28,10 @@ struct SimplifiedResult {
 /// What the exact theory makes of a case.
 struct ExactResult {
   ExactContact contact;
-  std::vector<double> gap; ///< deformed distance of the bodies at the cells of its fields [m]
-  GridError grid_error;            ///< to the grid with half the elements in each direction
-  std::optional<CreepCurve> curve; ///< if it converges for steady rolling
+  std::vector<double> gap;              ///< deformed distance of the bodies at the cells of its fields [m]
+  GridError grid_error;                 ///< to the grid with half the elements in each direction
+  std::optional<AccurateContact> limit; ///< if an accuracy is asked for; `contact` is its finest then
+  std::optional<CreepCurve> curve;      ///< if it converges for steady rolling
 };
 
 /// All that `microslip solve` computes of a case.

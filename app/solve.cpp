@@ -50,13 +50,13 @@ std::string describe_simplified(const RollingCase& input) {
                      to_word(options.bound), to_word(options.flexibility));
 }
 
-std::string describe_exact(const RollingCase& input) {
+std::string describe_exact(const RollingCase& input, int mx, int my) {
   const auto& [kind, force_x, force_y, step, steps] = input.motion;
   const auto motion = kind == ContactMotion::shift ? std::string("shift")
                       : kind == ContactMotion::transient
                           ? fmt::format("transient rolling, {} steps", steps)
                           : fmt::format("steady rolling, {}", to_word(input.discretisation));
-  return fmt::format("exact theory, {} x {} elements, {}", input.options.mx, input.options.my, motion);
+  return fmt::format("exact theory, {} x {} elements, {}", mx, my, motion);
 }
 
 void print_simplified(const RollingCase& input, const RollingContactResult& result) {
@@ -120,6 +120,15 @@ void add_totals(QuantityTable& table, const RollingContactResult& result, bool s
   rows.add("discretisation error of mz", "mu Fn sqrt(a b)", [](Fields, Error e) { return e.mz; });
 }
 
+void add_limit(QuantityTable& table, const AccurateContact& limit, const RollingCase& input) {
+  table.add("limit of fx", limit.forces.fx, "N");
+  table.add("limit of fy", limit.forces.fy, "N");
+  table.add("limit of mz", limit.forces.mz, "N m");
+  if (input.motion.force_x) table.add("limit of the longitudinal creepage", limit.creepage.longitudinal, "-");
+  if (input.motion.force_y) table.add("limit of the lateral creepage", limit.creepage.lateral, "-");
+  table.add("estimated error of the limits", limit.error, "mu Fn");
+}
+
 void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto& contact = result.exact->contact;
   const bool shift = input.motion.kind == ContactMotion::shift;
@@ -128,8 +137,12 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
     heads.push_back(simplified_name(input));
     status.emplace_back(to_string(result.simplified->fields.forces.status));
   }
-  QuantityTable table(describe_exact(input), heads);
+  const auto& limit = result.exact->limit;
+  const auto [mx, my] =
+      limit ? std::pair(limit->elements, limit->elements) : std::pair(input.options.mx, input.options.my);
+  QuantityTable table(describe_exact(input, mx, my), heads);
   add_totals(table, result, shift);
+  if (limit) add_limit(table, *limit, input);
   if (input.motion.force_x)
     table.add(shift ? "longitudinal shift, found" : "longitudinal creepage, found", contact.creepage.longitudinal,
               shift ? "m" : "-");
@@ -149,6 +162,8 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
 std::string explain(const RollingCase& input, const RollingContactResult& result) {
   if (result.status == Status::no_solution)
     return "the given force is beyond what friction can carry; full sliding is shown";
+  if (result.status == Status::not_converged && result.exact && result.exact->limit)
+    return fmt::format("the accuracy is not reached: estimated error {:.2g}", result.exact->limit->error);
   if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
     return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.residual,
                        input.tolerance);

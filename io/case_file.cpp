@@ -110,15 +110,26 @@ void read_motion(const TomlSection& motion, RollingCase& input) {
   motion.count("steps", 1, most_steps, input.motion.steps);
 }
 
-/// The simplified theory knows steady rolling with given creepages, the exact theory Coulomb's friction.
-void check_theory(const TomlSection& motion, const TomlSection& friction, const RollingCase& input) {
+/// The simplified theory knows steady rolling with given creepages, the exact theory Coulomb's friction, and limits are
+/// those of steady rolling at second order.
+void check_theory(const TomlSection& motion, const TomlSection& friction, const TomlSection& solution,
+                  const RollingCase& input) {
   if (input.theory == Theory::exact) {
     friction.at("law", [&] {
       if (input.friction_law != "coulomb")
         throw Error("friction.law = \"" + input.friction_law + "\": must be coulomb with solution.theory = \"exact\"");
     });
+    const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
+                           input.discretisation == Discretisation::second_order;
+    solution.at("accuracy", [&] {
+      if (input.accuracy && !has_limit)
+        throw Error("solution.accuracy: needs steady rolling without motion.step, of second order");
+    });
     return;
   }
+  solution.at("accuracy", [&] {
+    if (input.accuracy) throw Error("solution.accuracy: needs solution.theory = \"exact\"");
+  });
   const auto needs_exact = [&](std::string_view key, bool is_there) {
     if (!is_there) return;
     motion.at(key, [&] { throw Error("motion." + std::string(key) + ": needs solution.theory = \"exact\""); });
@@ -128,11 +139,12 @@ void check_theory(const TomlSection& motion, const TomlSection& friction, const 
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
-  solution.allow(
-      {"theory", "grid", "discretisation", "tolerance", "bound", "flexibility", "coefficients", "slope_reduction"});
+  solution.allow({"theory", "grid", "accuracy", "discretisation", "tolerance", "bound", "flexibility", "coefficients",
+                  "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
+  if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
@@ -160,7 +172,8 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
   read_solution(root.optional_section("solution"), input);
-  check_theory(root.required_section("motion"), root.required_section("friction"), input);
+  check_theory(root.required_section("motion"), root.required_section("friction"), root.optional_section("solution"),
+               input);
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
     hertz_contact(input);

@@ -36,6 +36,7 @@ struct RollingCase {
   SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
   Discretisation discretisation = Discretisation::second_order; ///< of the exact theory
   double tolerance = 1e-6;                                      ///< of its residual
+  std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
 
 /// Largest number of cells along either side of a grid whose fields are kept.

@@ -167,7 +167,7 @@ TEST(FrictionNewton, TheStartDoesNotMatter) {
   const FrictionSolution s = FrictionNewton().solve(problem, {.tolerance = 1e-12});
   for (const double size : {0.1, 1.0, 30.0}) {
     const Field px = random.field(n, -size, size), py = random.field(n, -size, size);
-    const FrictionSolution other = FrictionNewton().solve(problem, {.tolerance = 1e-12}, px, py);
+    const FrictionSolution other = FrictionNewton().solve(problem, {.tolerance = 1e-12}, {.px = px, .py = py});
     ASSERT_EQ(other.status, Status::ok);
     for (std::size_t k = 0; k < n; ++k) {
       EXPECT_NEAR(other.px[k], s.px[k], 1e-10);
@@ -184,7 +184,7 @@ TEST(FrictionNewton, ASolutionTakesNoStep) {
   const FrictionProblem problem{response, g, cx, cy, 1};
   const FrictionSolution s = FrictionNewton().solve(problem, {.tolerance = 1e-9});
   EXPECT_GT(s.newton_steps, 1);
-  const FrictionSolution again = FrictionNewton().solve(problem, {.tolerance = 1e-8}, s.px, s.py);
+  const FrictionSolution again = FrictionNewton().solve(problem, {.tolerance = 1e-8}, {.px = s.px, .py = s.py});
   EXPECT_EQ(again.newton_steps, 0);
   EXPECT_EQ(again.products, 1);
   const FrictionSolution still = FrictionNewton().solve({response, g, none, none, 1}, {});

@@ -83,7 +83,7 @@ void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
 
 void EllipticContactSolver::prepare_second_order(const EllipticContact& contact) {
   if (is_prepared_for(contact, true)) return;
-  second_order_ = std::make_unique<SecondOrderRolling>(material_, fit_ellipse(a_, b_, options_.mx, options_.my));
+  second_order_ = std::make_unique<HertzianRolling>(a_, b_, material_, options_.mx, options_.my);
 }
 
 /// Solves the tangential problem; transient rolling step by step.
@@ -174,34 +174,6 @@ ExactContact EllipticContactSolver::solve_classical(const EllipticContact& conta
   return out;
 }
 
-/// The problem for rolling along +x; rolling along -x is its mirror image.
-SecondOrderSolution EllipticContactSolver::solve_mirrored(const EllipticContact& contact, const ExactMotion& motion,
-                                                          const std::vector<double>& bound) {
-  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
-  EllipticContact mirrored = contact;
-  mirrored.creepage.longitudinal *= side;
-  mirrored.creepage.spin *= side;
-  SecondOrderInput input;
-  input.creepage = mirrored.creepage;
-  if (motion.force_x) input.force_x = side * *motion.force_x;
-  input.force_y = motion.force_y;
-  input.tolerance = options_.tolerance;
-  std::vector<double> px, py;
-  if (!motion.force_x && !motion.force_y) {
-    const FittedContact& fitted = second_order_->contact();
-    std::vector<double> grid_bound(fitted.grid.count());
-    for (std::size_t k = 0; k < bound.size(); ++k) grid_bound[fitted.elements[k].cell] = bound[k];
-    const TangentialState start = start_from_fastsim2(mirrored, fitted.grid, grid_bound, RollingDirection::forward);
-    for (const FittedElement& e : fitted.elements) {
-      px.push_back(start.px[e.cell]);
-      py.push_back(start.py[e.cell]);
-    }
-    input.start_px = px;
-    input.start_py = py;
-  }
-  return second_order_->solve(bound, input);
-}
-
 /// Results on the cells of the grid, in each row from the leading edge on; those of the mirror image turned back.
 ExactContact EllipticContactSolver::results(const SecondOrderSolution& s, const EllipticContact& contact,
                                             const std::vector<double>& bound) const {
@@ -252,11 +224,46 @@ ExactContact EllipticContactSolver::results(const SecondOrderSolution& s, const 
   return out;
 }
 
+/// The problem for rolling along +x; rolling along -x is its mirror image.
+EllipticContact EllipticContactSolver::mirrored(EllipticContact contact) const {
+  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
+  contact.creepage.longitudinal *= side;
+  contact.creepage.spin *= side;
+  return contact;
+}
+
 ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion) {
   prepare_second_order(contact);
-  std::vector<double> bound = second_order_->contact().load_share;
-  for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
-  return results(solve_mirrored(contact, motion, bound), contact, bound);
+  std::optional<double> force_x = motion.force_x;
+  if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
+  const SecondOrderSolution solution =
+      second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance);
+  return results(solution, contact, second_order_->bound(contact));
+}
+
+ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
+  constexpr double tolerance = 1e-7, linear_tolerance = 1e-5;
+  if (!is_valid(contact)) return {.contact = invalid()};
+  prepare_second_order(contact);
+  const EllipticContact forward = mirrored(contact);
+  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, tolerance, true);
+  const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
+  ExactDerivatives out{.contact = results(solution, contact, second_order_->bound(contact))};
+  out.products = derivatives.products;
+  const FittedContact& fitted = second_order_->contact();
+  const double side = options_.direction == RollingDirection::forward ? 1 : -1;
+  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
+    const FittedElement& e = fitted.elements[k];
+    const double area = e.width() * fitted.grid.dy, y = fitted.grid.y(e.row);
+    for (int i = 0; i < 3; ++i) {
+      const auto& change = derivatives.by[i];
+      const double sign = i == 1 ? 1 : side; // xi and phi change sign in the mirror
+      out.jacobian[0][i] += sign * side * change.px[k] * area;
+      out.jacobian[1][i] += sign * change.py[k] * area;
+      out.jacobian[2][i] += sign * side * (e.centre() * change.py[k] - y * change.px[k]) * area;
+    }
+  }
+  return out;
 }
 
 ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "microslip/exact/hertzian_rolling.hpp"
 #include "microslip/exact/normal_problem.hpp"
-#include "microslip/exact/second_order_rolling.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 #include "microslip/progress.hpp"
 
@@ -62,6 +62,13 @@ struct ExactContact {
   std::vector<ExactStep> history; ///< transient rolling: the steps in their order
 };
 
+/// Forces in steady rolling and their derivatives: row k belongs to fx, fy, mz, columns to xi [-], eta [-], phi [1/m].
+struct ExactDerivatives {
+  ExactContact contact;
+  double jacobian[3][3] = {};
+  long products = 0; ///< that the derivatives took
+};
+
 /// Hertzian contacts by the exact theory, for elastically similar bodies with Coulomb friction: normal and tangential
 /// problem on a grid of mx x my elements across the ellipse. Influence coefficients are kept for the next contact if it
 /// has the same ellipse and material. Distinct objects may be used from distinct threads.
@@ -76,6 +83,12 @@ public:
   /// told of the steps of transient rolling and may end it.
   ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
+  /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
+  /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
+  /// adhesion to slip. The solve goes to a tolerance of 1e-7, the
+  /// derivatives are right to about 1e-5.
+  ExactDerivatives differentiate(const EllipticContact& contact);
+
   /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
   /// problem on their grid. Throws Error for a contact out of range.
   std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {}) const;
@@ -89,9 +102,9 @@ private:
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
                           const Progress& progress, std::vector<ExactStep>& history);
   ExactContact results(TangentialSolution solution, double normal_force) const;
+  EllipticContact mirrored(EllipticContact contact) const;
   ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion);
-  SecondOrderSolution solve_mirrored(const EllipticContact& contact, const ExactMotion& motion,
-                                     const std::vector<double>& bound);
+  TangentialState fitted_start(const EllipticContact& contact, const std::vector<double>& bound) const;
   ExactContact results(const SecondOrderSolution& solution, const EllipticContact& contact,
                        const std::vector<double>& bound) const;
 
@@ -102,7 +115,7 @@ private:
   ElementGrid grid_;
   NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
   std::unique_ptr<TangentialProblem> tangential_;
-  std::unique_ptr<SecondOrderRolling> second_order_;
+  std::unique_ptr<HertzianRolling> second_order_;
 };
 
 } // namespace microslip

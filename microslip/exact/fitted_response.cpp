@@ -21,6 +21,14 @@ template <class Weights> void interpolate(double t, int count, Weights& weights)
   }
 }
 
+/// Where each row begins in a list ordered by rows, and the list's end.
+template <class RowOf> std::vector<std::size_t> first_indices(int rows, std::size_t count, const RowOf& row_of) {
+  std::vector<std::size_t> first(rows + 1, count);
+  for (std::size_t k = count; k-- > 0;) first[row_of(k)] = k;
+  for (int j = rows; j-- > 0;) first[j] = std::min(first[j], first[j + 1]);
+  return first;
+}
+
 } // namespace
 
 /// The displacements that an element of the grid makes at the centres of others. xx and yy are even in both components
@@ -99,10 +107,11 @@ void FittedResponse::find_moments() {
 
 /// The difference between what an element does to a point and what the transforms make of it.
 void FittedResponse::find_corrections(const CombinedMaterial& material, const QuarterKernel& kernel) {
-  std::vector<std::size_t> first_of_row(grid_.my + 1, elements_.size()), moments_of(elements_.size(), regular);
-  for (std::size_t k = elements_.size(); k-- > 0;) first_of_row[elements_[k].row] = k;
-  for (int j = grid_.my; j-- > 0;) first_of_row[j] = std::min(first_of_row[j], first_of_row[j + 1]);
+  std::vector<std::size_t> moments_of(elements_.size(), regular);
   for (std::size_t i = 0; i < moments_.size(); ++i) moments_of[moments_[i].element] = i;
+  const auto first_of_row = first_indices(grid_.my, elements_.size(), [&](std::size_t k) { return elements_[k].row; });
+  const auto first_moments_of_row =
+      first_indices(grid_.my, moments_.size(), [&](std::size_t i) { return elements_[moments_[i].element].row; });
 
   const auto by_transforms = [&](std::size_t point, std::size_t element) {
     Influence sum{};
@@ -127,18 +136,30 @@ void FittedResponse::find_corrections(const CombinedMaterial& material, const Qu
     }
     return sum;
   };
+  const auto correct = [&](std::size_t point, std::size_t element) {
+    const FittedElement& e = elements_[element];
+    const double x = point_x_[point] - e.centre(), y = (point_row_[point] - e.row) * grid_.dy;
+    if (std::abs(x) > near * grid_.dx) return;
+    const Influence exact = influence(material, e.width(), grid_.dy, x, y), fast = by_transforms(point, element);
+    corrections_.push_back({static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(element), exact.xx - fast.xx,
+                            exact.xy - fast.xy, exact.yy - fast.yy});
+  };
+  // On a regular point the fitted elements nearby, on another one all elements nearby.
   const int rows = static_cast<int>(std::min(near * grid_.dx / grid_.dy + 1, double(grid_.my)));
   for (std::size_t point = 0; point < point_x_.size(); ++point) {
     const int low = std::max(point_row_[point] - rows, 0), high = std::min(point_row_[point] + rows + 1, grid_.my);
-    for (std::size_t k = first_of_row[low]; k < first_of_row[high]; ++k) {
-      const FittedElement& e = elements_[k];
-      if ((stencil_of_[point] == regular && !e.fitted) || std::abs(point_x_[point] - e.centre()) > near * grid_.dx)
-        continue;
-      const double y = (point_row_[point] - e.row) * grid_.dy;
-      const Influence exact = influence(material, e.width(), grid_.dy, point_x_[point] - e.centre(), y);
-      const Influence fast = by_transforms(point, k);
-      corrections_.push_back({static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(k), exact.xx - fast.xx,
-                              exact.xy - fast.xy, exact.yy - fast.yy});
+    if (stencil_of_[point] == regular) {
+      for (std::size_t i = first_moments_of_row[low]; i < first_moments_of_row[high]; ++i)
+        correct(point, moments_[i].element);
+      continue;
+    }
+    for (int row = low; row < high; ++row) {
+      const auto begin = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[row]);
+      const auto end = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[row + 1]);
+      const double from = point_x_[point] - (near + 2) * grid_.dx, to = point_x_[point] + (near + 2) * grid_.dx;
+      for (auto e = std::partition_point(begin, end, [&](const auto& other) { return other.right < from; });
+           e != end && e->left <= to; ++e)
+        correct(point, static_cast<std::size_t>(e - elements_.begin()));
     }
   }
 }

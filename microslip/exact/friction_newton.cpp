@@ -27,7 +27,7 @@ public:
     if (problem.force_y) forces_.push_back(1);
     n_ = elements_.size();
     // With this unit a unit of the unknown constant weighs as much as a unit of all tractions together.
-    unit_ = 1 / (rho_ * std::sqrt(double(std::max<std::size_t>(n_, 1))));
+    unit_.fill(1 / (rho_ * std::sqrt(double(std::max<std::size_t>(n_, 1)))));
     g_.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) {
       g_[k] = problem.bound[elements_[k]];
@@ -54,7 +54,7 @@ public:
       growth[n_ + k] = wide_sy_[elements_[k]];
     }
     for (std::size_t f = 0; f < forces_.size(); ++f)
-      for (std::size_t k = 0; k < n_; ++k) growth[forces_[f] * n_ + k] += share(k) * unit_ * unknowns[2 * n_ + f];
+      for (std::size_t k = 0; k < n_; ++k) growth[forces_[f] * n_ + k] += share(k) * unit_[f] * unknowns[2 * n_ + f];
   }
 
   void add_constants(std::span<double> slip) const {
@@ -73,7 +73,7 @@ public:
       for (std::size_t k = 0; k < n_; ++k) sum += s[k], shares += share(k);
       const double constant = -sum / shares;
       for (std::size_t k = 0; k < n_; ++k) s[k] += share(k) * constant;
-      unknowns[2 * n_ + f] = constant / unit_;
+      unknowns[2 * n_ + f] = constant / unit_[f];
     }
   }
 
@@ -141,17 +141,41 @@ public:
     }
   }
 
-  /// Unknowns and slip for tractions to begin with; empty spans mean zero.
-  void start(std::span<const double> px, std::span<const double> py, std::span<double> unknowns,
-             std::span<double> slip) {
+  /// Unknowns and slip to begin with.
+  void start(const FrictionNewton::Start& from, std::span<double> unknowns, std::span<double> slip) {
     std::fill(unknowns.begin(), unknowns.end(), 0.0);
-    for (std::size_t k = 0; k < n_ && !px.empty(); ++k) {
-      unknowns[k] = px[elements_[k]];
-      unknowns[n_ + k] = py[elements_[k]];
+    for (std::size_t f = 0; f < forces_.size(); ++f) use_growth(f, from.growth[forces_[f]]);
+    for (std::size_t k = 0; k < n_ && !from.px.empty(); ++k) {
+      unknowns[k] = from.px[elements_[k]];
+      unknowns[n_ + k] = from.py[elements_[k]];
     }
+    for (std::size_t f = 0; f < forces_.size() && from.constants; ++f)
+      unknowns[2 * n_ + f] = (forces_[f] == 0 ? from.constants->x : from.constants->y) / unit_[f];
     slip_growth(unknowns, slip);
     add_constants(slip);
-    choose_constants(unknowns, slip);
+    if (!from.constants) choose_constants(unknowns, slip);
+  }
+
+  /// Lets the tractions follow the constants: a step in a constant takes with it what the tractions grow by then, so
+  /// that the slip hardly changes. Turns a vector of independent steps into unknowns.
+  void follow_constants(std::span<double> unknowns) const {
+    for (std::size_t f = 0; f < forces_.size(); ++f) {
+      const double constant = unit_[f] * unknowns[2 * n_ + f];
+      for (std::size_t k = 0; k < n_ && !growth_[f].px.empty(); ++k) {
+        unknowns[k] += constant * growth_[f].px[elements_[k]];
+        unknowns[n_ + k] += constant * growth_[f].py[elements_[k]];
+      }
+    }
+  }
+
+  /// The values of two fields at the elements in contact as one vector, and back.
+  void gather(std::span<const double> fx, std::span<const double> fy, std::span<double> vector) const {
+    for (std::size_t k = 0; k < n_; ++k) vector[k] = fx[elements_[k]], vector[n_ + k] = fy[elements_[k]];
+  }
+  void scatter(std::span<const double> vector, Field& fx, Field& fy) const {
+    fx.assign(problem_.bound.size(), 0.0);
+    fy.assign(problem_.bound.size(), 0.0);
+    for (std::size_t k = 0; k < n_; ++k) fx[elements_[k]] = vector[k], fy[elements_[k]] = vector[n_ + k];
   }
 
   void copy_to(FrictionSolution& s, std::span<const double> unknowns, std::span<const double> slip) const {
@@ -168,10 +192,19 @@ public:
       s.sliding[elements_[k]] = size > g_[k];
     }
     for (std::size_t i = 0; i < forces_.size(); ++i)
-      (forces_[i] == 0 ? s.constant_x : s.constant_y) = unit_ * unknowns[2 * n_ + i];
+      (forces_[i] == 0 ? s.constant_x : s.constant_y) = unit_[i] * unknowns[2 * n_ + i];
   }
 
 private:
+  /// Also makes a unit of the constant one that changes its force's equation by one.
+  void use_growth(std::size_t f, const FrictionNewton::Tractions& growth) {
+    growth_[f] = growth;
+    const std::span<const double> along = forces_[f] == 0 ? growth.px : growth.py;
+    double sum = 0;
+    for (std::size_t k = 0; k < n_ && !along.empty(); ++k) sum += area(k) * along[elements_[k]];
+    if (sum != 0) unit_[f] = std::sqrt(double(n_)) / std::abs(sum);
+  }
+
   double share(std::size_t k) const {
     return problem_.constant_share.empty() ? 1 : problem_.constant_share[elements_[k]];
   }
@@ -179,10 +212,12 @@ private:
   double area(std::size_t k) const { return problem_.area_share.empty() ? 1 : problem_.area_share[elements_[k]]; }
 
   const FrictionProblem& problem_;
-  double rho_, unit_ = 1, scale_ = 0;
+  double rho_, scale_ = 0;
+  std::array<double, 2> unit_ = {}; ///< of the unknown constants
   std::size_t n_ = 0;
   std::vector<std::size_t> elements_;
-  std::vector<std::size_t> forces_; ///< directions in which the force is given
+  std::vector<std::size_t> forces_;                      ///< directions in which the force is given
+  std::array<FrictionNewton::Tractions, 2> growth_ = {}; ///< with each of them
   Field g_, normal_x_, normal_y_, alpha_;
   std::vector<char> state_; ///< 1 in slip
   Field wide_px_, wide_py_, wide_sx_, wide_sy_;
@@ -192,20 +227,27 @@ private:
 double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options, double goal, Field& x, Field& slip,
                int& steps) {
   const std::size_t n = at.size();
-  Field f(n), right(n), step(n), step_slip(slip.size()), trial(n), trial_slip(slip.size()), trial_f(n), best_x,
-      best_slip;
+  Field f(n), right(n), step(n), change(n), step_slip(slip.size()), trial(n), trial_slip(slip.size()), trial_f(n),
+      best_x, best_slip;
   double norm = at.evaluate(x, slip, f), best_norm = norm;
+  // How well the linear equations predicted the last step: they need not be solved better than that (Eisenstat & Walker
+  // 1996, choice 1).
+  constexpr double roughest = 0.3;
+  double misfit = roughest;
   for (; norm > goal && steps < options.most_steps; ++steps) {
     at.linearise(x, slip);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
     const double damping = most_damping * at.mean_alpha() * std::min(1.0, norm / at.scale());
     const auto product = [&](std::span<const double> v, std::span<double> out) {
-      at.slip_growth(v, step_slip);
-      at.derivative(v, step_slip, damping, out);
+      std::copy(v.begin(), v.end(), change.begin());
+      at.follow_constants(change);
+      at.slip_growth(change, step_slip);
+      at.derivative(change, step_slip, damping, out);
     };
-    // A rough direction is enough: more accuracy costs more products than the Newton steps it saves.
-    const double forcing = std::clamp(0.5 * goal / norm, 0.1, 0.3);
-    gmres.solve(product, right, step, forcing, options.most_inner);
+    const double least = std::min(0.8 * goal / norm, roughest);
+    const double linear_norm =
+        gmres.solve(product, right, step, std::clamp(misfit, least, roughest), options.most_inner).residual;
+    at.follow_constants(step);
     at.slip_growth(step, step_slip);
 
     double length = 1, trial_norm = norm;
@@ -220,6 +262,7 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
       best_x = x;
       best_slip = slip;
     }
+    misfit = std::abs(trial_norm - linear_norm) / norm;
     std::swap(x, trial);
     std::swap(slip, trial_slip);
     std::swap(f, trial_f);
@@ -233,24 +276,23 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
 
 } // namespace
 
-FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options,
-                                       std::span<const double> start_px, std::span<const double> start_py) {
+FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options, const Start& start) {
   const long products_before = problem.response.products();
   Iterate at(problem, 1 / problem.response.diagonal());
   Field x(at.size()), slip(2 * at.elements()), f(at.size());
   double goal = options.tolerance * at.scale();
   if (options.before) {
-    at.start(options.before->px, options.before->py, x, slip);
+    at.start({.px = options.before->px, .py = options.before->py}, x, slip);
     const double change = at.evaluate(x, slip, f);
     goal = std::min(goal, std::max(options.tolerance * change, least_goal * at.scale()));
   }
   FrictionSolution s;
-  at.start(start_px, start_py, x, slip);
+  at.start(start, x, slip);
   double norm = iterate(at, gmres_, options, goal, x, slip, s.newton_steps);
-  if (!(norm <= goal) && !start_px.empty()) { // a start may be worse than none
+  if (!(norm <= goal) && !start.px.empty()) { // a start may be worse than none
     Field other_x(x.size()), other_slip(slip.size());
     int steps = 0;
-    at.start({}, {}, other_x, other_slip);
+    at.start({}, other_x, other_slip);
     const double other = iterate(at, gmres_, options, goal, other_x, other_slip, steps);
     s.newton_steps += steps;
     if (other < norm || std::isnan(norm)) norm = other, x = std::move(other_x), slip = std::move(other_slip);
@@ -260,6 +302,33 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   s.products = problem.response.products() - products_before;
   s.status = norm <= goal ? Status::ok : Status::not_converged;
   return s;
+}
+
+FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& problem, const FrictionSolution& solution,
+                                                     std::span<const double> dcx, std::span<const double> dcy,
+                                                     double tolerance) {
+  constexpr int most = 1000;
+  const long products_before = problem.response.products();
+  Iterate at(problem, 1 / problem.response.diagonal());
+  const std::size_t n = at.size();
+  Field x(n), slip(n), right(n), zero(n), step(n), growth(n);
+  at.start({.px = solution.px, .py = solution.py}, x, slip);
+  at.linearise(x, slip);
+  at.gather(dcx, dcy, slip);
+  at.derivative(zero, slip, 0, right);
+  for (double& value : right) value = -value;
+  const auto product = [&](std::span<const double> v, std::span<double> out) {
+    at.slip_growth(v, growth);
+    at.derivative(v, growth, 0, out);
+  };
+  gmres_.solve(product, right, step, tolerance, most);
+  at.slip_growth(step, growth);
+  for (std::size_t k = 0; k < n; ++k) growth[k] += slip[k];
+  Change change;
+  at.scatter(step, change.px, change.py);
+  at.scatter(growth, change.sx, change.sy);
+  change.products = problem.response.products() - products_before;
+  return change;
 }
 
 } // namespace microslip

@@ -3,7 +3,9 @@
 #include "microslip/exact/surface_response.hpp"
 #include "microslip/numerics/gmres.hpp"
 #include "microslip/status.hpp"
+#include "microslip/vec2.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,9 +53,27 @@ public:
     int most_inner = 300; ///< products in the linear solver of one step
   };
 
-  /// `start` is where it begins; empty spans mean zero tractions.
-  FrictionSolution solve(const FrictionProblem& problem, const Options& options, std::span<const double> start_px = {},
-                         std::span<const double> start_py = {});
+  /// Where to begin.
+  struct Start {
+    std::span<const double> px = {}, py = {}; ///< tractions [Pa]; empty: zero
+    std::optional<Vec2> constants = {};       ///< the unknown ones; none: where the mean slip is zero
+    /// Roughly by how much the tractions grow with a unit of each constant; empty: unknown. The better, the fewer
+    /// products it takes to solve with forces given.
+    std::array<Tractions, 2> growth = {};
+  };
+
+  FrictionSolution solve(const FrictionProblem& problem, const Options& options, const Start& start);
+  FrictionSolution solve(const FrictionProblem& problem, const Options& options) { return solve(problem, options, {}); }
+
+  /// By how much the tractions of a solution change when the slip without tractions changes by dcx, dcy (per unit of
+  /// whatever changes): the implicit function theorem for F(p) = 0, forces not given. Also the slip's change. Solved to
+  /// a relative residual of `tolerance`; holds where no element is just between adhesion and slip.
+  struct Change {
+    std::vector<double> px, py, sx, sy;
+    long products = 0;
+  };
+  Change differentiate(const FrictionProblem& problem, const FrictionSolution& solution, std::span<const double> dcx,
+                       std::span<const double> dcy, double tolerance);
 
 private:
   Gmres gmres_;

@@ -4,6 +4,7 @@
 #include "microslip/exact/friction_newton.hpp"
 #include "microslip/simplified/contact.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,12 +13,14 @@ namespace microslip {
 
 struct SecondOrderInput {
   Creepage creepage;
-  std::optional<double> force_x, force_y;     ///< [N], on body 1; the creepage in that direction is an unknown then
-  std::span<const double> start_px, start_py; ///< where to begin, for each element [Pa]; empty: zero tractions
-  double tolerance = 1e-6;                    ///< of the residual, as in FrictionSolution
+  std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
+  FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
+  bool converge_plain = false; ///< also the solution before the correction to the tolerance, as derivatives need it
+  double tolerance = 1e-6;     ///< of the residual, as in FrictionSolution
 };
 
 struct SecondOrderSolution {
+  FrictionSolution plain;     ///< before the deferred correction
   FrictionSolution friction;  ///< tractions, slip and state of each element
   std::vector<double> ux, uy; ///< displacement difference [m]
   Creepage creepage;
@@ -39,7 +42,22 @@ public:
   /// `bound` is g [Pa] of each element. Not converging and a force beyond friction are statuses.
   SecondOrderSolution solve(std::span<const double> bound, const SecondOrderInput& input);
 
+  /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages given
+  /// whose plain part has converged to the same tolerance (`converge_plain`). Both solves are differentiated, the plain
+  /// one and the corrected one, with the linear systems solved to `tolerance`. Holds where no element is just between
+  /// adhesion and slip. Cost: six linear solves.
+  struct Derivatives {
+    std::array<FrictionNewton::Change, 3> by; ///< xi, eta, phi
+    long products = 0;
+  };
+  Derivatives differentiate(std::span<const double> bound, const Creepage& creepage,
+                            const SecondOrderSolution& solution, double tolerance);
+
 private:
+  void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;
+  void add_correction(const FrictionSolution& of, const std::vector<double>& sx, const std::vector<double>& sy,
+                      std::vector<double>& cx, std::vector<double>& cy) const;
+  FrictionProblem problem(std::span<const double> bound, std::span<const double> cx, std::span<const double> cy);
   SecondOrderSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
   std::vector<double> slip_at_centre(const std::vector<double>& slip) const;
 

@@ -148,7 +148,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
     FrictionNewton::Options options{.tolerance = input.tolerance};
     if (!steady) options.before = before;
-    s = newton_.solve(problem, options, start.px, start.py);
+    s = newton_.solve(problem, options, {.px = start.px, .py = start.py});
   }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;

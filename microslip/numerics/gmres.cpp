@@ -23,6 +23,35 @@ void scale(double factor, std::span<double> a) {
   for (double& value : a) value *= factor;
 }
 
+constexpr std::size_t block = 2048;                // numbers of a vector that stay in the cache
+constexpr std::size_t smallest_threaded = 1 << 15; // numbers in a vector that are worth several threads
+
+/// Takes the components along the first `count` basis vectors off `v` and adds them to `components`: Gram and Schmidt's
+/// classical method, block by block, so that each basis vector is read twice only. The sums are formed in an order that
+/// does not depend on the number of threads.
+void orthogonalise(const std::vector<Vector>& basis, std::size_t count, std::span<double> v,
+                   std::span<double> components) {
+  const std::size_t blocks = (v.size() + block - 1) / block;
+  Vector sums(blocks * count), total(count);
+  const auto part = [&](std::size_t b, std::span<const double> vector) {
+    return vector.subspan(b * block, std::min(block, vector.size() - b * block));
+  };
+#pragma omp parallel if (v.size() >= smallest_threaded)
+  {
+#pragma omp for
+    for (std::size_t b = 0; b < blocks; ++b)
+      for (std::size_t i = 0; i < count; ++i) sums[b * count + i] = dot(part(b, basis[i]), part(b, v));
+#pragma omp single
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t b = 0; b < blocks; ++b) total[i] += sums[b * count + i];
+#pragma omp for
+    for (std::size_t b = 0; b < blocks; ++b)
+      for (std::size_t i = 0; i < count; ++i)
+        add_scaled(-total[i], part(b, basis[i]), v.subspan(b * block, std::min(block, v.size() - b * block)));
+  }
+  for (std::size_t i = 0; i < count; ++i) components[i] += total[i];
+}
+
 /// The least squares problem of the Hessenberg matrix, kept triangular by Givens rotations.
 class Triangle {
 public:
@@ -86,14 +115,16 @@ Gmres::Result Gmres::solve(const Product& matrix, std::span<const double> b, std
   for (; k < most && residual > tolerance * size; ++k) {
     Vector& next = vector(k + 1);
     matrix(basis_[k], next);
-    largest = std::max(largest, std::sqrt(dot(next, next)));
+    double before = std::sqrt(dot(next, next)), length = before;
+    largest = std::max(largest, before);
     const double rounding = 1e-14 * largest;
     Vector column(k + 2);
-    for (int i = 0; i <= k; ++i) {
-      column[i] = dot(basis_[i], next);
-      add_scaled(-column[i], basis_[i], next);
+    // Once more where little is left: it has the rounding errors of what was taken off.
+    for (int pass = 0; pass < 2 && (pass == 0 || length < 0.1 * before); ++pass) {
+      before = length;
+      orthogonalise(basis_, k + 1, next, column);
+      length = std::sqrt(dot(next, next));
     }
-    const double length = std::sqrt(dot(next, next));
     const bool closed = !(length > rounding); // the space holds its own image: it has nothing more to give
     column[k + 1] = closed ? 0 : length;
     residual = triangle.add(std::move(column), rounding);

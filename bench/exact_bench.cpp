@@ -1,0 +1,134 @@
+// Speed of the exact theory at second order, one thread: the paper's test on growing grids, cases of the test set,
+// forces given against creepages given, and derivatives. Prints tables; what counts are ratios within one run.
+//   exact_bench [elements across, largest grid; default 401]
+
+#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/exact/hertzian_rolling.hpp"
+#include "validation/test_set.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include <sys/resource.h>
+
+namespace {
+
+using namespace microslip;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// The test of the refinement paper, with the misprint in its creepage corrected.
+EllipticContact papers_test() {
+  return {.a = 5e-3,
+          .b = 25e-3,
+          .shear_modulus = 1e9,
+          .poisson_ratio = 0.28,
+          .normal_force = 1300,
+          .friction = FrictionLaw::coulomb(0.3),
+          .creepage = {0.000857, 0, 0}};
+}
+
+/// Seconds for one product with the matrix of a grid: the shortest of some.
+double product_time(const EllipticContact& contact, int n) {
+  const FittedContact fitted = fit_ellipse(contact.a, contact.b, n, n);
+  FittedResponse response({contact.shear_modulus, contact.poisson_ratio, 0}, fitted);
+  std::vector<double> px(fitted.elements.size(), 1), py(px), sx(px), sy(px);
+  double shortest = 1e9;
+  for (int i = 0; i < 7; ++i) {
+    const auto start = Clock::now();
+    response.apply(px, py, sx, sy);
+    shortest = std::min(shortest, seconds_since(start));
+  }
+  return shortest;
+}
+
+void growing_grids(int largest) {
+  std::printf("The paper's test, residual 1e-6, with all coarser grids and the making of the matrices\n"
+              "%6s %9s %8s %9s %12s %14s %16s %10s\n",
+              "grid", "Fx/mu Fn", "time [s]", "products", "product [ms]", "time/product", "bytes per element",
+              "peak [MB]");
+  const EllipticContact contact = papers_test();
+  double first = 0, time = 0;
+  int n = 0;
+  for (const int size : {51, 101, 201, 401, 801, 1001}) {
+    if (size > largest) break;
+    const double product = product_time(contact, size), before = peak_megabytes();
+    const auto start = Clock::now();
+    const ExactContact result = EllipticContactSolver({.mx = size, .my = size}).solve(contact);
+    time = seconds_since(start);
+    n = size;
+    if (size == 101) first = time;
+    std::printf("%6d %9.5f %8.3f %9ld %12.2f %14.0f %16.0f %10.0f\n", size, result.fields.forces.fx / 390, time,
+                result.products, 1e3 * product, time / product,
+                std::max(peak_megabytes() - before, 0.0) * 1048576 / size / size, peak_megabytes());
+  }
+  if (first > 0 && n > 101)
+    std::printf("time grows like N^%.2f from 101 to %d elements across\n\n",
+                std::log(time / first) / std::log(n * n / 10201.0), n);
+}
+
+void test_set(int n, double wanted) {
+  EllipticContactSolver solver({.mx = n, .my = n});
+  const auto contacts = validation::test_set_contacts();
+  int unsolved = 0;
+  long products = 0;
+  const auto start = Clock::now();
+  for (const EllipticContact& contact : contacts) {
+    const ExactContact result = solver.solve(contact);
+    unsolved += result.fields.forces.status != Status::ok;
+    products += result.products;
+  }
+  const double count = static_cast<double>(contacts.size());
+  std::printf("3,220 cases at %d x %d: %.2f ms and %.1f products per case (wanted: <= %.0f ms), %d not solved\n", n, n,
+              1e3 * seconds_since(start) / count, static_cast<double>(products) / count, wanted, unsolved);
+}
+
+/// Every seventh case that adheres and slides: forces given for creepages given, derivatives for forces.
+void forces_and_derivatives(int n) {
+  EllipticContactSolver solver({.mx = n, .my = n});
+  const auto contacts = validation::test_set_contacts();
+  double by_creepage = 0, by_force = 0, derivatives = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < contacts.size(); i += 7) {
+    const EllipticContact& contact = contacts[i];
+    const double limit = contact.friction.static_coefficient() * contact.normal_force;
+    auto start = Clock::now();
+    const ContactForces forces = solver.solve(contact).fields.forces;
+    const double time = seconds_since(start), size = std::hypot(forces.fx, forces.fy);
+    if (size < 1e-3 * limit || size > 0.99 * limit) continue;
+    by_creepage += time;
+    start = Clock::now();
+    solver.solve(contact, {.force_x = forces.fx, .force_y = forces.fy});
+    by_force += seconds_since(start);
+    start = Clock::now();
+    solver.differentiate(contact);
+    derivatives += seconds_since(start);
+    ++count;
+  }
+  std::printf(
+      "%d cases at %d x %d: creepages given %.2f ms; forces given / creepages given %.2f (wanted: <= 1.5); forces "
+      "with derivatives / forces %.2f (wanted: <= 2)\n",
+      count, n, n, 1e3 * by_creepage / count, by_force / by_creepage, derivatives / by_creepage);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  growing_grids(argc > 1 ? std::atoi(argv[1]) : 401);
+  test_set(12, 1);
+  test_set(24, 5);
+  for (const int n : {12, 24, 48}) forces_and_derivatives(n);
+}
