@@ -1,7 +1,9 @@
 #include "app/batch.hpp"
+#include "app/convert.hpp"
 #include "app/hertz.hpp"
 #include "app/init.hpp"
 #include "app/interrupt.hpp"
+#include "app/run.hpp"
 #include "app/solve.hpp"
 #include "app/usage_error.hpp"
 #include "app/validate.hpp"
@@ -30,6 +32,8 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_hertz_command(program);
   add_batch_command(program, exit_code);
   add_init_command(program);
+  add_run_command(program, exit_code);
+  add_convert_command(program, exit_code);
   add_validate_command(program, exit_code);
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text(), "Print version, commit and compiler and exit");

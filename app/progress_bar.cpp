@@ -26,6 +26,10 @@ ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), visible_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()), drawn_(start_) {}
 
 ProgressBar::~ProgressBar() {
+  clear();
+}
+
+void ProgressBar::clear() {
   if (visible_) std::fputs("\r\033[K", stderr);
 }
 

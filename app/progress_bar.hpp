@@ -15,6 +15,8 @@ public:
 
   /// Shows the fraction done, 0 to 1; draws at most ten times a second. From one thread only.
   void update(double fraction);
+  /// Makes room for a line of output; the next update draws the bar again.
+  void clear();
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -22,10 +23,14 @@ public:
   Handle(hid_t id, Close close) : id_(id), close_(close) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
+  ~Handle() { finish(); }
   hid_t get() const { return id_; }
+  /// Negative if what was to be written on closing could not be.
+  herr_t finish() {
+    const herr_t result = id_ >= 0 ? close_(id_) : 0;
+    id_ = -1;
+    return result;
+  }
 
 private:
   hid_t id_;
@@ -41,13 +46,13 @@ std::string now() {
   return {text, length};
 }
 
-/// Access properties of a file that lives in memory only.
-hid_t in_memory() {
+/// Access properties of a file that lives in memory only, or on disk.
+hid_t access_to(bool on_disk) {
   constexpr std::size_t growth = 1 << 20;
   // HDF5 prints every error by itself unless told not to; ours name the file.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const auto properties = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_fapl_core(properties, growth, 0);
+  if (!on_disk) H5Pset_fapl_core(properties, growth, 0);
   return properties;
 }
 
@@ -67,9 +72,11 @@ hid_t utf8_text() {
 } // namespace
 
 struct ResultFile::Contents {
-  explicit Contents(const std::filesystem::path& path)
-      : name(path.string()), output(path), access(in_memory(), H5Pclose), links(with_parent_groups(), H5Pclose),
-        text(utf8_text(), H5Tclose), file(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose) {
+  Contents(const std::filesystem::path& path, Storage storage)
+      : name(path.string()), output(path), on_disk(storage == Storage::disk && !output.temporary().empty()),
+        access(access_to(on_disk), H5Pclose), links(with_parent_groups(), H5Pclose), text(utf8_text(), H5Tclose),
+        file(H5Fcreate(on_disk ? output.temporary().c_str() : name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
+             H5Fclose) {
     check(file.get(), "/");
   }
 
@@ -110,6 +117,46 @@ struct ResultFile::Contents {
     dataset(path, type, space, values.data(), unit, description);
   }
 
+  /// An array that can grow.
+  struct Growing {
+    explicit Growing(hid_t id) : dataset(id, H5Dclose) {}
+    Handle dataset;
+    hsize_t length = 0;
+  };
+
+  Growing& growing(const std::string& path, hid_t type, const std::string& unit, const std::string& description) {
+    constexpr hsize_t none = 0, endless = H5S_UNLIMITED, chunk = 1024;
+    const auto known = arrays.find(path);
+    if (known != arrays.end()) return known->second;
+    const Handle space(H5Screate_simple(1, &none, &endless), H5Sclose), layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_chunk(layout.get(), 1, &chunk);
+    const hid_t created =
+        check(H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), layout.get(), H5P_DEFAULT), path);
+    Growing& array = arrays.try_emplace(path, created).first->second;
+    attribute(created, path, "unit", unit);
+    attribute(created, path, "description", description);
+    return array;
+  }
+
+  template <class Value>
+  void append(const std::string& path, hid_t type, std::span<const Value> values, const std::string& unit,
+              const std::string& description) {
+    Growing& array = growing(path, type, unit, description);
+    if (values.empty()) return;
+    const hsize_t begin = array.length, count = values.size(), end = begin + count;
+    check(H5Dset_extent(array.dataset.get(), &end), path);
+    const Handle all(H5Dget_space(array.dataset.get()), H5Sclose), part(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    check(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr), path);
+    check(H5Dwrite(array.dataset.get(), type, part.get(), all.get(), H5P_DEFAULT, values.data()), path);
+    array.length = end;
+  }
+
+  /// Writes what HDF5 still holds.
+  void close() {
+    for (auto& [path, array] : arrays) check(array.dataset.finish(), path);
+    check(file.finish(), "/");
+  }
+
   std::string image() const {
     check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "/");
     std::string bytes(static_cast<std::size_t>(check(H5Fget_file_image(file.get(), nullptr, 0), "/")), '\0');
@@ -119,11 +166,13 @@ struct ResultFile::Contents {
 
   std::string name;
   OutputFile output;
+  bool on_disk;
   Handle access, links, text, file;
+  std::map<std::string, Growing> arrays;
 };
 
-ResultFile::ResultFile(const std::filesystem::path& path, const Provenance& provenance)
-    : contents_(std::make_unique<Contents>(path)) {
+ResultFile::ResultFile(const std::filesystem::path& path, const Provenance& provenance, Storage storage)
+    : contents_(std::make_unique<Contents>(path, storage)) {
   const auto build = build_info();
   const std::pair<const char*, std::string> attributes[] = {
       {"kind", provenance.kind},
@@ -169,13 +218,26 @@ void ResultFile::array(const std::string& path, std::span<const std::uint8_t> va
   contents_->array(path, H5T_NATIVE_UINT8, values, unit, description, shape);
 }
 
+void ResultFile::append(const std::string& path, std::span<const double> values, const std::string& unit,
+                        const std::string& description) {
+  contents_->append(path, H5T_NATIVE_DOUBLE, values, unit, description);
+}
+
+void ResultFile::append(const std::string& path, std::span<const int> values, const std::string& unit,
+                        const std::string& description) {
+  contents_->append(path, H5T_NATIVE_INT, values, unit, description);
+}
+
 void ResultFile::attribute(const std::string& path, const std::string& name, const std::string& value) {
   const Handle object(contents_->check(H5Oopen(contents_->file.get(), path.c_str(), H5P_DEFAULT), path), H5Oclose);
   contents_->attribute(object.get(), path, name, value);
 }
 
 void ResultFile::commit() {
-  contents_->output.write(contents_->image());
+  if (contents_->on_disk)
+    contents_->close();
+  else
+    contents_->output.write(contents_->image());
   contents_->output.commit();
 }
 

@@ -3,6 +3,7 @@
 #include "validation/carter.hpp"
 #include "validation/cattaneo.hpp"
 #include "validation/cattaneo_to_carter.hpp"
+#include "validation/contact_cases.hpp"
 #include "validation/creep_curve.hpp"
 #include "validation/edge_constants.hpp"
 #include "validation/exact_112.hpp"
@@ -13,7 +14,9 @@
 #include "validation/kalker_coefficients.hpp"
 #include "validation/model_problem.hpp"
 #include "validation/refinement.hpp"
+#include "validation/second_order.hpp"
 #include "validation/solver_growth.hpp"
+#include "validation/subsurface.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +29,8 @@ constexpr std::array all_studies = {
     Study{"cattaneo", "a shifted sphere against the closed form of Cattaneo and Mindlin", run_cattaneo},
     Study{"cattaneo-to-carter", "a shifted sphere that begins to roll, step by step to the steady state",
           run_cattaneo_to_carter},
+    Study{"contact-cases", "the input files of the program CONTACT, every quantity beside what it printed",
+          run_contact_cases},
     Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
     Study{"edge-constants", "where leading elements end inside the edge of contact, for second order",
           run_edge_constants},
@@ -42,8 +47,12 @@ constexpr std::array all_studies = {
           run_model_problem},
     Study{"refinement", "the test of the refinement paper: its figures 1 to 8, and times beside its Table 1",
           run_refinement},
+    Study{"second-order", "steady rolling at second order: Carter, the refinement paper's test, the 112 cases",
+          run_second_order},
     Study{"solver-growth", "Table 1 of the refinement paper: how the cost of ConvexGS grows, beside Newton's",
           run_solver_growth},
+    Study{"subsurface", "displacements and stresses inside the bodies; how near to the surface they hold",
+          run_subsurface},
 };
 
 } // namespace

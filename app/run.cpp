@@ -1,0 +1,227 @@
+#include "app/run.hpp"
+
+#include "app/command_line.hpp"
+#include "app/contact_run_file.hpp"
+#include "app/interrupt.hpp"
+#include "app/progress_bar.hpp"
+#include "io/contact_mat.hpp"
+#include "io/contact_run.hpp"
+#include "io/output_file.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <set>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  fs::path input, folder = "results";
+  bool mat = false;
+};
+
+/// The file is read twice: once to see that all of it is right.
+std::ifstream open(const fs::path& path) {
+  const auto fail = [&](const std::string& why) { throw Error(path.string() + ": cannot be read: " + why); };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) fail("it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(std::generic_category().message(errno));
+  if (!fs::is_regular_file(path, ignored)) fail("it is not a regular file");
+  return file;
+}
+
+/// Number of cases of a file without mistakes.
+int count_cases(const fs::path& path) {
+  auto file = open(path);
+  ContactInputReader reader(file, path.string());
+  int count = 0;
+  while (const ContactCase* c = reader.next()) {
+    count = c->number;
+    if (count % 256 == 0) InterruptGuard::throw_if_interrupted();
+  }
+  if (count == 0) throw Error(path.string() + ": there is no case in it");
+  return count;
+}
+
+/// The text, unless it is long.
+std::string short_text(const fs::path& path) {
+  constexpr std::uintmax_t longest = 1 << 20;
+  if (fs::file_size(path) > longest) return "";
+  auto file = open(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Names above values.
+class Lines {
+public:
+  void add(const std::string& name, const std::string& value) {
+    const auto width = std::max<std::size_t>(12, std::max(name.size(), value.size()) + 2);
+    names_ += fmt::format("{:>{}}", name, width);
+    values_ += fmt::format("{:>{}}", value, width);
+  }
+  void add(const std::string& name, double value) { add(name, fmt::format("{:.5g}", value)); }
+  void print() const { fmt::print("{}\n{}\n", names_, values_); }
+
+private:
+  std::string names_, values_;
+};
+
+const char* motion_name(int tang) {
+  constexpr const char* names[] = {"without friction", "shift", "transient rolling", "steady rolling"};
+  return names[tang];
+}
+
+std::string with_unit(const std::string& name) {
+  return name.starts_with("SHIFT") ? name + " [mm]" : name;
+}
+
+void print_totals(const ContactCase& c, const ContactOutcome& outcome) {
+  const ContactTotals& t = outcome.totals;
+  Lines forces, relative, counts;
+  forces.add("FN [N]", t.fn);
+  forces.add("FX [N]", t.fx);
+  forces.add("FY [N]", t.fy);
+  forces.add("MZ [N mm]", t.mz);
+  forces.add("ELAST.EN. [J]", t.elastic_energy);
+  forces.add(c.digits.tang >= 2 ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
+  forces.print();
+  relative.add("FN/G [mm2]", t.fn_over_g);
+  relative.add(with_unit(t.x_name), t.x);
+  relative.add(with_unit(t.y_name), t.y);
+  relative.add("APPROACH [mm]", t.approach);
+  relative.add("PMAX [N/mm2]", t.peak_pressure);
+  relative.print();
+  counts.add("NPOT", std::to_string(t.potential));
+  counts.add("NCON", std::to_string(t.contact));
+  counts.add("NADH", std::to_string(t.adhesion));
+  counts.add("NSLIP", std::to_string(t.slip));
+  counts.add("residual", fmt::format("{:.1e}", outcome.solution.tangential.residual));
+  counts.add("status", std::string(to_string(outcome.solution.status)));
+  counts.print();
+}
+
+class Run {
+public:
+  explicit Run(const RunArguments& arguments)
+      : path_(arguments.input), mat_(arguments.mat), count_(count_cases(path_)), output_(output_path(arguments)),
+        file_(output_, {.kind = "contact_run",
+                        .title = path_.stem().string(),
+                        .command_line = command_line(),
+                        .case_file = path_.string(),
+                        .case_text = short_text(path_)}),
+        bar_(path_.filename().string()) {}
+
+  /// Returns whether all cases are solved.
+  bool run() {
+    auto input = open(path_);
+    ContactInputReader reader(input, path_.string());
+    while (const ContactCase* c = reader.next()) {
+      const ContactOutcome outcome = run_.run(*c);
+      if (shows_both_) bar_.clear();
+      print(*c, outcome);
+      file_.add(*c, outcome);
+      if (mat_ && c->digits.matfil > 0 && outcome.kind == ContactOutcome::Kind::solved) write_mat(*c, outcome);
+      InterruptGuard::throw_if_interrupted();
+      bar_.update(static_cast<double>(c->number) / count_);
+    }
+    bar_.clear();
+    file_.commit();
+    fmt::print("\n{}\n", output_.string());
+    std::fflush(stdout);
+    if (!reader.is_complete())
+      fmt::print(stderr, "microslip: warning: {}: the file ends without MODULE 0; is it complete?\n", path_.string());
+    warn(refused_, "not run");
+    warn(unsolved_, "not solved, see their status");
+    return refused_ == 0 && unsolved_ == 0;
+  }
+
+private:
+  static fs::path output_path(const RunArguments& arguments) {
+    create_folder(arguments.folder);
+    return arguments.folder / (arguments.input.stem().string() + ".h5");
+  }
+
+  void print(const ContactCase& c, const ContactOutcome& outcome) {
+    fmt::print("{}Case {} (line {}): ", c.number == 1 ? "" : "\n", c.number, c.line);
+    if (outcome.kind == ContactOutcome::Kind::skipped) {
+      fmt::print("skipped, R = {}\n", c.digits.solve);
+    } else if (outcome.kind == ContactOutcome::Kind::refused) {
+      ++refused_;
+      fmt::print("not run\n");
+      for (const auto& reason : outcome.reasons) fmt::print("  {}\n", reason);
+    } else {
+      if (outcome.solution.status != Status::ok) ++unsolved_;
+      const ElementGrid& grid = outcome.step.grid;
+      fmt::print("{}, {} x {} elements of {:.5g} x {:.5g} mm\n", motion_name(c.digits.tang), grid.mx, grid.my,
+                 grid.dx * 1e3, grid.dy * 1e3);
+      print_totals(c, outcome);
+      for (const auto& note : outcome.notes)
+        if (known_notes_.insert(note).second) fmt::print("  note: {}\n", note);
+    }
+    std::fflush(stdout);
+  }
+
+  void warn(int cases, const char* what) const {
+    if (cases > 0)
+      fmt::print(stderr, "microslip: warning: {}: {} of {} cases are {}\n", path_.string(), cases, count_, what);
+  }
+
+  /// Beside the result file, numbered as CONTACT does.
+  void write_mat(const ContactCase& c, const ContactOutcome& outcome) const {
+    auto name = output_;
+    OutputFile file(name.replace_extension(fmt::format(".{:04}.mat", c.number)));
+    file.write(contact_mat(c, outcome));
+    file.commit();
+  }
+
+  fs::path path_;
+  bool mat_;
+  int count_;
+  fs::path output_;
+  ContactRunFile file_;
+  ProgressBar bar_;
+  bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
+  ContactRun run_;
+  std::set<std::string> known_notes_; ///< each is printed once
+  int refused_ = 0, unsolved_ = 0;
+};
+
+int run(const RunArguments& arguments) {
+  const InterruptGuard guard;
+  return Run(arguments).run() ? 0 : 1;
+}
+
+} // namespace
+
+void add_run_command(CLI::App& program, int& exit_code) {
+  auto* command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
+  const auto arguments = std::make_shared<RunArguments>();
+  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required();
+  command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")->capture_default_str();
+  command->add_flag("--mat", arguments->mat, "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0");
+  command->footer(
+      "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"
+      "CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and\n"
+      "the fields that digit A asks for. A case with something that is not supported is named with digit and meaning,\n"
+      "and the others run; docs/contact-input.md has the list. Exit code 1: some cases are not run or not solved.\n\n"
+      "Example:\n  microslip run examples/sphere_on_plane.inp -o results");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+} // namespace microslip

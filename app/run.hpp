@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// Adds `microslip run`, which runs the cases of an input file of the program CONTACT and sets `exit_code` to 1 unless
+/// all of them are solved.
+void add_run_command(CLI::App& program, int& exit_code);
+
+} // namespace microslip

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "io/contact_input.hpp"
+#include "io/contact_totals.hpp"
+#include "microslip/exact/contact_sequence.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+
+/// What became of a case.
+struct ContactOutcome {
+  enum class Kind { solved, skipped, refused };
+  Kind kind = Kind::solved;
+  std::vector<std::string> reasons = {}; ///< why it was refused
+  std::vector<std::string> notes = {};   ///< what was left out or done in another way
+  ContactStep step = {};                 ///< the rest for cases that are solved
+  ContactStepSolution solution = {};
+  ContactTotals totals = {};
+};
+
+/// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip.
+int element_state(const ContactOutcome& outcome, std::size_t element);
+
+/// Runs the cases of an input file in their order, each with what the ones before it have left. A case that asks for
+/// something unsupported is refused, and so is one that goes on from the tractions of a refused one; all others run.
+class ContactRun {
+public:
+  ContactOutcome run(const ContactCase& c);
+
+private:
+  struct Sequence {
+    ContactSequence steps;
+    int lost = 0; ///< number of the case that could not be run after the last one that was solved
+  };
+
+  ContactOutcome solve(const ContactCase& c, Sequence& sequence);
+
+  std::map<std::pair<int, int>, Sequence> sequences_;
+};
+
+} // namespace microslip

@@ -1,0 +1,85 @@
+#include "io/contact_support.hpp"
+
+#include "io/contact_set_up.hpp"
+
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+bool has_tractions(const ContactCase& c) {
+  return c.digits.tang != 0;
+}
+
+bool rolls(const ContactCase& c) {
+  return c.digits.tang >= 2;
+}
+
+/// A value of a digit, or of a number beside it, that is not supported.
+struct Refusal {
+  const char* digit;
+  const char* meaning;
+  bool (*applies)(const ContactCase& c);
+};
+
+constexpr Refusal refusals[] = {
+    {"B = 4", "two half ellipses, SDEC", [](const ContactCase& c) { return c.digits.bound == 4; }},
+    {"B = 5", "approximate normal problem, KPEC", [](const ContactCase& c) { return c.digits.bound == 5; }},
+    {"B = 6", "approximate normal problem, ANALYN", [](const ContactCase& c) { return c.digits.bound == 6; }},
+    {"L = 2", "friction that falls linearly with the slip velocity",
+     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 2; }},
+    {"L = 3", "friction that falls rationally with the slip velocity",
+     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 3; }},
+    {"L = 4", "friction that falls exponentially with the slip velocity",
+     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 4; }},
+    {"L = 6", "friction that depends on the temperature",
+     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 6; }},
+    {"C = 3", "bilinear elements", [](const ContactCase& c) { return c.material->coefficients == 3; }},
+    {"C = 4", "half-space coefficients corrected for conformal contact",
+     [](const ContactCase& c) { return c.material->coefficients == 4; }},
+    {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},
+    {"M = 1", "viscoelastic bodies", [](const ContactCase& c) { return c.digits.mater == 1; }},
+    {"M = 2", "FASTSIM with one flexibility", [](const ContactCase& c) { return c.digits.mater == 2; }},
+    {"M = 3", "FASTSIM with three flexibilities", [](const ContactCase& c) { return c.digits.mater == 3; }},
+    {"M = 4", "third-body layer", [](const ContactCase& c) { return c.digits.mater == 4; }},
+    {"M = 5", "FaStrip", [](const ContactCase& c) { return c.digits.mater == 5; }},
+    {"M = 6", "FaStrip in its first form", [](const ContactCase& c) { return c.digits.mater == 6; }},
+    {"M = 7", "FaStrip with its correction for full sliding", [](const ContactCase& c) { return c.digits.mater == 7; }},
+    {"T > 0", "bodies of different materials, whose normal and tangential problems are coupled (K not 0)",
+     [](const ContactCase& c) { return has_tractions(c) && std::abs(combined_material(c).dissimilarity) >= 1e-6; }},
+    {"E = 2", "extra rigid slip without the spin's part of wy",
+     [](const ContactCase& c) { return has_tractions(c) && c.extra == 2; }},
+    {"E = 3", "extra rigid slip without the spin's part of wx",
+     [](const ContactCase& c) { return has_tractions(c) && c.extra == 3; }},
+    {"E = 9", "extra rigid slip of each element",
+     [](const ContactCase& c) { return has_tractions(c) && c.extra == 9; }},
+    {"CHI", "rolling in a direction other than 0 or 180 degrees",
+     [](const ContactCase& c) { return rolls(c) && std::abs(std::sin(c.rolling->chi)) > 0.01; }},
+    {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5",
+     [](const ContactCase& c) { return c.potential->kind <= -4 && c.potential->kind >= -5 && c.formed_norm == 0; }},
+    {"IPOTCN = -6", "two half ellipses, SDEC", [](const ContactCase& c) { return c.potential->kind == -6; }},
+};
+
+} // namespace
+
+std::vector<std::string> unsupported(const ContactCase& c) {
+  if (!c.unreadable.empty()) return {c.unreadable};
+  std::vector<std::string> reasons;
+  for (const auto& [digit, meaning, applies] : refusals)
+    if (applies(c)) reasons.push_back(std::string(digit) + " (" + meaning + ")");
+  return reasons;
+}
+
+std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step) {
+  const ContactDigits& d = c.digits;
+  std::vector<std::string> notes;
+  if (d.stress > 0) notes.emplace_back("S > 0: the interior field is not computed");
+  if (d.heat > 0) notes.emplace_back("H > 0: surface temperatures are not computed; nothing else depends on them");
+  if (d.damping > 0) notes.emplace_back("M2 > 0: damping forces are not computed");
+  const double dx = step.grid.dx * 1e3;
+  if (takes_element_length(c) && std::abs(c.rolling->dq - dx) > 1e-3 * dx)
+    notes.emplace_back("T = 3: DQ is DX, as with CONTACT's SteadyGS");
+  return notes;
+}
+
+} // namespace microslip

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// Values of an input file of the program CONTACT, one after the other. Words are separated by blanks, tabs, commas and
+/// equals signs, `%` begins a comment, empty lines count for nothing. A record is a row of values that must be there,
+/// on one line or several; after them the same line may hold optional ones, and the rest of it is a remark.
+///
+/// All readers throw Error with file, line, field, value and allowed range: `a.inp:12: FSTAT = -0.3: must be in [0,
+/// 10]`. Lines have 4096 characters at most.
+class ContactWords {
+public:
+  /// `stream` must outlive the words; `name` is the file's name for messages.
+  ContactWords(std::istream& stream, std::string name);
+
+  /// Whether there is no further value.
+  bool at_end();
+  /// The line of the next value, from 1.
+  std::size_t line();
+
+  int integer(std::string_view field, int low, int high);
+  /// A real number as Fortran reads it: `1`, `1.`, `.5`, `1d-3`, and `.1-07` without a letter for the exponent.
+  double real(std::string_view field);
+  double positive(std::string_view field);
+  double between(std::string_view field, double low, double high);
+  /// [rad]; degrees if it ends in d: `90d`, `180.d`. `90d0` is 90 rad.
+  double angle(std::string_view field);
+  /// A text between single quotes.
+  std::string text(std::string_view field);
+  /// `count` real numbers.
+  std::vector<double> reals(std::string_view field, std::size_t count);
+  /// The digits of a control integer from the left, `most` of them; missing ones are leading zeros.
+  std::vector<int> control(std::string_view field, std::size_t most);
+
+  /// An optional value: the next word of the line if it is a number, else `fallback`.
+  double optional_real(std::string_view field, double fallback);
+  int optional_integer(std::string_view field, int fallback, int low, int high);
+
+  /// What is left of the line is a remark.
+  void end_record();
+  /// Drops lines up to the next one that names a module: a whole number and the word MODULE in any case. False if there
+  /// is none.
+  bool skip_to_module();
+
+  /// Throws Error with file and the line of the last value.
+  [[noreturn]] void fail(const std::string& message) const;
+  /// The same for a field and its value.
+  [[noreturn]] void fail(std::string_view field, double value, const std::string& must) const;
+
+private:
+  struct Word {
+    std::string text;
+    bool quoted = false;
+  };
+
+  bool read_line();
+  bool fill();
+  void split(const std::string& text);
+  const Word& next(std::string_view field);
+  bool has_more() const { return next_ < words_.size(); }
+
+  std::istream& stream_;
+  std::string name_;
+  std::vector<Word> words_; ///< of the line
+  std::size_t next_ = 0, line_ = 0;
+};
+
+} // namespace microslip

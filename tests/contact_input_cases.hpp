@@ -1,0 +1,49 @@
+#pragma once
+
+#include "io/contact_run.hpp"
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// A sphere on a plane, R = 50 mm, shifted by half of the friction limit.
+inline const std::string first_shift = R"( 3 MODULE
+ 201110  P-B-T-N-F-S
+ 022020  L-D-C-M-Z-E
+ 0000331 H-G-I-A-O-W-R
+ 100 100 30 1 1e-7   MAXGS, MAXIN, MAXNR, MAXOUT, EPS
+ 9.1954 -.5 0 0      FN, FX, CETA, CPHI
+ .4 .4               FSTAT, FKIN
+ .42 .42 200. 200.   POISS, GG
+ 1                   IPOTCN
+ 19 19 -1.26667 -1.26667 .13333 .13333
+ 1 1                 IBASE, IPLAN
+ .01 0 .01 0 0 0
+)";
+
+/// Rolling of a Hertzian contact with 12 elements across: FN, CKSI, CETA, CPHI; CHI, DQ, VELOC; the first control
+/// integer.
+inline std::string steady_rolling(const std::string& kinematics, const std::string& rolling = "0 .1 30000.",
+                                  const std::string& control = "203100") {
+  return " 3 MODULE\n " + control + "\n 022020\n 0000331\n 100 100 30 1 1e-7\n " + kinematics + "\n .3 .3\n " +
+         rolling + "\n .28 .28 82000. 82000.\n -3\n 16 16 1. .8 1.33333\n";
+}
+
+struct RunCase {
+  ContactCase input;
+  ContactOutcome outcome;
+};
+
+/// All cases of a text, run in order.
+inline std::vector<RunCase> run_cases(const std::string& text) {
+  std::istringstream stream(text);
+  ContactInputReader reader(stream, "a.inp");
+  ContactRun run;
+  std::vector<RunCase> cases;
+  while (const ContactCase* c = reader.next()) cases.push_back({*c, run.run(*c)});
+  return cases;
+}
+
+} // namespace microslip

@@ -1,0 +1,243 @@
+// `microslip run`: the example, refusals, bad input, many cases, Ctrl-C.
+
+#include "tests/contact_input_cases.hpp"
+#include "tests/hdf5_reader.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string example = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
+
+std::string contents(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void save(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+struct Outcome {
+  int exit_code;
+  std::string output, errors;
+};
+
+/// Runs `microslip run` in a folder.
+Outcome run(const TemporaryFolder& folder, const std::string& arguments) {
+  const TemporaryFolder streams;
+  const auto output = streams / "output", errors = streams / "errors";
+  const std::string command = "cd '" + folder.path().string() + "' && exec '" + MICROSLIP_PROGRAM + "' run " +
+                              arguments + " >'" + output.string() + "' 2>'" + errors.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(output), contents(errors)};
+}
+
+/// Steady rolling with growing creepages, all but the first case keeping what the first has given.
+std::string many_cases(int count) {
+  std::string text = steady_rolling("100. 0 0 0");
+  for (int k = 1; k < count; ++k)
+    text += " 3 MODULE\n 203100\n 100000\n 0100331\n 100. " + std::to_string(1e-6 * k) + " 0 0\n";
+  return text + " 0 MODULE\n";
+}
+
+TEST(ContactProgram, RunsTheExample) {
+  const TemporaryFolder folder;
+  const auto outcome = run(folder, "'" + example + "'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  for (const char* text :
+       {"Case 2 (line 17): shift, 21 x 21 elements", "SHIFT X [mm]", "FRIC.POWER [W]", "results/sphere_on_plane.h5"})
+    EXPECT_NE(outcome.output.find(text), std::string::npos) << text << outcome.output;
+
+  const Hdf5Reader file(folder / "results/sphere_on_plane.h5");
+  EXPECT_EQ(file.attribute("/", "kind"), "contact_run");
+  EXPECT_EQ(file.attribute("/", "case_text"), contents(example));
+  EXPECT_EQ(file.attribute("cases/fx", "unit"), "N");
+  EXPECT_EQ(file.values<int>("cases/motion", H5T_NATIVE_INT), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(file.values<int>("cases/outcome", H5T_NATIVE_INT), std::vector<int>(4, 0));
+  EXPECT_EQ(file.values<int>("cases/stored_elements", H5T_NATIVE_INT), (std::vector<int>{0, 441, 441, 441}));
+  EXPECT_EQ(file.values<double>("cases/first_element", H5T_NATIVE_DOUBLE), (std::vector<double>{0, 0, 441, 882}));
+  // The fields add up to the forces.
+  const auto px = file.values<double>("elements/px", H5T_NATIVE_DOUBLE);
+  const auto fx = file.values<double>("cases/fx", H5T_NATIVE_DOUBLE);
+  const auto dx = file.values<double>("cases/dx", H5T_NATIVE_DOUBLE),
+             dy = file.values<double>("cases/dy", H5T_NATIVE_DOUBLE);
+  ASSERT_EQ(px.size(), 3u * 441);
+  for (std::size_t c = 1; c < 4; ++c) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 441; ++k) sum += px[441 * (c - 1) + k];
+    EXPECT_NEAR(sum * dx[c] * dy[c], fx[c], 1e-9);
+    EXPECT_NEAR(fx[c], -0.875 * 0.4 * 9.1954, 1e-5);
+  }
+}
+
+TEST(ContactProgram, StoresWhatDigitAAsksFor) {
+  const TemporaryFolder folder;
+  std::string text = first_shift;
+  save(folder / "a.inp", text.replace(text.find("0000331"), 7, "0001331"));
+  ASSERT_EQ(run(folder, "a.inp -o out").exit_code, 0);
+  const Hdf5Reader file(folder / "out/a.h5");
+  const auto contact = file.values<int>("cases/contact_elements", H5T_NATIVE_INT).at(0);
+  const auto states = file.values<int>("elements/state", H5T_NATIVE_INT);
+  ASSERT_EQ(states.size(), static_cast<std::size_t>(contact));
+  const auto adhesion = std::count(states.begin(), states.end(), 1);
+  EXPECT_EQ(adhesion, file.values<int>("cases/adhesion_elements", H5T_NATIVE_INT).at(0));
+  EXPECT_EQ(std::count(states.begin(), states.end(), 0), 0);
+}
+
+TEST(ContactProgram, WritesMatFilesOnRequest) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "'" + example + "' -o out --mat").exit_code, 0);
+  EXPECT_EQ(folder.entries(),
+            (std::vector<std::string>{"out", "out/sphere_on_plane.0002.mat", "out/sphere_on_plane.0003.mat",
+                                      "out/sphere_on_plane.0004.mat", "out/sphere_on_plane.h5"}));
+  std::istringstream text(contents(folder / "out/sphere_on_plane.0002.mat"));
+  std::string line;
+  for (int k = 0; k < 7; ++k) std::getline(text, line);
+  // I IGS H MU PN PX PY UN UX UY SHFT
+  double sum_pn = 0, sum_px = 0, row[11];
+  int rows = 0, sliding = 0;
+  while (text >> row[0]) {
+    for (int k = 1; k < 11; ++k) text >> row[k];
+    EXPECT_EQ(row[0], ++rows);
+    sum_pn += row[4];
+    sum_px += row[5];
+    sliding += row[1] == 2;
+    if (row[1] == 1) {
+      EXPECT_LT(row[10], 1e-8);
+    } else if (row[1] == 2) {
+      EXPECT_NEAR(std::hypot(row[5], row[6]), row[3] * row[4], 1e-5 * row[4] + 1e-6);
+    }
+  }
+  EXPECT_EQ(rows, 441);
+  EXPECT_EQ(sliding, 132);
+  const double area = std::pow(2.8 / 21, 2);
+  EXPECT_NEAR(sum_pn * area, 9.1954, 1e-4);
+  EXPECT_NEAR(sum_px * area, -0.875 * 0.4 * 9.1954, 1e-4);
+}
+
+TEST(ContactProgram, ConvertsCasesOfTheirOwn) {
+  const TemporaryFolder folder;
+  const std::string command = "cd '" + folder.path().string() + "' && '" + MICROSLIP_PROGRAM + "' convert '" + example +
+                              "' -o out 2>errors >output";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(contents(folder / "output"), "out/sphere_on_plane.0001.toml\nout/sphere_on_plane.0004.toml\n");
+  const auto errors = contents(folder / "errors");
+  EXPECT_NE(errors.find(":17: case 2 is not written: P = 0 (it goes on from another case)\n"), std::string::npos)
+      << errors;
+}
+
+TEST(ContactProgram, NamesWhatIsNotRunAndRunsTheRest) {
+  const TemporaryFolder folder;
+  const std::string wheel = " 1 MODULE\n 0203100\n 'a.prr' 0 1\n";
+  std::string viscoelastic = steady_rolling("100. 1d-3 0 0");
+  viscoelastic.replace(viscoelastic.find("022020"), 6, "022120");
+  viscoelastic.replace(viscoelastic.find("82000. 82000."), 13, "82000. 82000.\n 1 1 .1 .1");
+  save(folder / "a.inp", wheel + viscoelastic + first_shift + " 0 MODULE\n");
+  const auto outcome = run(folder, "a.inp -o out");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("Case 1 (line 2): not run\n  MODULE = 1 (wheel on rail)\n"), std::string::npos);
+  EXPECT_NE(outcome.output.find("not run\n  M = 1 (viscoelastic bodies)\n"), std::string::npos);
+  EXPECT_NE(outcome.output.find("Case 3 (line 17): shift"), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: 2 of 3 cases are not run\n");
+  const Hdf5Reader file(folder / "out/a.h5");
+  EXPECT_EQ(file.values<int>("cases/outcome", H5T_NATIVE_INT), (std::vector<int>{2, 2, 0}));
+  const auto fx = file.values<double>("cases/fx", H5T_NATIVE_DOUBLE);
+  EXPECT_TRUE(std::isnan(fx[0]) && std::isnan(fx[1]));
+  EXPECT_NEAR(fx[2], -0.5 * 0.4 * 9.1954, 1e-6);
+}
+
+TEST(ContactProgram, BadInputIsRefusedBeforeAnythingRuns) {
+  const TemporaryFolder folder;
+  std::string wrong = first_shift;
+  wrong.replace(wrong.find(".4 .4"), 5, "-.4 .4");
+  save(folder / "a.inp", first_shift + wrong);
+  auto outcome = run(folder, "a.inp -o out");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors, "microslip: a.inp:19: FSTAT = -0.4: must be in [0, 10]\n");
+  EXPECT_EQ(outcome.output, "");
+  save(folder / "a.inp", " 0 MODULE\n");
+  EXPECT_EQ(run(folder, "a.inp -o out").errors, "microslip: a.inp: there is no case in it\n");
+  EXPECT_EQ(run(folder, "b.inp -o out").errors, "microslip: b.inp: cannot be read: No such file or directory\n");
+  EXPECT_EQ(run(folder, ". -o out").errors, "microslip: .: cannot be read: it is a folder\n");
+  EXPECT_EQ(folder.entries(), std::vector<std::string>{"a.inp"});
+}
+
+TEST(ContactProgram, AFileCutShortBetweenCasesIsReported) {
+  const TemporaryFolder folder;
+  save(folder / "a.inp", first_shift);
+  const auto outcome = run(folder, "a.inp -o out");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: the file ends without MODULE 0; is it complete?\n");
+}
+
+/// Starts `microslip run` in a folder and returns its process number.
+pid_t start(const TemporaryFolder& folder, const char* file) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  if (chdir(folder.path().c_str()) != 0) _exit(99);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  execl(MICROSLIP_PROGRAM, MICROSLIP_PROGRAM, "run", file, "-o", "out", static_cast<char*>(nullptr));
+  _exit(99);
+}
+
+/// Largest memory of a run [KiB].
+long memory_of(int cases) {
+  const TemporaryFolder folder;
+  save(folder / "a.inp", many_cases(cases));
+  int status = 0;
+  rusage usage{};
+  wait4(start(folder, "a.inp"), &status, 0, &usage);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  return usage.ru_maxrss;
+}
+
+TEST(ContactProgram, MemoryDoesNotGrowWithTheNumberOfCases) {
+  EXPECT_LT(memory_of(2000), memory_of(100) + 12000);
+}
+
+TEST(ContactProgram, CtrlCLeavesNothing) {
+  const TemporaryFolder folder;
+  save(folder / "a.inp", many_cases(100000));
+  const pid_t child = start(folder, "a.inp");
+  const auto has_begun = [&] {
+    for (const auto& name : folder.entries())
+      if (name.ends_with(".tmp")) return true;
+    return false;
+  };
+  for (int k = 0; k < 1000 && !has_begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(has_begun());
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(folder.entries(), (std::vector<std::string>{"a.inp", "out"}));
+}
+
+} // namespace
+} // namespace microslip

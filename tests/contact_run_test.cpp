@@ -1,0 +1,155 @@
+// Cases of CONTACT's input files run in sequence: what they give, what they go on from, what is refused.
+
+#include "io/contact_run.hpp"
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/exact/elliptic_contact.hpp"
+#include "tests/contact_input_cases.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+using Kind = ContactOutcome::Kind;
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(ContactRun, TotalsAreInContactsUnits) {
+  const auto cases = run_cases(first_shift);
+  const ContactTotals& t = cases.at(0).outcome.totals;
+  // Cattaneo and Mindlin: a = 1 mm, Wx = 3 mu Fn (2 - nu)/(8 G a) (1 - (1 - .5)^(2/3)), c/a = (1 - .5)^(1/3).
+  EXPECT_NEAR(t.fn, 9.1954, 1e-9);
+  EXPECT_NEAR(t.fx, -0.5 * 0.4 * 9.1954, 1e-6);
+  EXPECT_EQ(t.x_name, "SHIFT X");
+  EXPECT_EQ(t.y_name, "FY/FSTAT/FN");
+  const double shift = 3 * 0.4 * 9.1954 * 1.58 / (8 * 200.) * (1 - std::pow(0.5, 2 / 3.));
+  EXPECT_NEAR(t.x / shift, 1, 0.005);
+  EXPECT_NEAR(t.approach, 0.02, 2e-4);
+  EXPECT_NEAR(t.peak_pressure, 1.5 * 9.1954 / 3.14159265358979, 0.02);
+  EXPECT_EQ(t.potential, 361);
+  EXPECT_EQ(t.adhesion + t.slip, t.contact);
+  EXPECT_NEAR(t.adhesion / double(t.contact), std::pow(0.5, 2 / 3.), 0.04);
+  EXPECT_LT(t.friction, 0);
+  EXPECT_NEAR(t.fn_over_g, 9.1954 / 200, 1e-12);
+  EXPECT_NEAR(t.elastic_energy / (0.4 * 9.1954 * 0.02e-3), 1, 0.2); // 2/5 Fn delta of Hertz's problem, and some more
+}
+
+TEST(ContactRun, RollingIsThatOfTheLibrary) {
+  const auto cases = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
+  const ContactTotals& t = cases.at(0).outcome.totals;
+  ExactOptions options{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
+  const EllipticContact contact{.a = 1e-3,
+                                .b = 0.8e-3,
+                                .shear_modulus = 82e9,
+                                .poisson_ratio = 0.28,
+                                .normal_force = 100,
+                                .friction = FrictionLaw::coulomb(0.3),
+                                .creepage = {2e-4, -1e-4, 0.1}};
+  const auto expected = EllipticContactSolver(options).solve(contact).fields.forces;
+  EXPECT_NEAR(t.fx, expected.fx, 2e-5 * 30); // grids that differ by the digits of SCALE
+  EXPECT_NEAR(t.fy, expected.fy, 2e-5 * 30);
+  EXPECT_NEAR(t.mz, expected.mz * 1e3, 2e-5 * 30);
+}
+
+TEST(ContactRun, RollingTheOtherWayIsTheMirrorImage) {
+  const auto forward = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
+  const auto backward = run_cases(steady_rolling("100. -2d-4 -1d-4 -1d-4", "180d .1 30000."));
+  const ContactTotals &a = forward.at(0).outcome.totals, &b = backward.at(0).outcome.totals;
+  EXPECT_NEAR(a.fx, -b.fx, 1e-5);
+  EXPECT_NEAR(a.fy, b.fy, 1e-5);
+  EXPECT_NEAR(a.mz, -b.mz, 1e-5);
+  EXPECT_NEAR(a.friction, b.friction, 1e-6 * std::abs(a.friction));
+}
+
+TEST(ContactRun, TheForceOfACreepageGivesTheCreepageBack) {
+  const auto given = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4 .1 .2"));
+  const ContactTotals& a = given.at(0).outcome.totals;
+  char kinematics[120];
+  std::snprintf(kinematics, sizeof kinematics, "100. %.12g %.12g 1d-4 .1 .2", a.x, a.y);
+  const auto found = run_cases(steady_rolling(kinematics, "0 .1 30000.", "203120"));
+  const ContactTotals& b = found.at(0).outcome.totals;
+  EXPECT_EQ(b.x_name, "CREEP X");
+  EXPECT_NEAR(b.x, 2e-4, 1e-9);
+  EXPECT_NEAR(b.y, -1e-4, 1e-9);
+}
+
+TEST(ContactRun, CasesGoOnAsPSays) {
+  const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
+  const auto cases = run_cases(first_shift + next + with(next, "001110", "301110") + with(next, "001110", "201110"));
+  ASSERT_EQ(cases.size(), 4u);
+  const double first = cases[0].outcome.totals.x, more = cases[1].outcome.totals.x;
+  EXPECT_EQ(cases[2].outcome.totals.x, more);
+  EXPECT_NEAR(cases[3].outcome.totals.x, first + more, 1e-3 * (first + more));
+  EXPECT_EQ(cases[3].outcome.totals.adhesion, cases[1].outcome.totals.adhesion);
+}
+
+TEST(ContactRun, SequencesGoOnFromTheirOwn) {
+  const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
+  const auto alone = run_cases(first_shift + next);
+  const auto other = with(with(first_shift, "3 MODULE", "3 2 MODULE"), "-.5", "-.1");
+  const auto mixed = run_cases(first_shift + other + next);
+  EXPECT_EQ(mixed.at(2).outcome.totals.x, alone.at(1).outcome.totals.x);
+}
+
+TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
+  const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
+  const std::string viscoelastic =
+      with(with(steady_rolling("100. 1d-3 0 0"), "022020", "022120"), "82000. 82000.", "82000. 82000.\n 1 1 .1 .1");
+  const std::string bonded = with(with(first_shift, "022020", "023020"), "-.5", "-.1");
+  const auto cases = run_cases(first_shift + bonded + next + viscoelastic + first_shift + next);
+  ASSERT_EQ(cases.size(), 6u);
+  const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
+  EXPECT_EQ(cases[1].outcome.reasons, std::vector<std::string>{"C = 3 (bilinear elements)"});
+  EXPECT_EQ(cases[3].outcome.reasons, std::vector<std::string>{"M = 1 (viscoelastic bodies)"});
+}
+
+TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
+  const std::string bonded = with(with(first_shift, "022020", "023020"), "-.5", "-.1");
+  const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";
+  const auto cases = run_cases(bonded + next + with(next, "001110", "000100") + next);
+  ASSERT_EQ(cases.size(), 4u);
+  EXPECT_EQ(cases[1].outcome.reasons,
+            std::vector<std::string>{"P = 0 (it goes on from case 1, which has left no tractions)"});
+  EXPECT_EQ(cases[2].outcome.kind, Kind::solved);
+  EXPECT_EQ(cases[3].outcome.kind, Kind::solved); // from the frictionless case on
+}
+
+TEST(ContactRun, DissimilarBodiesRunWithoutFrictionOnly) {
+  const std::string rubber_on_steel = with(first_shift, ".42 .42 200. 200.", ".42 .28 200. 82000.");
+  EXPECT_EQ(run_cases(with(rubber_on_steel, "201110", "200100")).at(0).outcome.kind, Kind::solved);
+  EXPECT_EQ(run_cases(rubber_on_steel).at(0).outcome.kind, Kind::refused);
+  EXPECT_EQ(run_cases(with(first_shift, ".42 .42 200. 200.", ".5 .5 200. 82000.")).at(0).outcome.kind, Kind::solved);
+}
+
+TEST(ContactRun, SkippedCasesLeaveNoTrace) {
+  const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
+  const std::string skipped = " 3 MODULE\n 201110\n 100000\n 0100333\n 9.1954 -.1 0 0\n";
+  const auto cases = run_cases(first_shift + skipped + next), without = run_cases(first_shift + next);
+  EXPECT_EQ(cases.at(1).outcome.kind, Kind::skipped);
+  EXPECT_EQ(cases.at(2).outcome.totals.x, without.at(1).outcome.totals.x);
+}
+
+TEST(ContactRun, AnApproachGivesHertzsForce) {
+  const auto by_force = run_cases(with(first_shift, "201110", "200100"));
+  char approach[40];
+  std::snprintf(approach, sizeof approach, "%.12g", by_force.at(0).outcome.totals.approach);
+  const auto by_approach = run_cases(with(with(first_shift, "201110", "200000"), "9.1954", approach));
+  EXPECT_NEAR(by_approach.at(0).outcome.totals.fn, 9.1954, 1e-6);
+}
+
+TEST(ContactRun, APointOutOfContactIsReported) {
+  const auto cases = run_cases(with(with(first_shift, "201110", "201000"), "9.1954 -.5", "-.1 1d-4"));
+  EXPECT_EQ(cases.at(0).outcome.solution.status, Status::no_contact);
+  EXPECT_EQ(cases.at(0).outcome.totals.contact, 0);
+}
+
+} // namespace
+} // namespace microslip

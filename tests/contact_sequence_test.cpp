@@ -1,0 +1,195 @@
+// Steps of contact that go on from one another, on grids that may change.
+
+#include "microslip/exact/contact_sequence.hpp"
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr CombinedMaterial material = {1e9, 0.28, 0};
+constexpr double curvature = 10, friction = 0.3, force = 50;
+
+ElementGrid grid_of(int mx, double x0) {
+  return {mx, 18, x0, -1.7e-3, 0.2e-3, 0.2e-3};
+}
+
+/// A sphere pressed on.
+ContactStep sphere(const ElementGrid& grid) {
+  ContactStep step;
+  step.grid = grid;
+  step.material = material;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) step.gap.push_back(curvature * (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)));
+  step.load = {NormalLoad::Given::force, force};
+  step.friction = {friction};
+  step.motion.motion = ContactMotion::shift;
+  step.motion.tolerance = 1e-10;
+  step.force_x = -0.2;
+  return step;
+}
+
+TEST(ContactSequence, AStepGoesOnFromTheLastOne) {
+  // Two shifts to a force one after the other are one shift, for the slip area only grows (Cattaneo and Mindlin).
+  const ElementGrid grid = grid_of(18, -1.7e-3);
+  ContactSequence in_two, at_once;
+  ContactStep step = sphere(grid);
+  step.force_x = -0.1;
+  const auto first = in_two.solve(step);
+  step.force_x = -0.2;
+  const auto once = at_once.solve(step);
+  step.start = StepStart::previous;
+  const auto second = in_two.solve(step);
+  const double way = first.tangential.creepage.longitudinal + second.tangential.creepage.longitudinal;
+  EXPECT_NEAR(way, once.tangential.creepage.longitudinal, 1e-3 * way);
+  EXPECT_EQ(second.slip_elements, once.slip_elements);
+  EXPECT_LT(second.tangential.creepage.longitudinal, way);
+}
+
+TEST(ContactSequence, ARepeatedStepIsTheSame) {
+  ContactSequence sequence;
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  step.force_x = -0.1;
+  sequence.solve(step);
+  step.start = StepStart::previous;
+  step.force_x = -0.2;
+  const auto once = sequence.solve(step);
+  step.start = StepStart::repeated;
+  const auto again = sequence.solve(step);
+  EXPECT_EQ(again.tangential.creepage.longitudinal, once.tangential.creepage.longitudinal);
+  step.start = StepStart::fresh;
+  EXPECT_GT(sequence.solve(step).tangential.creepage.longitudinal, 1.3 * once.tangential.creepage.longitudinal);
+}
+
+TEST(ContactSequence, RollingIsShiftsWithAGridThatFollows) {
+  // In the frame of the contact, and in that of the bodies with the contact moving element by element.
+  const ElementGrid grid = grid_of(20, -1.9e-3);
+  ContactSequence rolling, shifting;
+  const ContactStep start = sphere(grid);
+  auto rolled = rolling.solve(start), shifted = shifting.solve(start);
+  for (int k = 1; k <= 4; ++k) {
+    ContactStep roll = start;
+    roll.motion.motion = ContactMotion::transient;
+    roll.start = StepStart::previous;
+    rolled = rolling.solve(roll);
+    ContactStep shift = start; // the contact has moved by k elements, and its grid with it
+    shift.grid.x0 += k * grid.dx;
+    shift.start = StepStart::previous;
+    shifted = shifting.solve(shift);
+    EXPECT_NEAR(shifted.tangential.creepage.longitudinal, rolled.tangential.creepage.longitudinal * grid.dx,
+                1e-6 * rolled.tangential.creepage.longitudinal * grid.dx);
+    EXPECT_EQ(shifted.adhesion_elements, rolled.adhesion_elements);
+  }
+}
+
+TEST(ContactSequence, WarmStartsChangeNothing) {
+  ContactSequence cold, warm;
+  ContactStep step = sphere(grid_of(20, -1.9e-3));
+  step.motion.motion = ContactMotion::steady;
+  for (const double share : {-0.1, -0.15, -0.2}) {
+    step.force_x = share;
+    step.warm_start = false;
+    const auto a = cold.solve(step);
+    step.warm_start = true;
+    const auto b = warm.solve(step);
+    EXPECT_NEAR(b.tangential.creepage.longitudinal / a.tangential.creepage.longitudinal, 1, 1e-7);
+  }
+}
+
+TEST(ContactSequence, TractionsMoveBetweenGrids) {
+  const ElementGrid from{3, 2, 0, 0, 1, 1};
+  const TangentialState state{{1, 2, 3, 4, 5, 6}, {0, 1, 0, 0, 0, 0}};
+  ElementGrid to = from;
+  EXPECT_EQ(moved_to(to, state, from).px, state.px);
+  to.x0 = 1.0001; // as good as one element, from a file with few digits
+  EXPECT_EQ(moved_to(to, state, from).px, (std::vector<double>{2, 3, 0, 5, 6, 0}));
+  to.x0 = -1, to.y0 = -1;
+  EXPECT_EQ(moved_to(to, state, from).px, (std::vector<double>{0, 0, 0, 0, 1, 2}));
+  to.x0 = 0.25, to.y0 = 0.5;
+  const auto between = moved_to(to, state, from);
+  EXPECT_DOUBLE_EQ(between.px[0], 0.5 * (0.75 * 1 + 0.25 * 2) + 0.5 * (0.75 * 4 + 0.25 * 5));
+  EXPECT_DOUBLE_EQ(between.py[0], 0.125);
+  to.x0 = 1e12;
+  EXPECT_EQ(moved_to(to, state, from).px, std::vector<double>(6, 0.0));
+}
+
+TEST(ContactSequence, AnExcludedRegionCarriesNothing) {
+  // A flat punch, pressed on where it may touch.
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  std::fill(step.gap.begin(), step.gap.end(), 0.0);
+  step.excluded.assign(step.gap.size(), 1);
+  for (int j = 5; j < 13; ++j)
+    for (int i = 4; i < 12; ++i) step.excluded[static_cast<std::size_t>(j) * 18 + i] = 0;
+  step.frictionless = true;
+  const auto punch = ContactSequence().solve(step);
+  ASSERT_EQ(punch.status, Status::ok);
+  EXPECT_EQ(punch.contact_elements, 64);
+  EXPECT_NEAR(punch.normal_force, force, 1e-9 * force);
+  // The punch alone on a grid of its size.
+  ContactStep alone = step;
+  alone.grid = {8, 8, 0, 0, step.grid.dx, step.grid.dy};
+  alone.gap.assign(64, 0.0);
+  alone.excluded.clear();
+  EXPECT_NEAR(punch.normal.approach / ContactSequence().solve(alone).normal.approach, 1, 1e-6);
+}
+
+TEST(ContactSequence, FrictionByRowsBoundsEachRow) {
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  step.friction.clear();
+  for (int j = 0; j < 18; ++j) step.friction.push_back(0.01 * j);
+  step.motion.motion = ContactMotion::steady;
+  step.force_x.reset();
+  step.motion.creepage.longitudinal = 0.1; // slides all over
+  const auto s = ContactSequence().solve(step);
+  double wanted = 0;
+  for (std::size_t k = 0; k < step.gap.size(); ++k)
+    wanted -= step.friction[k / 18] * s.normal.pressure[k] * step.grid.element_area();
+  EXPECT_NEAR(s.tangential.forces.fx / wanted, 1, 1e-4);
+  EXPECT_EQ(s.adhesion_elements, 0);
+}
+
+TEST(ContactSequence, WithoutFrictionNothingResists) {
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  step.friction = {0};
+  step.force_x.reset();
+  step.motion.creepage.longitudinal = 1e-3;
+  const auto sliding = ContactSequence().solve(step);
+  EXPECT_EQ(sliding.tangential.forces.fx, 0);
+  EXPECT_EQ(sliding.slip_elements, sliding.contact_elements);
+  step.frictionless = true;
+  const auto frictionless = ContactSequence().solve(step);
+  EXPECT_EQ(frictionless.adhesion_elements, frictionless.contact_elements);
+}
+
+TEST(ContactSequence, AGivenPressureIsTaken) {
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  const auto solved = ContactSequence().solve(step);
+  step.given = GivenPressure{solved.normal.pressure, solved.normal.approach, solved.normal_force};
+  const auto given = ContactSequence().solve(step);
+  EXPECT_EQ(given.contact_elements, solved.contact_elements);
+  EXPECT_NEAR(given.normal.elastic_energy / solved.normal.elastic_energy, 1, 1e-12);
+  EXPECT_NEAR(given.tangential.creepage.longitudinal / solved.tangential.creepage.longitudinal, 1, 1e-8);
+}
+
+TEST(ContactSequence, RefusesFieldsOfAnotherSize) {
+  ContactSequence sequence;
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  step.gap.pop_back();
+  EXPECT_THROW(sequence.solve(step), Error);
+  step = sphere(grid_of(18, -1.7e-3));
+  step.friction = {0.1, 0.2};
+  EXPECT_THROW(sequence.solve(step), Error);
+  step.friction = {-0.1};
+  EXPECT_THROW(sequence.solve(step), Error);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,96 @@
+// CONTACT cases written as case files.
+
+#include "io/contact_toml.hpp"
+
+#include "io/case_file.hpp"
+#include "microslip/error.hpp"
+#include "tests/contact_input_cases.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+ContactCase first_case(const std::string& text) {
+  std::istringstream stream(text);
+  ContactInputReader reader(stream, "a.inp");
+  return *reader.next();
+}
+
+RollingCase converted(const std::string& text) {
+  return parse_case(to_toml(first_case(text), "a case"), "a.toml");
+}
+
+void expect_refused(const std::string& text, const std::string& why) {
+  try {
+    to_toml(first_case(text), "a case");
+    ADD_FAILURE() << "no Error: " << why;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), why);
+  }
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The forces that a case file gives.
+ContactForces forces_of(const RollingCase& input) {
+  const EllipticContact contact = elliptic_contact(input, hertz_contact(input));
+  return EllipticContactSolver(exact_options(input)).solve(contact, input.motion).fields.forces;
+}
+
+TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
+  for (const std::string chi : {"0", "180d"}) {
+    const std::string text = steady_rolling("100. 2d-4 -1d-4 1d-4 .2 .1", chi + " .1 30000.");
+    const ContactTotals t = run_cases(text).at(0).outcome.totals;
+    const RollingCase input = converted(text);
+    EXPECT_EQ(input.title, "a case");
+    EXPECT_EQ(input.theory, Theory::exact);
+    EXPECT_EQ(input.options.mx, 12);
+    const ContactForces f = forces_of(input);
+    EXPECT_NEAR(f.fx, t.fx, 2e-5 * 30); // SCALE has six digits
+    EXPECT_NEAR(f.fy, t.fy, 2e-5 * 30);
+    EXPECT_NEAR(f.mz * 1e3, t.mz, 2e-5 * 30);
+  }
+}
+
+TEST(ContactToml, ForcesAndShifts) {
+  const RollingCase input = converted(first_shift);
+  EXPECT_EQ(input.motion.kind, ContactMotion::shift);
+  EXPECT_NEAR(*input.motion.force_x, -0.2 * 9.1954, 1e-12);
+  EXPECT_DOUBLE_EQ(input.body1.rolling_radius, 0.05);
+  EXPECT_DOUBLE_EQ(input.body2.material.shear_modulus, 200e6);
+  EXPECT_EQ(input.options.mx, 15);
+  EXPECT_NEAR(forces_of(input).fx, -0.2 * 9.1954, 1e-5);
+  EXPECT_EQ(converted(with(first_shift, "201110", "200100")).friction.static_coefficient(), 0);
+}
+
+TEST(ContactToml, FastsimWithAFallingLaw) {
+  std::string text = with(steady_rolling("100. 2d-4 0 0", "0 .1 30000.", "233100"), "022020", "422320");
+  text = with(with(text, ".3 .3", ".2 .1 500. 0 0\n .003 10"), "82000. 82000.", "82000. 82000.\n .5 .1 .6");
+  const RollingCase input = converted(text);
+  EXPECT_EQ(input.theory, Theory::fastsim);
+  EXPECT_EQ(input.options.bound, TractionBound::parabolic);
+  EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(input.options.slope_reduction.initial, 0.5);
+  EXPECT_EQ(input.friction_law, "exponential");
+  EXPECT_DOUBLE_EQ(input.friction.terms()[0].half_velocity, 0.5);
+}
+
+TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
+  expect_refused(with(first_shift, ".01 0 .01", ".01 0 0"), "a contact that is not an ellipse");
+  expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");
+  expect_refused(with(first_shift, "022020", "023020"), "C = 3 (bilinear elements)");
+  expect_refused(" 1 MODULE\n", "MODULE = 1 (wheel on rail)");
+  ContactCase next = first_case(first_shift);
+  next.digits.pvtime = 0;
+  EXPECT_THROW(to_toml(next, ""), Error);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,222 @@
+#include "validation/contact_cases.hpp"
+
+#include "io/contact_run.hpp"
+#include "microslip/error.hpp"
+#include "validation/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* printed_file = MICROSLIP_REFERENCE_DATA "/contact_results.csv";
+constexpr const char* input_folder = MICROSLIP_REFERENCE_DATA "/../contact-cases";
+constexpr double relative_difference = 0.005, of_friction_limit = 0.002; ///< that are allowed
+constexpr const char* input_files[] = {"bentall",          "carter2d",  "catt_to_cart", "cattaneo",
+                                       "ertz_temperature", "fastsim",   "plastic_3bl",  "spence35",
+                                       "subsurf",          "tractcurv", "veldep_fric",  "visc_cylindr"};
+
+/// What CONTACT printed for a case, by the names of the columns.
+using Printed = std::map<std::string, std::string>;
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+/// By file and number of the case.
+std::map<std::string, std::map<int, Printed>> read_printed() {
+  std::map<std::string, std::map<int, Printed>> files;
+  std::ifstream in(printed_file);
+  std::string line;
+  std::getline(in, line);
+  const auto names = cells(line);
+  while (std::getline(in, line)) {
+    const auto values = cells(line);
+    Printed printed;
+    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k) printed[names[k]] = values[k];
+    files[fs::path(printed["file"]).stem().string()][std::stoi(printed["case"])] = printed;
+  }
+  return files;
+}
+
+std::optional<double> number(const Printed& printed, const std::string& name) {
+  const auto found = printed.find(name);
+  if (found == printed.end() || found->second.empty()) return {};
+  return std::stod(found->second);
+}
+
+/// Half a unit of the last digit printed.
+double rounding(const std::string& text) {
+  const auto exponent = text.find_first_of("Ee");
+  const std::string mantissa = text.substr(0, exponent);
+  const auto point = mantissa.find('.');
+  const int decimals = point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+  const int power = exponent == std::string::npos ? 0 : std::stoi(text.substr(exponent + 1));
+  return 0.5 * std::pow(10.0, power - decimals);
+}
+
+/// A quantity of a case, ours beside theirs.
+struct Comparison {
+  std::string name;
+  double ours, theirs;
+  double printed_to; ///< half a unit of the last digit of theirs
+  double allowed;
+  double share() const { return std::max(0.0, std::abs(ours - theirs) - printed_to) / allowed; }
+};
+
+/// A row of elements of the contact.
+double row_of_elements(const ContactOutcome& o) {
+  const ElementGrid& grid = o.step.grid;
+  int longest = 1;
+  for (int j = 0; j < grid.my; ++j) {
+    int row = 0;
+    for (int i = 0; i < grid.mx; ++i) row += o.solution.normal.pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0;
+    longest = std::max(longest, row);
+  }
+  return grid.my == 1 ? 1 : longest;
+}
+
+std::vector<Comparison> compare(const ContactOutcome& o, const Printed& printed) {
+  const ContactTotals& t = o.totals;
+  std::vector<Comparison> all;
+  const auto add = [&](const char* column, const std::string& name, double ours, double least) {
+    const auto theirs = number(printed, column);
+    if (!theirs) return;
+    all.push_back(
+        {name, ours, *theirs, rounding(printed.at(column)), std::max(relative_difference * std::abs(*theirs), least)});
+  };
+  const double limit = o.step.friction.empty() ? t.fn : o.step.friction[0] * t.fn;
+  const double length = std::sqrt(t.contact * o.step.grid.element_area() * 1e6 / std::numbers::pi);
+  const double force = of_friction_limit * limit, row = row_of_elements(o);
+  add("fn", "FN", t.fn, 0);
+  add("fx", "FX", t.fx, force);
+  add("fy_or_fs", "FY", t.fy, force);
+  add("mz", "MZ", t.mz, force * length);
+  add("elas_energy", "ELAST.EN.", t.elastic_energy, 0);
+  add("fric_power_or_work", "FRIC", t.friction, 1e-9 * std::abs(t.elastic_energy));
+  add("fn_over_g", "FN/G", t.fn_over_g, 0);
+  add("fx_rel_or_creep", t.x_name, t.x, o.step.force_x ? 0 : of_friction_limit);
+  const double least_creep = relative_difference * std::abs(t.x);
+  add("fy_rel_or_creep", t.y_name, t.y, o.step.force_y ? least_creep : of_friction_limit);
+  add("approach", "APPROACH", t.approach, 0);
+  add("pmax", "PMAX", t.peak_pressure, 0);
+  add("npot", "NPOT", t.potential, 0.5);
+  add("ncon", "NCON", t.contact, row);
+  add("nadh", "NADH", t.adhesion, row);
+  add("nslip", "NSLIP", t.slip, row);
+  return all;
+}
+
+/// The cases of a file, one after the other.
+class FileComparison {
+public:
+  FileComparison(Report& report, std::string name, const std::map<int, Printed>& printed)
+      : report_(report), name_(std::move(name)), printed_(printed) {}
+
+  /// False if it was asked to stop.
+  bool run(const Progress& progress) {
+    const fs::path path = fs::path(input_folder) / (name_ + ".inp");
+    std::ifstream in(path);
+    if (!in) throw Error(path.string() + ": cannot be read");
+    ContactInputReader reader(in, path.filename().string());
+    ContactRun runs;
+    report_.heading(name_ + ".inp");
+    int last = printed_.empty() ? 1 : printed_.rbegin()->first;
+    while (const ContactCase* c = reader.next()) {
+      take(*c, runs.run(*c));
+      if (progress && !progress(std::min(1.0, static_cast<double>(c->number) / last))) return false;
+    }
+    finish();
+    return true;
+  }
+
+private:
+  void take(const ContactCase& c, const ContactOutcome& o) {
+    ++cases_;
+    if (o.kind == ContactOutcome::Kind::refused) {
+      for (const auto& reason : o.reasons) ++refused_[reason];
+      return;
+    }
+    if (o.kind != ContactOutcome::Kind::solved) return;
+    ++solved_;
+    converged_ += o.solution.status == Status::ok;
+    const auto found = printed_.find(c.number);
+    if (found == printed_.end()) return;
+    ++compared_;
+    for (const Comparison& comparison : compare(o, found->second)) note(c.number, comparison);
+  }
+
+  void note(int number, const Comparison& c) {
+    ++quantities_;
+    to_the_digit_ += std::abs(c.ours - c.theirs) <= 1.001 * c.printed_to;
+    if (c.share() > 1)
+      report_.figure(fmt::format("case {}, {}", number, c.name), fmt::format("{:.5g}", c.ours),
+                     fmt::format("{:.4g}", c.theirs), false);
+    const double scale = std::max(std::abs(c.theirs), c.allowed / relative_difference);
+    const double difference = std::max(0.0, std::abs(c.ours - c.theirs) - c.printed_to) / scale;
+    if (difference > largest_) {
+      largest_ = difference;
+      where_ = fmt::format("{} of case {}", c.name, number);
+    }
+  }
+
+  void finish() {
+    report_.figure("cases solved that run", fmt::format("{}", converged_), fmt::format("{}", solved_),
+                   converged_ == solved_);
+    for (const auto& [reason, count] : refused_)
+      report_.remark(fmt::format("not run: {} of {} cases", count, cases_), "", "", reason);
+    if (quantities_ == 0) return;
+    report_.line(fmt::format("printed by CONTACT: {} of the cases, {} quantities, {} equal to the digits printed",
+                             compared_, quantities_, to_the_digit_));
+    if (largest_ > 0)
+      report_.line(fmt::format("largest difference beyond the digits printed: {:.2e}, {}", largest_, where_));
+  }
+
+  Report& report_;
+  std::string name_;
+  const std::map<int, Printed>& printed_;
+  std::map<std::string, int> refused_;
+  int cases_ = 0, solved_ = 0, converged_ = 0, compared_ = 0, quantities_ = 0, to_the_digit_ = 0;
+  double largest_ = 0;
+  std::string where_;
+};
+
+} // namespace
+
+bool run_contact_cases(const StudyOptions& options, std::ostream& out) {
+  Report report(out);
+  if (!fs::exists(printed_file) || !fs::exists(input_folder)) {
+    report.line("SKIPPED: contact_results.csv or the folder of CONTACT's cases is not beside MICROSLIP_REFERENCE_DATA");
+    return true;
+  }
+  const auto printed = read_printed();
+  report.line("Classical elements, CONTACT's grids; differences over the value, or over .4 of the friction limit");
+  const std::map<int, Printed> nothing;
+  double done = 0;
+  for (const char* name : input_files) {
+    const auto found = printed.find(name);
+    FileComparison file(report, name, found == printed.end() ? nothing : found->second);
+    const double end = done + 1.0 / std::size(input_files);
+    if (!file.run(part_of(options.progress, done, end))) return false;
+    done = end;
+  }
+  return report.all_met();
+}
+
+} // namespace microslip::validation
