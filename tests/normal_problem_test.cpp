@@ -140,6 +140,16 @@ TEST(NormalProblem, HertzFromApproachIsOfSecondOrder) {
   }
 }
 
+TEST(NormalProblem, HertzTakesFewProductsAtAnySize) {
+  for (const double ratio : {0.2, 1.0, 5.0})
+    for (const int n : {12, 24, 48, 101, 201})
+      for (const auto given : {NormalLoad::Given::force, NormalLoad::Given::approach}) {
+        const NormalSolution s = solve_hertz(ratio, n, given).solution;
+        EXPECT_EQ(s.status, Status::ok);
+        EXPECT_LE(s.products, 40) << ratio << ' ' << n;
+      }
+}
+
 /// The pressure of each element against Hertz's in its centre. At the rim, where Hertz's slope is infinite, the
 /// difference is of order 1/2; in the middle half it is of second order.
 TEST(NormalProblem, HertzPressureInEveryElement) {

@@ -269,8 +269,8 @@ TEST(SecondOrderRolling, StartDoesNotMatter) {
   for (const EllipticContact& contact : partial_slip_cases()) {
     const Rolled from_zero = roll(contact, 12);
     SecondOrderInput input = with_creepage(contact.creepage, 1e-9);
-    input.start_px = from_zero.solution.friction.px;
-    input.start_py = from_zero.solution.friction.py;
+    input.start.px = from_zero.solution.friction.px;
+    input.start.py = from_zero.solution.friction.py;
     const Forces f = from_zero.forces(), g = roll(contact, 12, 12, input).forces();
     expect_near(g, f, 3e-4);
   }

@@ -3,6 +3,7 @@
 #include "microslip/exact/element_grid.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace microslip {
@@ -33,5 +34,17 @@ struct FittedContact {
 /// n x m elements across Hertz's ellipse. The bound is averaged over the area that an element stands for: what no
 /// element covers counts for the nearest one of its row, so that the shares times the areas have the sum 1 to rounding.
 FittedContact fit_ellipse(double a, double b, int n, int m);
+
+/// Any contact area, from the pressure [Pa] of the normal problem at a grid's elements (only its shape matters); the
+/// edges by contact_runs. Every run of elements in contact is a row of its own, as in contacts of several patches. The
+/// bound has along a run the shape sqrt((x - x_t)(x_l - x)) times a factor that is the pressure's two elements or more
+/// inside, and constant from there to the edges, where the pressures of elements are bad; a run's share of the load is
+/// the normal problem's, so that the shares times the areas have the sum 1 to rounding. An element that would overlap
+/// the leading element of a run behind is left out and its load counts for the next one: across a gap shorter than an
+/// element or two the bodies are discretised, but not at second order.
+///
+/// Throws Error for pressures below zero or not finite, without any contact, and unless the grid has three columns to
+/// spare ahead of the contact and one behind.
+FittedContact fit_contact(const ElementGrid& grid, std::span<const double> pressure);
 
 } // namespace microslip

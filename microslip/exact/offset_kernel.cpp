@@ -38,8 +38,12 @@ template <class InfluenceOf> TangentialKernel tangential_kernel(const ElementGri
 OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid) {
   check(grid);
   OffsetTable zz(grid);
-  for_offsets(grid, [&](int i, int j, double x, double y) { zz.at(i, j) = influence_at(material, grid, x, y).zz; });
+  for_offsets(grid, [&](int i, int j, double, double) { zz.at(i, j) = normal_coefficient(material, grid, i, j); });
   return zz;
+}
+
+double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j) {
+  return influence_at(material, grid, i * grid.dx, j * grid.dy).zz;
 }
 
 TangentialKernel TangentialKernel::displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift,

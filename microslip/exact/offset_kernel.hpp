@@ -39,6 +39,9 @@ private:
 /// contact. Throws Error for a grid without elements.
 OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid);
 
+/// Its entry for the element i columns and j rows further, which may lie beyond the grid.
+double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j);
+
 /// The map D from tractions to slip that TangentialResponse applies by transforms, element by element.
 struct TangentialKernel {
   OffsetTable xx, xy, yy; ///< D_yx = D_xy

@@ -7,12 +7,8 @@
 namespace microslip {
 
 NormalResponse::NormalResponse(const CombinedMaterial& material, const ElementGrid& grid)
-    : transform_(grid.mx, grid.my, 1), zz_(transform_.kernel_spectrum(normal_kernel(material, grid).values())) {}
-
-void NormalResponse::apply(std::span<const double> pressure, std::span<double> displacement) {
-  transform_.load(std::array{pressure});
-  transform_.apply(std::array<const ToeplitzTransform::Spectrum*, 1>{&zz_}, std::array{displacement});
-}
+    : zz_((check(grid), grid.mx), grid.my, [&](int i, int j) { return normal_coefficient(material, grid, i, j); }),
+      diagonal_(normal_coefficient(material, grid, 0, 0)) {}
 
 TangentialResponse::TangentialResponse(const TangentialKernel& kernel)
     : transform_(kernel.xx.mx(), kernel.xx.my(), 2), xx_(transform_.kernel_spectrum(kernel.xx.values())),

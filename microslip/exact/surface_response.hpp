@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/material.hpp"
 #include "microslip/exact/element_grid.hpp"
+#include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
 
 #include <span>
@@ -15,12 +16,19 @@ struct TangentialKernel;
 class NormalResponse {
 public:
   NormalResponse(const CombinedMaterial& material, const ElementGrid& grid);
-  void apply(std::span<const double> pressure, std::span<double> displacement);
-  long products() const { return transform_.products(); }
+  void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }
+  /// A symmetric positive map near the inverse of A_zz, also of its part on any area: a preconditioner.
+  void apply_near_inverse(std::span<const double> displacement, std::span<double> pressure) {
+    zz_.apply_circulant_inverse(displacement, pressure);
+  }
+  /// What an element does to itself.
+  double diagonal() const { return diagonal_; }
+  /// Of both kinds, which cost the same.
+  long products() const { return zz_.products(); }
 
 private:
-  ToeplitzTransform transform_;
-  ToeplitzTransform::Spectrum zz_;
+  EvenToeplitz zz_;
+  double diagonal_;
 };
 
 /// A linear map D from tractions to slip on a grid of elements.

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace microslip {
+
+/// Products with the matrix A(I, J) = kernel(I - J) on an mx x my grid, where the kernel is even in both components of
+/// the offset, and with its circulant inverse: the inverse, restricted to the grid, of the periodic kernel on the
+/// padded grid. For kernels that fall like 1/distance the latter is near the inverse of A on any part of the grid. Grid
+/// functions have index j mx + i, x fastest. Real transforms on a grid padded to at least 2 mx x 2 my (a single row or
+/// column is not padded across); a kernel's transform is real and known on a quarter of the plane. Rows that are zero
+/// are skipped, and columns are transformed, multiplied and transformed back while they are in the cache. Cost: 4 mx my
+/// real numbers transformed there and back, O(N log N); memory: mx my complex and 2 mx my real numbers. Results do not
+/// depend on the number of OpenMP threads, which large grids use. Distinct objects may be used from distinct threads.
+class EvenToeplitz {
+public:
+  /// `kernel` gives the entry at the offset of i columns and j rows, 0 .. half of the padded grid, which is a little
+  /// beyond mx and my. It must be largest, and positive, at 0. Throws Error for a grid without elements.
+  EvenToeplitz(int mx, int my, const std::function<double(int i, int j)>& kernel);
+  EvenToeplitz(EvenToeplitz&&) noexcept;
+  EvenToeplitz& operator=(EvenToeplitz&&) noexcept;
+  ~EvenToeplitz();
+
+  void apply(std::span<const double> in, std::span<double> out);
+  /// Positive: frequencies at which the periodic kernel has next to nothing are damped.
+  void apply_circulant_inverse(std::span<const double> in, std::span<double> out);
+
+  /// Products made so far, of both kinds.
+  long products() const;
+
+private:
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
+
+} // namespace microslip

@@ -1,0 +1,81 @@
+// Forces to an accuracy: the estimate of the error against limits on much finer grids, and what cannot be done.
+
+#include "microslip/error.hpp"
+#include "microslip/exact/accurate_contact.hpp"
+#include "tests/expect_error.hpp"
+#include "validation/test_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+/// Numbers of the 3,220 cases, from 1: some at random, and those where the estimate comes nearest to the error.
+constexpr int numbers[] = {98, 426, 949, 1071, 1501, 1701, 2325, 2445, 2908, 3074};
+
+EllipticContact test_case(int number) {
+  return validation::test_set_contacts()[static_cast<std::size_t>(number) - 1];
+}
+
+double error_of(const EllipticContact& contact, const ContactForces& f, const ContactForces& exact) {
+  const double limit = contact.friction.static_coefficient() * contact.normal_force;
+  return std::max({std::abs(f.fx - exact.fx), std::abs(f.fy - exact.fy),
+                   std::abs(f.mz - exact.mz) / std::sqrt(contact.a * contact.b)}) /
+         limit;
+}
+
+TEST(AccurateContact, EstimateIsNotBelowAThirdOfTheError) {
+  AccurateContactSolver coarse(0.03), good(0.01), reference(2e-3);
+  for (const int number : numbers) {
+    const EllipticContact contact = test_case(number);
+    const ContactForces exact = reference.solve(contact).forces;
+    for (auto* solver : {&coarse, &good}) {
+      const AccurateContact result = solver->solve(contact);
+      const double error = error_of(contact, result.forces, exact);
+      EXPECT_EQ(result.forces.status, Status::ok);
+      EXPECT_LE(result.error, solver == &coarse ? 0.03 : 0.01);
+      EXPECT_GE(result.error, error / 3 - 3e-4) << number; // 3e-4: more than the reference's own error
+      EXPECT_GE(result.elements, 16);
+    }
+  }
+}
+
+TEST(AccurateContact, ForcesGivenHaveALimitOfTheCreepage) {
+  const EllipticContact contact = test_case(1501);
+  AccurateContactSolver solver(2e-3);
+  const ContactForces forces = solver.solve(contact).forces;
+  const AccurateContact back = solver.solve(contact, {.force_x = forces.fx, .force_y = forces.fy});
+  EXPECT_EQ(back.forces.status, Status::ok);
+  const double size = std::hypot(contact.creepage.longitudinal, contact.creepage.lateral);
+  EXPECT_NEAR(back.creepage.longitudinal, contact.creepage.longitudinal, 5e-3 * size);
+  EXPECT_NEAR(back.creepage.lateral, contact.creepage.lateral, 5e-3 * size);
+}
+
+TEST(AccurateContact, ProgressMayEndIt) {
+  AccurateContactSolver solver(1e-5);
+  int calls = 0;
+  const AccurateContact result = solver.solve(test_case(2445), {}, [&](double fraction) {
+    EXPECT_GT(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    return ++calls < 2;
+  });
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(result.forces.status, Status::not_converged);
+  EXPECT_GT(result.error, 1e-5);
+}
+
+TEST(AccurateContact, RefusesWhatItCannotDo) {
+  expect_error([] { AccurateContactSolver(0.0); }, "accuracy", "[-]: must be in [1e-05, 0.1]");
+  AccurateContactSolver solver(0.01);
+  EXPECT_THROW(solver.solve(test_case(1), {.kind = ContactMotion::shift}), Error);
+  EXPECT_THROW(solver.solve(test_case(1), {.step = 1e-3}), Error);
+  EllipticContact bad = test_case(1);
+  bad.a = -1;
+  EXPECT_EQ(solver.solve(bad).forces.status, Status::invalid_input);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,93 @@
+// Products with an even kernel against sums, the circulant inverse, and threads.
+
+#include "microslip/error.hpp"
+#include "microslip/numerics/even_toeplitz.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+/// Falls like 1/distance, as displacements do.
+double kernel(int i, int j) {
+  return 1 / std::hypot(i, 0.7 * j, 0.4);
+}
+
+Field random_field(std::size_t size) {
+  std::mt19937 engine(7);
+  Field field(size);
+  for (double& value : field) value = static_cast<double>(engine()) * 0x1p-31 - 1;
+  return field;
+}
+
+Field product(int mx, int my, const Field& in) {
+  Field out(in.size());
+  EvenToeplitz(mx, my, kernel).apply(in, out);
+  return out;
+}
+
+TEST(EvenToeplitz, IsTheSum) {
+  for (int mx = 1; mx <= 11; ++mx)
+    for (int my = 1; my <= 11; ++my) {
+      const Field in = random_field(static_cast<std::size_t>(mx) * my), out = product(mx, my, in);
+      for (int j = 0; j < my; ++j)
+        for (int i = 0; i < mx; ++i) {
+          double sum = 0, size = 0;
+          for (int l = 0; l < my; ++l)
+            for (int k = 0; k < mx; ++k) {
+              const double term = kernel(std::abs(i - k), std::abs(j - l)) * in[static_cast<std::size_t>(l) * mx + k];
+              sum += term;
+              size += std::abs(term);
+            }
+          EXPECT_NEAR(out[static_cast<std::size_t>(j) * mx + i], sum, 1e-13 * size) << mx << " x " << my;
+        }
+    }
+}
+
+TEST(EvenToeplitz, CirculantInverseIsPositiveAndNearTheInverse) {
+  for (const int m : {1, 5, 24}) {
+    const Field in = random_field(static_cast<std::size_t>(m) * m);
+    Field image(in.size()), back(in.size());
+    EvenToeplitz matrix(m, m, kernel);
+    matrix.apply_circulant_inverse(in, back);
+    EXPECT_GT(std::inner_product(in.begin(), in.end(), back.begin(), 0.0), 0);
+    matrix.apply(in, image);
+    matrix.apply_circulant_inverse(image, back);
+    double error = 0, size = 0;
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      error += std::pow(back[k] - in[k], 2);
+      size += in[k] * in[k];
+    }
+    EXPECT_LT(std::sqrt(error / size), 0.7) << m;
+    EXPECT_EQ(matrix.products(), 3);
+  }
+}
+
+TEST(EvenToeplitz, ThreadsDoNotMatter) {
+  constexpr int m = 301; // large enough for several
+  const Field in = random_field(std::size_t{m} * m);
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Field one = product(m, m, in);
+  for (const int threads : {2, 3}) {
+    omp_set_num_threads(threads);
+    EXPECT_EQ(product(m, m, in), one);
+  }
+  omp_set_num_threads(before);
+}
+
+TEST(EvenToeplitz, NeedsAGrid) {
+  EXPECT_THROW(EvenToeplitz(0, 3, kernel), Error);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,61 @@
+// The Jacobian of the exact theory against differences of its forces.
+
+#include "microslip/exact/elliptic_contact.hpp"
+#include "validation/test_set.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+std::array<double, 3> components(const ContactForces& f, double length) {
+  return {f.fx, f.fy, f.mz / length};
+}
+
+TEST(ExactDerivatives, AreThoseOfTheForces) {
+  constexpr std::array members = {&Creepage::longitudinal, &Creepage::lateral, &Creepage::spin};
+  constexpr std::array steps = {3e-8, 3e-8, 3e-6};
+  for (const auto direction : {RollingDirection::forward, RollingDirection::backward})
+    for (const std::size_t number : {500, 1510, 1700, 2310, 3000}) {
+      EllipticContactSolver solver({.mx = 16, .my = 16, .direction = direction});
+      const EllipticContact contact = validation::test_set_contacts()[number];
+      const double length = std::sqrt(contact.a * contact.b);
+      const ExactDerivatives d = solver.differentiate(contact);
+      ASSERT_EQ(d.contact.fields.forces.status, Status::ok);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto forces = [&](double step) {
+          EllipticContact moved = contact;
+          moved.creepage.*members[i] += step;
+          return components(solver.differentiate(moved).contact.fields.forces, length);
+        };
+        const auto plus = forces(steps[i]), minus = forces(-steps[i]);
+        const std::array column = {d.jacobian[0][i], d.jacobian[1][i], d.jacobian[2][i] / length};
+        const double size = std::hypot(column[0], column[1], column[2]);
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR((plus[k] - minus[k]) / (2 * steps[i]), column[k], 1e-5 * size) << number << ' ' << i << k;
+      }
+    }
+}
+
+TEST(ExactDerivatives, VanishInFullSlidingAlongTheCreepage) {
+  EllipticContactSolver solver({.mx = 8, .my = 8});
+  EllipticContact contact = validation::test_set_contacts()[0];
+  contact.creepage = {0.5, 0, 0};
+  const ExactDerivatives d = solver.differentiate(contact);
+  const double limit = contact.friction.static_coefficient() * contact.normal_force;
+  EXPECT_NEAR(d.jacobian[0][0], 0, 1e-3 * limit / 0.5);
+  EXPECT_NEAR(d.jacobian[1][1], -limit / 0.5, 1e-2 * limit / 0.5); // the traction turns with the creepage
+}
+
+TEST(ExactDerivatives, BadInputIsMarked) {
+  EllipticContact contact = validation::test_set_contacts()[500];
+  contact.normal_force = -1;
+  EXPECT_EQ(EllipticContactSolver({.mx = 8, .my = 8}).differentiate(contact).contact.fields.forces.status,
+            Status::invalid_input);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,214 @@
+#include "microslip/exact/patch_rolling.hpp"
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/contact_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+using Gap = std::function<double(double, double)>;
+
+constexpr CombinedMaterial steel{82e9, 0.28, 0};
+constexpr double friction = 0.3, radius = 3e-3, load = 10e3, capacity = friction * load;
+
+const HertzContact& hertz() {
+  static const HertzContact contact = hertz_from_ellipse(radius, radius, steel, load);
+  return contact;
+}
+double circular(double x, double y) {
+  return hertz().gap.x * (x * x + y * y);
+}
+double egg(double x, double y) {
+  return hertz().gap.x * (x * x * (1 + 0.15 * x / radius + 0.2 * y / radius) + y * y);
+}
+double side_by_side(double x, double y) {
+  return std::min(circular(x, y - 1.5 * radius), circular(x, y + 1.5 * radius) + 2e-6);
+}
+double one_behind_the_other(double x, double y) {
+  return side_by_side(y, x);
+}
+
+/// n elements over 2 radius, a centre at `x`, `y` elements from the origin.
+ElementGrid grid_over(double half_x, double half_y, int n, double x, double y) {
+  const double h = 2 * radius / n;
+  const int nx = static_cast<int>(std::ceil(half_x / h)) + 5, ny = static_cast<int>(std::ceil(half_y / h)) + 2;
+  return {.mx = 2 * nx + 1, .my = 2 * ny + 1, .x0 = (x - nx) * h, .y0 = (y - ny) * h, .dx = h, .dy = h};
+}
+
+Field sampled(const Gap& gap, const ElementGrid& grid) {
+  Field h;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) h.push_back(gap(grid.x(i), grid.y(j)));
+  return h;
+}
+
+PatchRolling rolling(const Gap& gap, const ElementGrid& grid, double force = load,
+                     RollingDirection direction = RollingDirection::forward) {
+  return {steel, grid, sampled(gap, grid), {NormalLoad::Given::force, force}, direction};
+}
+
+PatchMotion motion(double xi, double eta, double phi) {
+  const double unit = friction * hertz().gap.x;
+  return {.friction = friction, .creepage = {xi * unit * radius, eta * unit * radius, phi * unit}};
+}
+const PatchMotion lengthwise = motion(1, 0, 0), mixed = motion(0.4, 0.6, 0.5);
+
+constexpr std::pair<double, double> positions[] = {{0, 0}, {0.3, 0.2}, {0.6, 0.65}};
+
+/// The root of the mean square, over positions of the patch on the grid, of the force's error over mu Fn.
+double rms_error(const Gap& gap, double half_x, double half_y, double force, int n, const PatchMotion& m, Vec2 exact) {
+  double sum = 0;
+  for (const auto& [x, y] : positions) {
+    const PatchSolution s = rolling(gap, grid_over(half_x, half_y, n, x, y), force).solve(m);
+    EXPECT_EQ(s.forces.status, Status::ok);
+    sum += (std::pow(s.forces.fx - exact.x, 2) + std::pow(s.forces.fy - exact.y, 2)) / 3;
+  }
+  return std::sqrt(sum) / (friction * force);
+}
+
+Vec2 fine_forces(const Gap& gap, double half_x, double half_y, double force, const PatchMotion& m) {
+  const PatchSolution s = rolling(gap, grid_over(half_x, half_y, 72, 0.3, 0.2), force).solve(m);
+  return {s.forces.fx, s.forces.fy};
+}
+
+TEST(PatchRolling, IsOfSecondOrderForHertz) {
+  for (const PatchMotion& m : {lengthwise, mixed}) {
+    SecondOrderRolling exact_edges(steel, fit_ellipse(radius, radius, 96, 96));
+    Field bound = exact_edges.contact().load_share;
+    for (double& g : bound) g *= capacity;
+    const SecondOrderSolution s = exact_edges.solve(
+        bound, {.creepage = m.creepage, .force_x = {}, .force_y = {}, .start = {}, .tolerance = 1e-7});
+    Vec2 exact{0, 0};
+    for (std::size_t k = 0; k < bound.size(); ++k) {
+      const double area = exact_edges.contact().elements[k].width() * exact_edges.contact().grid.dy;
+      exact.x += s.friction.px[k] * area;
+      exact.y += s.friction.py[k] * area;
+    }
+    const double coarse = rms_error(circular, radius, radius, load, 10, m, exact);
+    const double fine = rms_error(circular, radius, radius, load, 40, m, exact);
+    EXPECT_GT(std::log2(coarse / fine) / 2, 1.7);
+    EXPECT_LT(fine, 6e-4);
+  }
+}
+
+TEST(PatchRolling, IsOfSecondOrderForOtherShapesAndForTwoPatches) {
+  struct Case {
+    Gap gap;
+    double half_x, half_y, force;
+  };
+  for (const Case& c : {Case{egg, 1.5 * radius, 1.2 * radius, load}, Case{side_by_side, radius, 2.7 * radius, 2 * load},
+                        Case{one_behind_the_other, 2.7 * radius, radius, 2 * load}})
+    for (const PatchMotion& m : {lengthwise, mixed}) {
+      const Vec2 exact = fine_forces(c.gap, c.half_x, c.half_y, c.force, m);
+      const double coarse = rms_error(c.gap, c.half_x, c.half_y, c.force, 8, m, exact);
+      const double fine = rms_error(c.gap, c.half_x, c.half_y, c.force, 32, m, exact);
+      EXPECT_GT(std::log2(coarse / fine) / 2, 1.7);
+      EXPECT_LT(fine, 1.5e-3);
+    }
+}
+
+TEST(PatchRolling, AlongMinusXIsTheMirrorImage) {
+  const Gap image = [](double x, double y) { return egg(-x, y); };
+  const ElementGrid grid = grid_over(1.5 * radius, 1.2 * radius, 16, 0, 0.3);
+  PatchMotion m = mixed;
+  const PatchSolution forward = rolling(egg, grid).solve(m);
+  m.creepage.longitudinal *= -1;
+  m.creepage.spin *= -1;
+  const PatchSolution backward = rolling(image, grid, load, RollingDirection::backward).solve(m);
+  EXPECT_NEAR(backward.forces.fx, -forward.forces.fx, 1e-5 * capacity);
+  EXPECT_NEAR(backward.forces.fy, forward.forces.fy, 1e-5 * capacity);
+  EXPECT_NEAR(backward.forces.mz, -forward.forces.mz, 1e-5 * capacity * radius);
+}
+
+TEST(PatchRolling, FullSlidingGivesFrictionTimesTheLoad) {
+  for (const Gap& gap : {Gap(circular), Gap(one_behind_the_other)}) {
+    const ElementGrid grid = grid_over(2.7 * radius, 2.7 * radius, 12, 0.2, 0.4);
+    const PatchSolution s = rolling(gap, grid).solve(motion(100, 0, 0));
+    double whole = 0;
+    for (std::size_t k = 0; k < s.px.size(); ++k) {
+      whole += s.bound[k] * s.area[k];
+      EXPECT_NEAR(std::hypot(s.px[k], s.py[k]), s.bound[k], 1e-6 * s.bound[k]);
+    }
+    EXPECT_NEAR(whole, capacity, 1e-12 * capacity);
+    EXPECT_NEAR(s.forces.fx, -capacity, 1e-6 * capacity); // slip has a small part across, too
+    EXPECT_EQ(s.forces.adhesion_area, 0);
+  }
+}
+
+TEST(PatchRolling, ForcesGiveTheCreepagesBack) {
+  PatchRolling contact = rolling(egg, grid_over(1.5 * radius, 1.2 * radius, 16, 0.2, 0.3));
+  const PatchSolution given = contact.solve(mixed);
+  PatchMotion m = mixed;
+  m.creepage.longitudinal = m.creepage.lateral = 0;
+  m.force_x = given.forces.fx, m.force_y = given.forces.fy;
+  const PatchSolution found = contact.solve(m);
+  EXPECT_EQ(found.forces.status, Status::ok);
+  EXPECT_NEAR(found.creepage.longitudinal / mixed.creepage.longitudinal, 1, 2e-3);
+  EXPECT_NEAR(found.creepage.lateral / mixed.creepage.lateral, 1, 2e-3);
+}
+
+TEST(PatchRolling, WithoutContactIsAStatus) {
+  const ElementGrid grid = grid_over(radius, radius, 8, 0, 0);
+  PatchRolling apart(steel, grid, sampled(circular, grid), {NormalLoad::Given::approach, -1e-6});
+  EXPECT_EQ(apart.contact(), nullptr);
+  EXPECT_EQ(apart.solve(mixed).forces.status, Status::no_contact);
+}
+
+TEST(ContactEdges, AreExactWherePressureSquaredIsAPolynomial) {
+  const ElementGrid grid = grid_over(radius, radius, 20, 0.3, 0.1);
+  Field pressure;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) pressure.push_back(hertz().pressure(grid.x(i), grid.y(j)));
+  const std::vector<ContactRun> runs = contact_runs(grid, pressure);
+  EXPECT_GE(runs.size(), 18U);
+  for (const ContactRun& run : runs) {
+    if (run.last - run.first < 6) continue; // short ones end more than an element beyond the outermost centre
+    const double y = grid.y(run.row), edge = std::sqrt(radius * radius - y * y);
+    EXPECT_NEAR(run.high, edge, 1e-7 * radius);
+    EXPECT_NEAR(run.low, -edge, 1e-7 * radius);
+  }
+}
+
+TEST(FittedContact, HasTheElementsOfEveryRunOfARowWithoutOverlap) {
+  const ElementGrid grid = grid_over(2.7 * radius, radius, 16, 0.2, 0.4);
+  const PatchRolling contact = rolling(one_behind_the_other, grid, 2 * load);
+  const FittedContact& fitted = *contact.contact();
+  int second_runs = 0;
+  double whole = 0;
+  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
+    const FittedElement& e = fitted.elements[k];
+    whole += fitted.load_share[k] * e.width() * grid.dy;
+    EXPECT_GE(fitted.load_share[k], 0);
+    if (k == 0 || fitted.elements[k - 1].row != e.row) continue;
+    EXPECT_GE(e.left, fitted.elements[k - 1].right - 1e-9 * grid.dx);
+    EXPECT_EQ(e.trails, fitted.elements[k - 1].leads);
+    second_runs += e.trails;
+  }
+  EXPECT_GT(second_runs, 12);
+  EXPECT_NEAR(whole, 1, 1e-12);
+}
+
+TEST(FittedContact, NeedsColumnsToSpare) {
+  ElementGrid grid{.mx = 9, .my = 3, .x0 = 0, .y0 = 0, .dx = 1, .dy = 1};
+  Field pressure(grid.count(), 0.0);
+  EXPECT_THROW(fit_contact(grid, pressure), Error);
+  pressure[9 + 5] = 1;
+  EXPECT_EQ(fit_contact(grid, pressure).elements.size(), 1U);
+  pressure[9 + 6] = 1;
+  EXPECT_THROW(fit_contact(grid, pressure), Error);
+  pressure[9 + 6] = -1;
+  EXPECT_THROW(fit_contact(grid, pressure), Error);
+}
+
+} // namespace
+} // namespace microslip
