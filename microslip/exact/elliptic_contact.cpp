@@ -232,12 +232,13 @@ EllipticContact EllipticContactSolver::mirrored(EllipticContact contact) const {
   return contact;
 }
 
-ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion) {
+ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion,
+                                                       const Progress& progress) {
   prepare_second_order(contact);
   std::optional<double> force_x = motion.force_x;
   if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
   const SecondOrderSolution solution =
-      second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance);
+      second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance, false, progress);
   return results(solution, contact, second_order_->bound(contact));
 }
 
@@ -270,7 +271,8 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const 
                                           const Progress& progress) {
   if (!is_valid(contact) || !is_valid(motion)) return invalid();
   try {
-    return is_second_order(motion) ? solve_second_order(contact, motion) : solve_classical(contact, motion, progress);
+    return is_second_order(motion) ? solve_second_order(contact, motion, progress)
+                                   : solve_classical(contact, motion, progress);
   } catch (const Error&) { // numbers that overflow on the way
     return invalid();
   }

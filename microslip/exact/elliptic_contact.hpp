@@ -80,7 +80,7 @@ public:
   const ExactOptions& options() const { return options_; }
 
   /// Input out of range gives Status::invalid_input and NaN, another friction law than Coulomb's too. `progress` is
-  /// told of the steps of transient rolling and may end it.
+  /// told of the steps of transient rolling, or of the Newton steps at second order, and may end it.
   ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
@@ -103,7 +103,7 @@ private:
                           const Progress& progress, std::vector<ExactStep>& history);
   ExactContact results(TangentialSolution solution, double normal_force) const;
   EllipticContact mirrored(EllipticContact contact) const;
-  ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion);
+  ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialState fitted_start(const EllipticContact& contact, const std::vector<double>& bound) const;
   ExactContact results(const SecondOrderSolution& solution, const EllipticContact& contact,
                        const std::vector<double>& bound) const;

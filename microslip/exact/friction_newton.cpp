@@ -223,18 +223,24 @@ private:
   Field wide_px_, wide_py_, wide_sx_, wide_sy_;
 };
 
+/// Of the digits that the residual has to fall by.
+double fraction_done(double first, double now, double goal) {
+  return goal > 0 && now < first ? std::min(1.0, std::log(first / now) / std::log(first / goal)) : 0;
+}
+
 /// Takes Newton steps until |F| is at most `goal`, and leaves the best iterate in x and slip; returns |F|.
 double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options, double goal, Field& x, Field& slip,
-               int& steps) {
+               int& steps, bool& stopped) {
   const std::size_t n = at.size();
   Field f(n), right(n), step(n), change(n), step_slip(slip.size()), trial(n), trial_slip(slip.size()), trial_f(n),
       best_x, best_slip;
   double norm = at.evaluate(x, slip, f), best_norm = norm;
+  const double first_norm = norm;
   // How well the linear equations predicted the last step: they need not be solved better than that (Eisenstat & Walker
   // 1996, choice 1).
   constexpr double roughest = 0.3;
   double misfit = roughest;
-  for (; norm > goal && steps < options.most_steps; ++steps) {
+  for (; norm > goal && steps < options.most_steps && !stopped; ++steps) {
     at.linearise(x, slip);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
     const double damping = most_damping * at.mean_alpha() * std::min(1.0, norm / at.scale());
@@ -267,6 +273,7 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
     std::swap(slip, trial_slip);
     std::swap(f, trial_f);
     norm = trial_norm;
+    stopped = options.progress && !options.progress(fraction_done(first_norm, norm, goal));
   }
   if (norm <= best_norm || best_x.empty()) return norm;
   x = std::move(best_x);
@@ -288,12 +295,13 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   }
   FrictionSolution s;
   at.start(start, x, slip);
-  double norm = iterate(at, gmres_, options, goal, x, slip, s.newton_steps);
-  if (!(norm <= goal) && !start.px.empty()) { // a start may be worse than none
+  bool stopped = false;
+  double norm = iterate(at, gmres_, options, goal, x, slip, s.newton_steps, stopped);
+  if (!(norm <= goal) && !start.px.empty() && !stopped) { // a start may be worse than none
     Field other_x(x.size()), other_slip(slip.size());
     int steps = 0;
     at.start({}, other_x, other_slip);
-    const double other = iterate(at, gmres_, options, goal, other_x, other_slip, steps);
+    const double other = iterate(at, gmres_, options, goal, other_x, other_slip, steps, stopped);
     s.newton_steps += steps;
     if (other < norm || std::isnan(norm)) norm = other, x = std::move(other_x), slip = std::move(other_slip);
   }

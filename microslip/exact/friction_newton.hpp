@@ -2,6 +2,7 @@
 
 #include "microslip/exact/surface_response.hpp"
 #include "microslip/numerics/gmres.hpp"
+#include "microslip/progress.hpp"
 #include "microslip/status.hpp"
 #include "microslip/vec2.hpp"
 
@@ -49,6 +50,7 @@ public:
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
     /// below 1e-12: a step however small is done to its own scale, and nothing of it is lost in the next one.
     std::optional<Tractions> before = {};
+    Progress progress = {}; ///< is told after each step; false ends the iteration
     int most_steps = 100;
     int most_inner = 300; ///< products in the linear solver of one step
   };

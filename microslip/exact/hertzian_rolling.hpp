@@ -20,7 +20,8 @@ public:
   /// Creepages and spin of the contact, or forces [N] in the place of its creepages. Newton steps and products are
   /// those on the finest grid.
   SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,
-                            std::optional<double> force_y, double tolerance, bool converge_plain = false);
+                            std::optional<double> force_y, double tolerance, bool converge_plain = false,
+                            const Progress& progress = {});
 
   /// As SecondOrderRolling::differentiate, for a solution with creepages given and its plain part converged.
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,

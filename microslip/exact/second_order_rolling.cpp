@@ -11,6 +11,12 @@ namespace {
 /// the forces of the test set change by some 1e-5 mu Fn, and the products are fewer by a quarter.
 constexpr double tolerance_of_first = 3e-4;
 
+/// Progress of a part of the work.
+Progress part(const Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [&whole, from, to](double fraction) { return whole(from + (to - from) * fraction); };
+}
+
 } // namespace
 
 using Field = std::vector<double>;
@@ -100,11 +106,11 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   with.force_x = input.force_x;
   with.force_y = input.force_y;
   const double first = input.converge_plain ? input.tolerance : std::max(tolerance_of_first, input.tolerance);
-  out.plain = newton_.solve(with, {.tolerance = first}, input.start);
+  out.plain = newton_.solve(with, {.tolerance = first, .progress = part(input.progress, 0, 0.3)}, input.start);
   FrictionSolution& s = out.friction = out.plain;
   if (s.status == Status::ok) {
     add_correction(out.plain, out.plain.sx, out.plain.sy, cx, cy);
-    s = newton_.solve(with, {.tolerance = input.tolerance},
+    s = newton_.solve(with, {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)},
                       {.px = out.plain.px,
                        .py = out.plain.py,
                        .constants = Vec2{out.plain.constant_x, out.plain.constant_y},
