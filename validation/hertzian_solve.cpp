@@ -11,7 +11,7 @@ namespace {
 NormalSolution solve_normal(const CombinedMaterial& material, const ElementGrid& grid, const GapCurvatures& gap,
                             double normal_force) {
   NormalSolution solution =
-      NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, normal_force});
+      NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, normal_force}, 1e-11);
   if (solution.status != Status::ok || solution.touches_border)
     throw Error("normal problem: not converged, or the contact reaches the border of the grid");
   return solution;
