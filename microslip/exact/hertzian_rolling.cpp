@@ -40,15 +40,14 @@ TangentialState HertzianRolling::from_fastsim2(const EllipticContact& contact, s
   return start;
 }
 
-/// By how much FASTSIM2's tractions grow with the longitudinal (0) or lateral (1) creepage. Nothing near full sliding,
-/// where they hardly do: such numbers would mislead.
-TangentialState HertzianRolling::growth(const EllipticContact& contact, int direction,
-                                        std::span<const double> bound) const {
+/// By how much FASTSIM2's tractions, `start`, grow with the longitudinal (0) or lateral (1) creepage. Nothing near full
+/// sliding, where they hardly do: such numbers would mislead.
+TangentialState HertzianRolling::growth(const EllipticContact& contact, int direction, std::span<const double> bound,
+                                        const TangentialState& start) const {
   const double stiffness = contact.shear_modulus * contact.a * contact.b; // dF/dxi in adhesion over Kalker's C11
   const double unit = 1e-3 * contact.friction.static_coefficient() * contact.normal_force / stiffness;
   EllipticContact moved = contact;
   (direction == 0 ? moved.creepage.longitudinal : moved.creepage.lateral) += unit;
-  const TangentialState start = from_fastsim2(contact, bound);
   TangentialState growth = from_fastsim2(moved, bound);
   const FittedContact& fitted = this->contact();
   double slope = 0;
@@ -90,7 +89,8 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
       .px = start.px, .py = start.py, .constants = Vec2{at_start.creepage.longitudinal, at_start.creepage.lateral}};
   if (!force_given) return rolling_.solve(bound, input);
 
-  const std::array growths = {growth(at_start, 0, bound), growth(at_start, 1, bound)};
+  const TangentialState fastsim2 = from_fastsim2(at_start, bound);
+  const std::array growths = {growth(at_start, 0, bound, fastsim2), growth(at_start, 1, bound, fastsim2)};
   input.start.growth = {FrictionNewton::Tractions{growths[0].px, growths[0].py},
                         FrictionNewton::Tractions{growths[1].px, growths[1].py}};
   return rolling_.solve(bound, input);
