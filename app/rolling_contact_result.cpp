@@ -47,26 +47,42 @@ double step_of(const RollingCase& input, const EllipticContact& contact) {
   return input.motion.step > 0 ? input.motion.step : 2 * contact.a / input.options.mx;
 }
 
-ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress) {
-  auto options = exact_options(input);
-  ExactResult result;
-  if (input.accuracy) {
-    result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, progress);
-    options.mx = options.my = result.limit->elements;
-  }
+/// On the grid that the case gives.
+ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
+  const auto options = exact_options(input);
   auto coarser = options;
   coarser.mx = (options.mx + 1) / 2;
   coarser.my = (options.my + 1) / 2;
   auto motion = input.motion;
   if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
   EllipticContactSolver solver(options);
+  ExactResult result;
   result.contact = solver.solve(contact, motion, progress);
   result.gap = solver.deformed_gap(contact, motion);
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
   result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
+  return result;
+}
+
+/// On grids that the accuracy asks for.
+ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
+  auto options = exact_options(input);
+  ExactResult result;
+  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, progress);
+  result.contact = result.limit->finest;
+  options.mx = options.my = result.limit->elements;
+  result.gap = EllipticContactSolver(options).deformed_gap(contact);
+  result.grid_error = difference(contact, result.contact.fields.forces, result.limit->coarser);
+  return result;
+}
+
+ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress) {
+  auto result = input.accuracy ? solve_to_accuracy(input, contact, progress) : solve_on_grid(input, contact, progress);
   contact.creepage = result.contact.creepage;
   const bool ok = result.contact.fields.forces.status == Status::ok;
-  if (motion.kind == ContactMotion::steady && ok) result.curve = exact_curve(options, contact);
+  auto options = exact_options(input);
+  if (result.limit) options.mx = options.my = result.limit->elements;
+  if (input.motion.kind == ContactMotion::steady && ok) result.curve = exact_curve(options, contact);
   return result;
 }
 

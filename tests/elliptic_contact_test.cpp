@@ -237,7 +237,7 @@ TEST(EllipticContact, ApproachIsHertz) {
 /// Zero where the bodies touch, positive around.
 TEST(EllipticContact, DeformedGap) {
   for (const Discretisation discretisation : both_discretisations) {
-    const EllipticContactSolver solver(options(12, discretisation));
+    EllipticContactSolver solver(options(12, discretisation));
     const EllipticContact contact = mixed();
     const auto gap = solver.deformed_gap(contact);
     const ExactContact s = solve(options(12, discretisation), contact);

@@ -19,16 +19,6 @@ NormalSolution solve_normal(const CombinedMaterial& material, const ElementGrid&
 
 } // namespace
 
-std::vector<double> hertzian_gap(const GapCurvatures& gap, const ElementGrid& grid) {
-  std::vector<double> h(grid.count());
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) {
-      const double x = grid.x(i), y = grid.line ? 0 : grid.y(j);
-      h[static_cast<std::size_t>(j) * grid.mx + i] = gap.x * x * x + gap.y * y * y;
-    }
-  return h;
-}
-
 HertzianSolve::HertzianSolve(const CombinedMaterial& material, const ElementGrid& grid, const GapCurvatures& gap,
                              double normal_force)
     : grid_(grid), normal_(solve_normal(material, grid, gap, normal_force)), tangential_(material, grid) {}

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/exact/hertzian_gap.hpp"
 #include "microslip/exact/normal_problem.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 
 namespace microslip::validation {
-
-/// The gap A x^2 + B y^2 at the elements' centres [m].
-std::vector<double> hertzian_gap(const GapCurvatures& gap, const ElementGrid& grid);
 
 /// A Hertzian contact of similar bodies by the exact theory: the normal problem solved with the load given, and
 /// tangential problems with the bound mu p_n. Distinct objects may be used from distinct threads.

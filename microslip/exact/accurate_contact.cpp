@@ -32,6 +32,7 @@ double difference(const EllipticContact& contact, const ExactContact& a, const E
 AccurateContact extrapolate(const ExactContact& coarse, ExactContact fine) {
   AccurateContact out;
   const ContactForces &f = coarse.fields.forces, &g = fine.fields.forces;
+  out.coarser = f;
   out.forces = g;
   out.forces.fx = limit(f.fx, g.fx);
   out.forces.fy = limit(f.fy, g.fy);

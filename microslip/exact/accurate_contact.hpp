@@ -8,12 +8,13 @@ namespace microslip {
 
 /// Steady rolling on two nested grids and its limit.
 struct AccurateContact {
-  ExactContact finest;  ///< on the finer grid
-  ContactForces forces; ///< the limit, extrapolated; areas and status of the finer grid
-  Creepage creepage;    ///< the limit, where a force is given
-  double error = 0;     ///< estimated error of the limit, see AccurateContactSolver
-  int elements = 0;     ///< across the ellipse, of the finer grid
-  long products = 0;    ///< on all grids
+  ExactContact finest;   ///< on the finer grid
+  ContactForces coarser; ///< on half the elements
+  ContactForces forces;  ///< the limit, extrapolated; areas and status of the finer grid
+  Creepage creepage;     ///< the limit, where a force is given
+  double error = 0;      ///< estimated error of the limit, see AccurateContactSolver
+  int elements = 0;      ///< across the ellipse, of the finer grid
+  long products = 0;     ///< on all grids
 };
 
 /// Hertzian contacts in steady rolling to an accuracy that is asked for. Errors are of second order, so the limit of a

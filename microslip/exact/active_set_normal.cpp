@@ -167,14 +167,7 @@ private:
 
 NormalSolution solve_norm(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                           const NormalLoad& load, double tolerance) {
-  if (gap.size() != grid.count())
-    throw Error("gap: must have mx times my = " + std::to_string(grid.count()) + " values");
-  for (std::size_t k = 0; k < gap.size(); ++k)
-    if (!std::isfinite(gap[k])) throw Error("gap[" + std::to_string(k) + "]", gap[k], "m", "finite");
-  if (load.given == NormalLoad::Given::force)
-    require_positive("normal_force", load.value, "N");
-  else
-    require_finite("approach", load.value, "m");
+  check(grid, gap, load);
   require_positive("tolerance", tolerance, "-");
   return Norm(material, grid, gap, load, tolerance).run();
 }

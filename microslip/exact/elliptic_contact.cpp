@@ -3,6 +3,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/fastsim2_start.hpp"
+#include "microslip/exact/hertzian_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +37,11 @@ bool is_valid(const ExactMotion& m) {
          std::isfinite(m.step) && m.steps >= 1 && m.steps <= 1000000;
 }
 
-/// The undeformed distance at the elements' centres that gives this ellipse under 1 N [m].
-std::vector<double> hertzian_gap(double a, double b, const CombinedMaterial& material, const ElementGrid& grid) {
-  const GapCurvatures gap = hertz_from_ellipse(a, b, material, 1).gap;
-  std::vector<double> h(grid.count());
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      h[static_cast<std::size_t>(j) * grid.mx + i] = gap.x * grid.x(i) * grid.x(i) + gap.y * grid.y(j) * grid.y(j);
-  return h;
+/// Under a load of 1 N, which pressures and approach are proportional to.
+NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid) {
+  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+  const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, material, 1).gap;
+  return NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1});
 }
 
 } // namespace
@@ -52,6 +50,12 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
   require_count("mx", options.mx, 1, 4000);
   require_count("my", options.my, 1, 4000);
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
+  require_memory_for(options.discretisation == Discretisation::second_order ? ContactProblem::second_order
+                                                                            : ContactProblem::tangential);
+}
+
+void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
+  require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, margin));
 }
 
 bool EllipticContactSolver::is_second_order(const ExactMotion& motion) const {
@@ -76,8 +80,7 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
   if (is_prepared_for(contact, false)) return;
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
-  normal_ =
-      NormalProblem(material_, grid_).solve(hertzian_gap(a_, b_, material_, grid_), {NormalLoad::Given::force, 1});
+  normal_ = unit_load(contact, grid_);
   tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
 }
 
@@ -245,7 +248,11 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
   constexpr double tolerance = 1e-7, linear_tolerance = 1e-5;
   if (!is_valid(contact)) return {.contact = invalid()};
-  prepare_second_order(contact);
+  try {
+    prepare_second_order(contact);
+  } catch (const Error&) { // numbers that overflow on the way
+    return {.contact = invalid()};
+  }
   const EllipticContact forward = mirrored(contact);
   const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, tolerance, true);
   const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
@@ -270,6 +277,7 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
 ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
                                           const Progress& progress) {
   if (!is_valid(contact) || !is_valid(motion)) return invalid();
+  if (!is_second_order(motion)) require_memory_for(ContactProblem::tangential);
   try {
     return is_second_order(motion) ? solve_second_order(contact, motion, progress)
                                    : solve_classical(contact, motion, progress);
@@ -278,16 +286,15 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const 
   }
 }
 
-std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact,
-                                                        const ExactMotion& motion) const {
-  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
-  const ElementGrid grid = is_second_order(motion)
-                               ? fit_ellipse(contact.a, contact.b, options_.mx, options_.my).grid
-                               : ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin);
-  std::vector<double> gap =
-      NormalProblem(material, grid)
-          .solve(hertzian_gap(contact.a, contact.b, material, grid), {NormalLoad::Given::force, 1})
-          .gap;
+std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion) {
+  std::vector<double> gap;
+  if (is_second_order(motion)) {
+    prepare_second_order(contact);
+    gap = unit_load(contact, second_order_->contact().grid).gap;
+  } else {
+    prepare_classical(contact);
+    gap = normal_.gap;
+  }
   for (double& distance : gap) distance *= contact.normal_force;
   return gap; // the same in both directions along a row
 }

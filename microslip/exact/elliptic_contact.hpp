@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/hertzian_rolling.hpp"
+#include "microslip/exact/memory_need.hpp"
 #include "microslip/exact/normal_problem.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 #include "microslip/progress.hpp"
@@ -74,7 +75,7 @@ struct ExactDerivatives {
 /// has the same ellipse and material. Distinct objects may be used from distinct threads.
 class EllipticContactSolver {
 public:
-  /// Throws Error if an option is out of range.
+  /// Throws Error if an option is out of range, or if the grid needs more memory than the machine has.
   explicit EllipticContactSolver(const ExactOptions& options);
 
   const ExactOptions& options() const { return options_; }
@@ -91,10 +92,11 @@ public:
 
   /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
   /// problem on their grid. Throws Error for a contact out of range.
-  std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {}) const;
+  std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {});
 
 private:
   bool is_second_order(const ExactMotion& motion) const;
+  void require_memory_for(ContactProblem problem) const;
   void prepare_classical(const EllipticContact& contact);
   void prepare_second_order(const EllipticContact& contact);
   bool is_prepared_for(const EllipticContact& contact, bool second_order);

@@ -1,6 +1,7 @@
 #include "microslip/exact/hertzian_rolling.hpp"
 
 #include "microslip/exact/coarse_start.hpp"
+#include "microslip/exact/fastsim2_creepage.hpp"
 #include "microslip/exact/fastsim2_start.hpp"
 
 #include <algorithm>

@@ -37,6 +37,8 @@ double memory_need(ContactProblem problem, const ElementGrid& grid) {
   const double transform = 2 * real * static_cast<double>(ToeplitzTransform::padded_size(grid.mx, grid.my));
   const double table = real * (2.0 * grid.mx - 1) * (2.0 * grid.my - 1);
   if (problem == ContactProblem::normal) return 3 * transform + table + 8 * real * elements;
+  if (problem == ContactProblem::second_order)
+    return 4.0 / 3 * (4 * transform + 64 * real * elements + 100 * 2 * real * elements);
   const double basis = 2 * real * elements * (FrictionNewton::Options().most_inner + 1);
   return 18 * transform + 4 * table + 50 * real * elements + basis;
 }

@@ -222,15 +222,19 @@ NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid
     coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid));
 }
 
-NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance) {
-  if (gap.size() != grid_.count())
-    throw Error("gap: must have mx times my = " + std::to_string(grid_.count()) + " values");
+void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load) {
+  if (gap.size() != grid.count())
+    throw Error("gap: must have mx times my = " + std::to_string(grid.count()) + " values");
   for (std::size_t k = 0; k < gap.size(); ++k)
     if (!std::isfinite(gap[k])) throw Error("gap[" + std::to_string(k) + "]", gap[k], "m", "finite");
   if (load.given == NormalLoad::Given::force)
     require_positive("normal_force", load.value, "N");
   else
     require_finite("approach", load.value, "m");
+}
+
+NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance) {
+  check(grid_, gap, load);
   return solve_nested(gap, load, tolerance);
 }
 

@@ -24,6 +24,9 @@ struct BorderSides {
   bool any() const { return low_x || high_x || low_y || high_y; }
 };
 
+/// Throws Error unless there is a finite gap for each element and the load is in range.
+void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load);
+
 /// The contact area and the pressure on it.
 struct NormalSolution {
   std::vector<double> pressure;     ///< p_n [Pa], >= 0

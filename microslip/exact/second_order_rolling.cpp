@@ -45,19 +45,16 @@ Field SecondOrderRolling::slip_at_centre(const Field& slip) const {
 }
 
 /// No creepage gives a force beyond friction's: everything slides in its direction.
-SecondOrderSolution SecondOrderRolling::full_sliding(std::span<const double> bound, const SecondOrderInput& input,
-                                                     double excess) const {
-  SecondOrderSolution out;
-  FrictionSolution& s = out.friction;
-  const std::size_t n = bound.size();
-  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy, &out.ux, &out.uy}) field->assign(n, 0.0);
-  s.sliding.assign(n, 1);
+FrictionSolution SecondOrderRolling::full_sliding(std::span<const double> bound, const SecondOrderInput& input,
+                                                  double excess) const {
+  FrictionSolution s;
+  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(bound.size(), 0.0);
+  s.sliding.assign(bound.size(), 1);
   s.status = Status::no_solution;
   s.residual = excess;
   const double fx = input.force_x.value_or(0), fy = input.force_y.value_or(0), size = std::hypot(fx, fy);
-  for (std::size_t k = 0; k < n; ++k) s.px[k] = bound[k] * fx / size, s.py[k] = bound[k] * fy / size;
-  out.creepage = input.creepage;
-  return out;
+  for (std::size_t k = 0; k < bound.size(); ++k) s.px[k] = bound[k] * fx / size, s.py[k] = bound[k] * fy / size;
+  return s;
 }
 
 /// w at the middle of each element's way.
@@ -88,19 +85,10 @@ FrictionProblem SecondOrderRolling::problem(std::span<const double> bound, std::
           .area_share = area_share_};
 }
 
-SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, const SecondOrderInput& input) {
-  const auto& elements = contact_.elements;
-  double capacity = 0;
-  for (std::size_t k = 0; k < elements.size(); ++k)
-    capacity += bound[k] * area_share_[k] * contact_.grid.element_area();
-  const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
-  if (wanted >= capacity && wanted > 0) return full_sliding(bound, input, wanted / capacity - 1);
-
-  SecondOrderSolution out;
-  out.creepage = input.creepage;
-  if (input.force_x) out.creepage.longitudinal = 0;
-  if (input.force_y) out.creepage.lateral = 0;
-  Field cx(elements.size()), cy(cx);
+/// The plain problem and the corrected one.
+void SecondOrderRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
+                                     SecondOrderSolution& out) {
+  Field cx(bound.size()), cy(cx);
   rigid_slip(out.creepage, cx, cy);
   FrictionProblem with = problem(bound, cx, cy);
   with.force_x = input.force_x;
@@ -108,19 +96,33 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   const double first = input.converge_plain ? input.tolerance : std::max(tolerance_of_first, input.tolerance);
   out.plain = newton_.solve(with, {.tolerance = first, .progress = part(input.progress, 0, 0.3)}, input.start);
   FrictionSolution& s = out.friction = out.plain;
-  if (s.status == Status::ok) {
-    add_correction(out.plain, out.plain.sx, out.plain.sy, cx, cy);
-    s = newton_.solve(with, {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)},
-                      {.px = out.plain.px,
-                       .py = out.plain.py,
-                       .constants = Vec2{out.plain.constant_x, out.plain.constant_y},
-                       .growth = input.start.growth});
-    s.newton_steps += out.plain.newton_steps;
-    s.products += out.plain.products;
-  }
+  if (s.status != Status::ok) return;
+  add_correction(out.plain, out.plain.sx, out.plain.sy, cx, cy);
+  s = newton_.solve(with, {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)},
+                    {.px = out.plain.px,
+                     .py = out.plain.py,
+                     .constants = Vec2{out.plain.constant_x, out.plain.constant_y},
+                     .growth = input.start.growth});
+  s.newton_steps += out.plain.newton_steps;
+  s.products += out.plain.products;
+}
+
+SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, const SecondOrderInput& input) {
+  SecondOrderSolution out;
+  out.creepage = input.creepage;
+  if (input.force_x) out.creepage.longitudinal = 0;
+  if (input.force_y) out.creepage.lateral = 0;
+  double capacity = 0;
+  for (std::size_t k = 0; k < bound.size(); ++k) capacity += bound[k] * area_share_[k] * contact_.grid.element_area();
+  const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
+  if (wanted >= capacity && wanted > 0)
+    out.friction = full_sliding(bound, input, wanted / capacity - 1);
+  else
+    solve_twice(bound, input, out);
+  const FrictionSolution& s = out.friction;
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
-  Field sx(elements.size()), sy(sx);
+  Field sx(bound.size()), sy(sx);
   response_.apply(s.px, s.py, sx, sy);
   out.ux.assign(response_.ux().begin(), response_.ux().end());
   out.uy.assign(response_.uy().begin(), response_.uy().end());

@@ -59,7 +59,8 @@ private:
   void add_correction(const FrictionSolution& of, const std::vector<double>& sx, const std::vector<double>& sy,
                       std::vector<double>& cx, std::vector<double>& cy) const;
   FrictionProblem problem(std::span<const double> bound, std::span<const double> cx, std::span<const double> cy);
-  SecondOrderSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
+  FrictionSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
+  void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
   std::vector<double> slip_at_centre(const std::vector<double>& slip) const;
 
   FittedContact contact_;
