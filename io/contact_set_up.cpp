@@ -161,7 +161,7 @@ double line_pressure(TractionBound shape, const HertzianShape& strip, double x) 
 /// B = 2, 3: Hertz's pressure, or the parabola, for the load of this case.
 GivenPressure hertzian_pressure(const ContactCase& c, const ContactStep& step) {
   const PotentialContact& p = *c.potential;
-  const HertzianShape shape = shape_of(p, step.material, *gap_curvatures(c), step.load);
+  const HertzianShape shape = shape_of(p, step.bodies.material, *gap_curvatures(c), step.load);
   const auto bound = c.digits.bound == 3 ? TractionBound::parabolic : TractionBound::elliptic;
   GivenPressure given{{}, shape.approach, shape.normal_force, {}};
   const ElementGrid& grid = step.grid;
@@ -209,7 +209,7 @@ void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
   const PotentialContact& p = *c.potential;
   const NormalLoad formed = load_of(c.formed_norm, c.formed_normal);
   const GapCurvatures gap = *gap_curvatures(c);
-  step.grid = require_memory(ContactProblem::normal, hertzian_grid(p, shape_of(p, step.material, gap, formed)));
+  step.grid = require_memory(ContactProblem::normal, hertzian_grid(p, shape_of(p, step.bodies.material, gap, formed)));
   const ElementGrid& grid = step.grid;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
@@ -253,6 +253,15 @@ CombinedMaterial combined_material(const ContactCase& c) {
   return combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2});
 }
 
+Bodies bodies_of(const ContactCase& c) {
+  const ContactMaterial& m = *c.material;
+  const Material body1 = {m.shear1 * newton_per_mm2, m.poisson1}, body2 = {m.shear2 * newton_per_mm2, m.poisson2};
+  if (c.digits.mater != 1) return combine(body1, body2);
+  const auto& v = m.model_data; // FG1, FG2, TC1, TC2
+  const double speed = c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
+  return viscoelastic(body1, {v[0], v[2]}, body2, {v[1], v[3]}, speed);
+}
+
 bool takes_element_length(const ContactCase& c) {
   return c.digits.tang == 3 && c.solver.method != 2;
 }
@@ -269,7 +278,7 @@ std::optional<GapCurvatures> gap_curvatures(const ContactCase& c) {
 
 ContactStep contact_step(const ContactCase& c) {
   ContactStep step;
-  step.material = combined_material(c);
+  step.bodies = bodies_of(c);
   step.load = load_of(c.digits.norm, c.normal);
   if (c.potential->is_hertzian()) {
     set_hertzian_geometry(c, step);

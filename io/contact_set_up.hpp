@@ -8,8 +8,10 @@
 
 namespace microslip {
 
-/// Constants of both bodies, SI.
+/// Constants of both bodies, SI; of viscoelastic ones for quick loads.
 CombinedMaterial combined_material(const ContactCase& c);
+/// The same with what deforms late.
+Bodies bodies_of(const ContactCase& c);
 
 /// Whether the step of steady rolling is the elements' length whatever the file says: CONTACT takes another one only
 /// with its solver ConvexGS, G = 2.

@@ -22,7 +22,7 @@ ContactTotals contact_totals(const ContactCase& c, const ContactStep& step, cons
   t.mz = f.mz * per_m;
   t.elastic_energy = solution.normal.elastic_energy + solution.tangential.elastic_energy;
   t.friction = 0 - solution.tangential.frictional_power;
-  t.fn_over_g = t.fn / step.material.shear_modulus * per_m * per_m;
+  t.fn_over_g = t.fn / step.bodies.material.shear_modulus * per_m * per_m;
 
   const double limit = force_scale(c, step) * t.fn, unit = shifts ? per_m : 1;
   const Creepage& found = solution.tangential.creepage;

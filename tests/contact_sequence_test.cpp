@@ -26,7 +26,7 @@ ElementGrid grid_of(int mx, double x0) {
 ContactStep sphere(const ElementGrid& grid) {
   ContactStep step;
   step.grid = grid;
-  step.material = material;
+  step.bodies.material = material;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) step.gap.push_back(curvature * (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)));
   step.load = {NormalLoad::Given::force, force};

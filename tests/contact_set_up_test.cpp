@@ -119,7 +119,7 @@ TEST(ContactSetUp, MotionIsInSiUnits) {
   const auto shift = contact_step(first_case(first_shift));
   EXPECT_EQ(shift.motion.motion, ContactMotion::shift);
   EXPECT_DOUBLE_EQ(*shift.force_x, -0.2);
-  EXPECT_DOUBLE_EQ(shift.material.shear_modulus, 200e6);
+  EXPECT_DOUBLE_EQ(shift.bodies.material.shear_modulus, 200e6);
 }
 
 TEST(ContactSetUp, GivenPressuresAreEllipticOrParabolic) {

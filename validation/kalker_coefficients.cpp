@@ -78,7 +78,7 @@ Numbers solve_without_slip(double a_over_b, double nu, int across, double shift,
   auto grid = ElementGrid::across_ellipse(a, b, across, 3);
   grid.x0 += shift * grid.dx;
   const std::vector<double> bound = unlimited_bound(grid, a, b, gaps);
-  TangentialProblem problem({1, nu, 0}, grid);
+  TangentialProblem problem(CombinedMaterial{1, nu, 0}, grid);
   const auto forces = [&](const Creepage& creepage) {
     TangentialInput input;
     input.creepage = creepage;

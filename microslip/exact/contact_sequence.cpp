@@ -1,7 +1,6 @@
 #include "microslip/exact/contact_sequence.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/normal_totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +17,25 @@ bool same(const ElementGrid& a, const ElementGrid& b) {
 }
 
 bool same(const CombinedMaterial& a, const CombinedMaterial& b) {
-  return a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio;
+  return a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio &&
+         a.dissimilarity == b.dissimilarity;
+}
+
+bool same(const Bodies& a, const Bodies& b) {
+  const auto same_part = [](const DelayedPart& p, const DelayedPart& q) {
+    return same(p.material, q.material) && p.ratio == q.ratio && p.distance == q.distance;
+  };
+  return same(a.material, b.material) &&
+         std::equal(a.delayed.begin(), a.delayed.end(), b.delayed.begin(), b.delayed.end(), same_part);
+}
+
+/// Whether tractions change the pressure, or pressure the slip.
+bool is_coupled(const ContactStep& step) {
+  return !step.bodies.are_elastic() || (!step.frictionless && step.bodies.are_coupled());
 }
 
 bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
-  return same(a.grid, b.grid) && same(a.material, b.material) && !a.given && !b.given && a.gap == b.gap &&
+  return same(a.grid, b.grid) && same(a.bodies, b.bodies) && !a.given && !b.given && a.gap == b.gap &&
          a.excluded == b.excluded && a.load.given == b.load.given && a.load.value == b.load.value;
 }
 
@@ -59,42 +72,6 @@ Field moved(const ElementGrid& to, const Field& values, const ElementGrid& from)
     }
   }
   return result;
-}
-
-/// The pressure given, with its displacements and totals.
-NormalSolution with_pressure(const ContactStep& step) {
-  NormalSolution s;
-  s.pressure = step.given->pressure;
-  s.approach = step.given->approach;
-  s.displacement = step.given->displacement;
-  if (s.displacement.empty()) {
-    s.displacement.resize(step.grid.count());
-    NormalResponse(step.material, step.grid).apply(s.pressure, s.displacement);
-  }
-  find_totals(step.grid, step.gap, s);
-  if (s.status == Status::ok && s.contact_elements == 0) s.status = Status::no_contact;
-  return s;
-}
-
-/// Elements out of the question are as far away as the pressure can never reach.
-NormalSolution solve_within(const ContactStep& step) {
-  NormalProblem problem(step.material, step.grid);
-  if (step.excluded.empty()) return problem.solve(step.gap, step.load);
-  const auto [low, high] = std::minmax_element(step.gap.begin(), step.gap.end());
-  double distance = std::max({*high - *low, std::abs(*high), step.grid.dx * 1e-6});
-  for (int attempt = 0;; ++attempt, distance *= 10) {
-    Field gap = step.gap;
-    for (std::size_t k = 0; k < gap.size(); ++k)
-      if (step.excluded[k]) gap[k] = *high + distance;
-    NormalSolution s = problem.solve(gap, step.load);
-    bool is_within = true;
-    for (std::size_t k = 0; k < gap.size(); ++k)
-      if (step.excluded[k] && s.pressure[k] > 0) is_within = false;
-    if (is_within || attempt == 12) {
-      if (!is_within) s.status = Status::not_converged;
-      return s;
-    }
-  }
 }
 
 void check(const ContactStep& step) {
@@ -137,60 +114,96 @@ TangentialSolution without_tractions(const ContactStep& step) {
 
 TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from) {
   if (state.px.empty() || same(to, from)) return state;
-  return {moved(to, state.px, from), moved(to, state.py, from)};
+  TangentialState result = {moved(to, state.px, from), moved(to, state.py, from)};
+  if (!state.pressure.empty()) result.pressure = moved(to, state.pressure, from);
+  return result;
 }
 
-const NormalSolution& ContactSequence::solve_normal(const ContactStep& step) {
+const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step) {
   if (normal_of_ && same_normal_problem(*normal_of_, step)) return normal_;
   normal_of_.reset();
-  normal_ = step.given ? with_pressure(step) : solve_within(step);
+  if (step.given) {
+    normal_ = given_normal(step);
+  } else {
+    NormalProblem problem(step.bodies.material, step.grid);
+    normal_ = solve_normal(problem, step);
+  }
   normal_of_ = std::make_unique<ContactStep>(step);
   return normal_;
 }
 
 TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) {
-  if (!tangential_ || !same(tangential_grid_, step.grid) || !same(tangential_material_, step.material)) {
+  if (!tangential_ || !same(tangential_grid_, step.grid) || !same(tangential_bodies_, step.bodies)) {
     tangential_.reset();
-    tangential_ = std::make_unique<TangentialProblem>(step.material, step.grid);
+    tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid);
     tangential_grid_ = step.grid;
-    tangential_material_ = step.material;
+    tangential_bodies_ = step.bodies;
   }
   return *tangential_;
+}
+
+CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
+  if (!coupled_ || !same(coupled_grid_, step.grid) || !same(coupled_bodies_, step.bodies)) {
+    coupled_.reset();
+    coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid);
+    coupled_grid_ = step.grid;
+    coupled_bodies_ = step.bodies;
+  }
+  return *coupled_;
+}
+
+/// Pressure first, then tractions.
+ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, const TangentialState& previous,
+                                                   const TangentialState& start) {
+  ContactStepSolution out;
+  out.normal = solve_normal_part(step);
+  const Field bound = step.frictionless ? Field() : bound_of(step, out.normal.pressure);
+  const bool resists = std::any_of(bound.begin(), bound.end(), [](double g) { return g > 0; });
+  if (!resists) return out;
+  const double force = step.given ? step.given->normal_force : out.normal.normal_force;
+  TangentialInput input = step.motion;
+  input.previous = &previous;
+  if (!start.px.empty()) input.start = &start;
+  if (step.force_x) input.force_x = *step.force_x * force;
+  if (step.force_y) input.force_y = *step.force_y * force;
+  out.tangential = tangential_problem(step).solve(bound, input);
+  return out;
+}
+
+ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const TangentialState& previous,
+                                                   const TangentialState& start) {
+  const Field friction = step.frictionless ? Field(step.grid.count()) : bound_of(step, Field(step.grid.count(), 1.0));
+  ContactStepSolution out = coupled_contact(step).solve(step, friction, previous, start);
+  if (step.given) out.normal = solve_normal_part(step);
+  return out;
 }
 
 ContactStepSolution ContactSequence::solve(const ContactStep& step) {
   check(step.grid);
   check(step);
-  ContactStepSolution out;
-  out.normal = solve_normal(step);
+  const State& origin = step.start == StepStart::repeated ? before_ : after_;
+  TangentialState previous, start;
+  if (step.start != StepStart::fresh) previous = moved_to(step.grid, origin.tractions, origin.grid);
+  if (step.warm_start) start = moved_to(step.grid, after_.tractions, after_.grid);
+  ContactStepSolution out =
+      is_coupled(step) ? solve_coupled(step, previous, start) : solve_similar(step, previous, start);
+  const bool has_tractions = !step.frictionless && !out.tangential.tractions.px.empty();
+  if (!has_tractions) out.tangential = without_tractions(step);
+
   out.status = out.normal.status;
+  if (out.status == Status::ok && has_tractions) out.status = out.tangential.forces.status;
   out.contact_elements = out.normal.contact_elements;
   out.normal_force = step.given ? step.given->normal_force : out.normal.normal_force;
-
-  const State& origin = step.start == StepStart::repeated ? before_ : after_;
-  TangentialState previous;
-  if (step.start != StepStart::fresh) previous = moved_to(step.grid, origin.tractions, origin.grid);
-  const Field bound = step.frictionless ? Field() : bound_of(step, out.normal.pressure);
-  const bool resists = std::any_of(bound.begin(), bound.end(), [](double g) { return g > 0; });
-  if (resists) {
-    TangentialInput input = step.motion;
-    input.previous = &previous;
-    TangentialState last;
-    if (step.warm_start) last = moved_to(step.grid, after_.tractions, after_.grid);
-    if (!last.px.empty()) input.start = &last;
-    if (step.force_x) input.force_x = *step.force_x * out.normal_force;
-    if (step.force_y) input.force_y = *step.force_y * out.normal_force;
-    out.tangential = tangential_problem(step).solve(bound, input);
-    if (out.status == Status::ok) out.status = out.tangential.forces.status;
-  } else {
-    out.tangential = without_tractions(step);
-  }
   out.adhesion_elements =
       static_cast<int>(std::count(out.tangential.state.begin(), out.tangential.state.end(), CellState::adhesion));
   if (step.frictionless) out.adhesion_elements = out.contact_elements;
   out.slip_elements = out.contact_elements - out.adhesion_elements;
   before_ = {step.grid, std::move(previous)};
-  after_ = {step.grid, out.status == Status::invalid_input ? TangentialState() : out.tangential.tractions};
+  after_ = {step.grid, {}};
+  if (out.status != Status::invalid_input) {
+    after_.tractions = out.tangential.tractions;
+    after_.tractions.pressure = out.normal.pressure;
+  }
   return out;
 }
 

@@ -39,6 +39,9 @@ double memory_need(ContactProblem problem, const ElementGrid& grid) {
   if (problem == ContactProblem::normal) return 3 * transform + table + 8 * real * elements;
   if (problem == ContactProblem::second_order)
     return 4.0 / 3 * (4 * transform + 64 * real * elements + 100 * 2 * real * elements);
+  if (problem == ContactProblem::coupled)
+    return 33 * transform + 17 * table + 88 * real * elements +
+           3 * real * elements * (FrictionNewton::Options().most_inner + 1);
   const double basis = 2 * real * elements * (FrictionNewton::Options().most_inner + 1);
   return 18 * transform + 4 * table + 50 * real * elements + basis;
 }

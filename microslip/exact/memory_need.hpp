@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-enum class ContactProblem { normal, tangential, second_order };
+enum class ContactProblem { normal, tangential, second_order, coupled };
 
 /// What NormalProblem or TangentialProblem and its results need at most on a grid of N elements [bytes]. A padded
 /// transform has P ~ 2N complex numbers, 16 P bytes, and a table of coefficients ~ 4N real ones, 8 T bytes.
@@ -12,6 +12,7 @@ enum class ContactProblem { normal, tangential, second_order };
 /// Tangential: 18 transforms (steady rolling with the leading edge's correction), 4 tables, 50 fields and the basis of
 /// GMRES, 301 vectors of two components: 288 P + 32 T + 400 N + 4816 N, some 5,900 bytes for an element. Most problems
 /// need a fifth of that, for the basis grows as it is used.
+/// Coupled: 30 transforms, 16 tables, 80 fields, a basis of 301 vectors of three components, and the normal problem.
 /// Second order: one transform with real kernels, 64 fields and a basis of 100 vectors, twice what solves have been
 /// seen to need, and a third of it all for the coarser grids: some 3,100 bytes for an element.
 double memory_need(ContactProblem problem, const ElementGrid& grid);

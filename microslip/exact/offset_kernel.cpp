@@ -1,8 +1,10 @@
 #include "microslip/exact/offset_kernel.hpp"
 
 #include "microslip/elasticity/influence.hpp"
+#include "microslip/exact/delayed_influence.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace microslip {
 namespace {
@@ -13,24 +15,79 @@ Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid
   return line_influence(material, grid.dx, x, grid.mx * grid.dx);
 }
 
-/// Calls at(i, j, x, y) for all offsets of a grid.
-template <class At> void for_offsets(const ElementGrid& grid, At at) {
-  for (int j = 1 - grid.my; j < grid.my; ++j)
-    for (int i = 1 - grid.mx; i < grid.mx; ++i) at(i, j, i * grid.dx, j * grid.dy);
+/// The influence of an element on the points of row j, `shift` further along x, at all offsets from 1 - mx on.
+std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, double shift, int j) {
+  const double y = j * grid.dy, first = (1 - grid.mx) * grid.dx + shift;
+  const int count = 2 * grid.mx - 1;
+  std::vector<Influence> row;
+  row.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) row.push_back(influence_at(bodies.material, grid, first + i * grid.dx, y));
+  for (const DelayedPart& part : bodies.delayed) {
+    const auto influence = [&](double x) { return influence_at(part.material, grid, x, y); };
+    const std::vector<Influence> late = delayed_row(part, influence, grid.dx, first, count);
+    for (std::size_t i = 0; i < late.size(); ++i) {
+      row[i].xx += late[i].xx, row[i].xy += late[i].xy, row[i].yy += late[i].yy;
+      row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz;
+    }
+  }
+  return row;
 }
 
-/// `influence_of` gives the influence at an offset.
-template <class InfluenceOf> TangentialKernel tangential_kernel(const ElementGrid& grid, InfluenceOf influence_of) {
+/// What a particle's displacement contributes to its slip: (u(x + shift) - u(x + before))/length, or without the second
+/// term.
+struct SlipRate {
+  double shift = 0, length = 1;
+  std::optional<double> before = {};
+};
+
+/// Calls at(i, j, slip, here) for all offsets of a grid: what the influence makes of slip, and the influence itself.
+template <class At> void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate, At at) {
+  for (int j = 1 - grid.my; j < grid.my; ++j) {
+    const std::vector<Influence> now = influence_row(bodies, grid, rate.shift, j);
+    const std::vector<Influence> before =
+        rate.before ? influence_row(bodies, grid, *rate.before, j) : std::vector<Influence>(now.size());
+    for (int i = 1 - grid.mx; i < grid.mx; ++i) {
+      const auto k = static_cast<std::size_t>(i + grid.mx - 1);
+      const auto of = [&](double Influence::*part) { return (now[k].*part - before[k].*part) / rate.length; };
+      at(i, j,
+         Influence{of(&Influence::xx), of(&Influence::xy), of(&Influence::yy), 0, of(&Influence::xz),
+                   of(&Influence::yz)},
+         now[k]);
+    }
+  }
+}
+
+TangentialKernel tangential_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate) {
   check(grid);
   const OffsetTable empty(grid);
   TangentialKernel kernel{empty, empty, empty};
-  for_offsets(grid, [&](int i, int j, double x, double y) {
-    const Influence a = influence_of(x, y);
-    kernel.xx.at(i, j) = a.xx;
-    kernel.xy.at(i, j) = a.xy;
-    kernel.yy.at(i, j) = a.yy;
+  for_offsets(bodies, grid, rate, [&](int i, int j, const Influence& slip, const Influence&) {
+    kernel.xx.at(i, j) = slip.xx;
+    kernel.xy.at(i, j) = slip.xy;
+    kernel.yy.at(i, j) = slip.yy;
   });
   return kernel;
+}
+
+CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate) {
+  check(grid);
+  const OffsetTable empty(grid);
+  CoupledKernel kernel{{empty, empty, empty}, empty, empty, empty, empty, empty};
+  for_offsets(bodies, grid, rate, [&](int i, int j, const Influence& slip, const Influence& here) {
+    kernel.slip.xx.at(i, j) = slip.xx;
+    kernel.slip.xy.at(i, j) = slip.xy;
+    kernel.slip.yy.at(i, j) = slip.yy;
+    kernel.xz.at(i, j) = slip.xz;
+    kernel.yz.at(i, j) = slip.yz;
+    kernel.zx.at(i, j) = -here.xz;
+    kernel.zy.at(i, j) = -here.yz;
+    kernel.zz.at(i, j) = here.zz;
+  });
+  return kernel;
+}
+
+SlipRate growth_over(double step) {
+  return {.shift = 0, .length = std::abs(step), .before = step};
 }
 
 } // namespace
@@ -38,7 +95,8 @@ template <class InfluenceOf> TangentialKernel tangential_kernel(const ElementGri
 OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid) {
   check(grid);
   OffsetTable zz(grid);
-  for_offsets(grid, [&](int i, int j, double, double) { zz.at(i, j) = normal_coefficient(material, grid, i, j); });
+  for (int j = 1 - grid.my; j < grid.my; ++j)
+    for (int i = 1 - grid.mx; i < grid.mx; ++i) zz.at(i, j) = normal_coefficient(material, grid, i, j);
   return zz;
 }
 
@@ -46,21 +104,19 @@ double normal_coefficient(const CombinedMaterial& material, const ElementGrid& g
   return influence_at(material, grid, i * grid.dx, j * grid.dy).zz;
 }
 
-TangentialKernel TangentialKernel::displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift,
+TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const ElementGrid& grid, double shift,
                                                 double length) {
-  return tangential_kernel(grid, [&](double x, double y) {
-    const Influence a = influence_at(material, grid, x + shift, y);
-    return Influence{a.xx / length, a.xy / length, a.yy / length, 0, 0, 0};
-  });
+  return tangential_kernel(bodies, grid, {.shift = shift, .length = length});
+}
+TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
+  return tangential_kernel(bodies, grid, growth_over(step));
 }
 
-TangentialKernel TangentialKernel::growth(const CombinedMaterial& material, const ElementGrid& grid, double step) {
-  return tangential_kernel(grid, [&](double x, double y) {
-    const Influence now = influence_at(material, grid, x, y);
-    const Influence before = influence_at(material, grid, x + step, y);
-    const double rate = 1 / std::abs(step);
-    return Influence{(now.xx - before.xx) * rate, (now.xy - before.xy) * rate, (now.yy - before.yy) * rate, 0, 0, 0};
-  });
+CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, double shift, double length) {
+  return coupled_kernel(bodies, grid, {.shift = shift, .length = length});
+}
+CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
+  return coupled_kernel(bodies, grid, growth_over(step));
 }
 
 } // namespace microslip

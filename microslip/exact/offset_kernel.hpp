@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/elasticity/material.hpp"
+#include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/exact/element_grid.hpp"
 
 #include <span>
@@ -50,9 +50,21 @@ struct TangentialKernel {
   double diagonal() const { return (xx.at(0, 0) + yy.at(0, 0)) / 2; }
 
   /// As TangentialResponse::displacement and TangentialResponse::growth.
-  static TangentialKernel displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift = 0,
+  static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
                                        double length = 1);
-  static TangentialKernel growth(const CombinedMaterial& material, const ElementGrid& grid, double step);
+  static TangentialKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
+};
+
+/// The map from tractions and pressure to slip and normal displacement that CoupledResponse applies.
+struct CoupledKernel {
+  TangentialKernel slip;
+  OffsetTable xz, yz;     ///< slip from the pressure
+  OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
+
+  /// As CoupledResponse::displacement and CoupledResponse::growth.
+  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
+                                    double length = 1);
+  static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
 };
 
 } // namespace microslip

@@ -1,14 +1,16 @@
 #pragma once
 
-#include "microslip/elasticity/material.hpp"
+#include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/exact/element_grid.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
 
+#include <array>
 #include <span>
 
 namespace microslip {
 
+struct CoupledKernel;
 struct TangentialKernel;
 
 /// Normal displacement difference u_z = A_zz p_n on a grid of elements with constant pressure, for elastically similar
@@ -50,14 +52,14 @@ protected:
 };
 
 /// What the tangential displacement difference u = A p on a grid of elements with constant tractions contributes to the
-/// slip, D p. Elastically similar bodies.
+/// slip, D p.
 class TangentialResponse : public SlipResponse {
 public:
   /// u at the points `shift` [m] further along x, over the way `length` [m]: D = A(x + shift)/length.
-  static TangentialResponse displacement(const CombinedMaterial& material, const ElementGrid& grid, double shift = 0,
+  static TangentialResponse displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
                                          double length = 1);
   /// Growth of u for particles that come from x + step, over the way |step| [m]: D = (A(x) - A(x + step))/|step|.
-  static TangentialResponse growth(const CombinedMaterial& material, const ElementGrid& grid, double step);
+  static TangentialResponse growth(const Bodies& bodies, const ElementGrid& grid, double step);
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
              std::span<double> uy) override;
@@ -70,6 +72,32 @@ private:
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yy_;
   double diagonal_;
+};
+
+/// What tractions and pressure on a grid of elements, constant on each, make of slip and of the normal displacement
+/// difference. For any two bodies.
+class CoupledResponse {
+public:
+  /// Slip: u at the points `shift` [m] further along x, over the way `length` [m].
+  static CoupledResponse displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
+                                      double length = 1);
+  /// Slip: growth of u for particles that come from x + step, over the way |step| [m].
+  static CoupledResponse growth(const Bodies& bodies, const ElementGrid& grid, double step);
+
+  /// p = (px, py, p_n) [Pa]; out = (sx, sy, u_n) or its first two.
+  using Fields = std::array<std::span<const double>, 3>;
+  void apply(const Fields& p, std::span<const std::span<double>> out);
+  /// What an element in the midst of the contact does to itself: the mean of D_xx and D_yy; A_zz [m/Pa].
+  double slip_diagonal() const { return slip_diagonal_; }
+  double normal_diagonal() const { return normal_diagonal_; }
+  long products() const { return transform_.products(); }
+
+private:
+  explicit CoupledResponse(const CoupledKernel& kernel);
+
+  ToeplitzTransform transform_;
+  ToeplitzTransform::Spectrum xx_, xy_, yy_, xz_, yz_, zx_, zy_, zz_;
+  double slip_diagonal_, normal_diagonal_;
 };
 
 } // namespace microslip

@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/memory_need.hpp"
+#include "microslip/exact/tangential_totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,11 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   for (const TangentialState* state : {input.previous, input.start})
     if (state && !state->px.empty() && (state->px.size() != count || state->py.size() != count))
       throw Error("previous, start: must have tractions for all " + wanted + " elements");
+  for (const auto extra : {input.extra_x, input.extra_y}) {
+    if (!extra.empty() && extra.size() != count) throw Error("extra slip: must have mx times my = " + wanted + " values");
+    if (!std::all_of(extra.begin(), extra.end(), [](double s) { return std::isfinite(s); }))
+      throw Error("extra slip: must be finite");
+  }
   require_finite("creepage.longitudinal", input.creepage.longitudinal, "-");
   require_finite("creepage.lateral", input.creepage.lateral, "-");
   require_finite("creepage.spin", input.creepage.spin, "1/m");
@@ -39,13 +45,6 @@ FrictionNewton::Tractions tractions_of(const TangentialState* state) {
   return {state->px, state->py};
 }
 
-bool is_finite(const TangentialSolution& s) {
-  const ContactForces& f = s.forces;
-  return std::isfinite(f.fx) && std::isfinite(f.fy) && std::isfinite(f.mz) && std::isfinite(s.elastic_energy) &&
-         std::isfinite(s.frictional_power) && std::isfinite(s.power_by_creepage) &&
-         std::isfinite(s.creepage.longitudinal) && std::isfinite(s.creepage.lateral) && std::isfinite(s.residual);
-}
-
 } // namespace
 
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
@@ -55,20 +54,20 @@ bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
   return step >= 0.55 * grid.dx * (1 - rounding) || grid.dx <= grid.dy * (1 + rounding);
 }
 
-TangentialProblem::TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid)
-    : material_(material), grid_(require_memory(ContactProblem::tangential, grid)),
-      displacement_(TangentialResponse::displacement(material, grid)) {}
+TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid)
+    : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)),
+      displacement_(TangentialResponse::displacement(bodies, grid)) {}
 
 SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, double step,
                                                const std::vector<EnteringElement>& entering) {
   if (input.motion == ContactMotion::shift) return displacement_;
   if (input.motion == ContactMotion::steady && input.leading_edge) {
-    slip_response_ = std::make_unique<LeadingEdgeResponse>(material_, grid_, step, entering);
+    slip_response_ = std::make_unique<LeadingEdgeResponse>(bodies_.material, grid_, step, entering);
     step_ = 0; // not for the next problem: the elements that are entered change with the contact
   } else if (motion_ != input.motion || step_ != step) {
     slip_response_ = std::make_unique<TangentialResponse>(
-        input.motion == ContactMotion::steady ? TangentialResponse::growth(material_, grid_, step)
-                                              : TangentialResponse::displacement(material_, grid_, 0, std::abs(step)));
+        input.motion == ContactMotion::steady ? TangentialResponse::growth(bodies_, grid_, step)
+                                              : TangentialResponse::displacement(bodies_, grid_, 0, std::abs(step)));
     step_ = step;
   }
   motion_ = input.motion;
@@ -79,19 +78,13 @@ SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, dou
 void TangentialProblem::find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                                        const std::vector<EnteringElement>& entering, Field& cx, Field& cy) {
   const bool shift = input.motion == ContactMotion::shift;
-  for (int j = 0; j < grid_.my; ++j)
-    for (int i = 0; i < grid_.mx; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
-      const double x = grid_.x(i) + (shift ? 0 : input.spin_offset * step);
-      cx[k] = creepage.longitudinal - creepage.spin * grid_.y(j);
-      cy[k] = creepage.lateral + creepage.spin * x;
-    }
+  find_rigid_slip(grid_, input, creepage, step, cx, cy);
   for (const EnteringElement& e : entering) cx[e.element] *= e.share, cy[e.element] *= e.share; // (R13)
   if (input.motion == ContactMotion::steady || !input.previous || input.previous->px.empty()) return;
   const TangentialState& before = *input.previous;
   const double length = shift ? 1 : std::abs(step);
   Field ux(cx.size()), uy(cx.size());
-  TangentialResponse::displacement(material_, grid_, shift ? 0 : step, length).apply(before.px, before.py, ux, uy);
+  TangentialResponse::displacement(bodies_, grid_, shift ? 0 : step, length).apply(before.px, before.py, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
     displacement_.apply(before.px, before.py, here_x, here_y);
@@ -108,6 +101,10 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
 
 TangentialSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
   check_input(input, bound, grid_.count());
+  if (!bodies_.are_elastic() && input.motion != ContactMotion::steady)
+    throw Error("motion: viscoelastic bodies need steady rolling");
+  if (!bodies_.are_elastic() && input.leading_edge)
+    throw Error("leading_edge: its correction is for elastic bodies");
   const double length = input.step > 0 ? input.step : grid_.dx;
   const double step = input.direction == RollingDirection::forward ? length : -length;
   const bool shift = input.motion == ContactMotion::shift;
@@ -152,47 +149,10 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
-  out.residual = s.residual;
-  out.newton_steps = s.newton_steps;
-  out.products = s.products;
-  find_results(std::move(s), input, out);
-  return out;
-}
-
-/// Fields and totals of a solution.
-void TangentialProblem::find_results(FrictionSolution s, const TangentialInput& input, TangentialSolution& out) {
-  const std::size_t n = grid_.count();
-  const double area = grid_.element_area();
   out.ux.resize(n), out.uy.resize(n);
   displacement_.apply(s.px, s.py, out.ux, out.uy);
-  out.state.assign(n, CellState::exterior);
-  out.slip_direction.assign(n, 0.0);
-  ContactForces& f = out.forces;
-  f.status = s.status;
-  for (int j = 0; j < grid_.my; ++j)
-    for (int i = 0; i < grid_.mx; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
-      if (!(out.bound[k] > 0)) continue;
-      const double px = s.px[k], py = s.py[k];
-      const bool slides = s.sliding[k];
-      f.fx += px * area;
-      f.fy += py * area;
-      f.mz += (grid_.x(i) * py - grid_.y(j) * px) * area;
-      out.state[k] = slides ? CellState::slip : CellState::adhesion;
-      (slides ? f.slip_area : f.adhesion_area) += area;
-      if (slides) out.slip_direction[k] = std::atan2(-py, -px); // known even where slip is as small as its residual
-      out.elastic_energy += 0.5 * (px * out.ux[k] + py * out.uy[k]) * area;
-      out.frictional_power -= (px * s.sx[k] + py * s.sy[k]) * area;
-      out.peak_traction = std::max(out.peak_traction, std::hypot(px, py));
-    }
-  const double speed = input.motion == ContactMotion::shift ? 1 : input.rolling_speed;
-  out.frictional_power *= speed;
-  out.power_by_creepage =
-      -speed * (out.creepage.longitudinal * f.fx + out.creepage.lateral * f.fy + out.creepage.spin * f.mz);
-  out.tractions = {std::move(s.px), std::move(s.py)};
-  out.sx = std::move(s.sx);
-  out.sy = std::move(s.sy);
-  if (f.status != Status::no_solution && !is_finite(out)) f.status = Status::invalid_input;
+  find_totals(grid_, input, std::move(s), out);
+  return out;
 }
 
 } // namespace microslip

@@ -20,7 +20,8 @@ enum class ContactMotion {
 
 /// Tractions that a step starts from: those of the step before, on the same grid in the contact's frame.
 struct TangentialState {
-  std::vector<double> px, py; ///< [Pa]; empty: none
+  std::vector<double> px, py;        ///< [Pa]; empty: none
+  std::vector<double> pressure = {}; ///< p_n [Pa], which counts for bodies of different materials; empty: none
 };
 
 /// What drives the tangential problem.
@@ -33,6 +34,8 @@ struct TangentialInput {
   RollingDirection direction = RollingDirection::forward;
   std::optional<LeadingEdge> leading_edge;   ///< rolling: with its correction (R13); none: without
   double rolling_speed = 1;                  ///< V [m/s], for the frictional power
+  /// Slip of each element on top of the rigid slip of the creepages; empty: none. In a shift [m], else [-].
+  std::span<const double> extra_x = {}, extra_y = {};
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
   const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
   /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
@@ -66,14 +69,13 @@ struct TangentialSolution {
   long products = 0;
 };
 
-/// The tangential contact problem of the exact theory (R3), (R6)-(R8) on a grid of elements with constant tractions,
-/// elastically similar bodies. With the step dq and particles that come from x + dq: steady rolling s = w(x + dq/2) +
+/// The tangential contact problem of the exact theory (R3), (R6)-(R8) on a grid of elements with constant tractions. With the step dq and particles that come from x + dq: steady rolling s = w(x + dq/2) +
 /// (u(x) - u(x + dq))/dq, transient rolling the same with the previous u' in the place of u(x + dq), a shift s = w + u
 /// - u'.
 class TangentialProblem {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
-  TangentialProblem(const CombinedMaterial& material, const ElementGrid& grid);
+  TangentialProblem(const Bodies& bodies, const ElementGrid& grid);
 
   /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
   /// converging and a force beyond friction are statuses; input so large that a total overflows gives
@@ -86,9 +88,7 @@ private:
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 
-  void find_results(FrictionSolution solution, const TangentialInput& input, TangentialSolution& out);
-
-  CombinedMaterial material_;
+  Bodies bodies_;
   ElementGrid grid_;
   TangentialResponse displacement_;
   std::unique_ptr<SlipResponse> slip_response_; ///< kept for the next problem of the same motion and step

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "microslip/exact/normal_problem.hpp"
+#include "microslip/exact/tangential_problem.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace microslip {
+
+/// What a step of a sequence starts from.
+enum class StepStart {
+  fresh,    ///< no tractions
+  previous, ///< those at the end of the step before
+  repeated, ///< those that the step before started from: the same step once more
+};
+
+/// A pressure that is given and not solved for.
+struct GivenPressure {
+  std::vector<double> pressure;          ///< p_n [Pa] of the elements
+  double approach = 0;                   ///< delta that belongs to it [m]
+  double normal_force = 0;               ///< Fn that belongs to it [N]; the sum over the elements differs by their size
+  std::vector<double> displacement = {}; ///< u_n [m]; empty: that of the half-space
+};
+
+/// How the normal and the tangential problem of unlike bodies are solved.
+enum class Coupling {
+  newton,      ///< both at once, CoupledNewton
+  alternating, ///< in turn until neither changes (Panagiotopoulos 1975); elastic bodies
+};
+
+/// A normal and a tangential problem on a grid.
+struct ContactStep {
+  ElementGrid grid;
+  Bodies bodies = {};
+  std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
+  std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
+  NormalLoad load = {};
+  std::optional<GivenPressure> given = {};          ///< in the place of gap and load
+  std::vector<double> friction = {};                ///< mu of each row of the grid; one value: the same for all
+  bool frictionless = false;                        ///< the normal problem only; tractions are zero
+  StepStart start = StepStart::fresh;               ///< of shifts and transient rolling
+  bool warm_start = false;                          ///< the iteration starts from the tractions of the step before
+  TangentialInput motion = {};                      ///< but for forces, previous and start
+  std::optional<double> force_x = {}, force_y = {}; ///< given, over Fn [-]
+  Coupling coupling = Coupling::newton;             ///< if the bodies' problems are coupled
+};
+
+struct ContactStepSolution {
+  NormalSolution normal;
+  TangentialSolution tangential;
+  double normal_force = 0; ///< Fn [N]
+  int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
+  Status status = Status::ok;
+  int alternations = 0; ///< with Coupling::alternating: how often both problems were solved
+};
+
+/// The normal problem of a step as if its bodies were similar; without pressure on the elements that are excluded.
+NormalSolution solve_normal(NormalProblem& problem, const ContactStep& step);
+/// The pressure that is given, with its displacements and totals.
+NormalSolution given_normal(const ContactStep& step);
+
+} // namespace microslip

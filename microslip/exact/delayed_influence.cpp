@@ -1,0 +1,98 @@
+#include "microslip/exact/delayed_influence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+void add(Influence& to, double factor, const Influence& a) {
+  to.xx += factor * a.xx;
+  to.xy += factor * a.xy;
+  to.yy += factor * a.yy;
+  to.zz += factor * a.zz;
+  to.xz += factor * a.xz;
+  to.yz += factor * a.yz;
+}
+
+/// Tanh-sinh quadrature (Takahasi & Mori 1974) on [-1, 1]: indifferent to singularities at the ends.
+struct Quadrature {
+  static constexpr int count = 37;
+  double distance[count]; ///< of a node from the nearer end, in units of the half interval
+  double weight[count];
+
+  Quadrature() {
+    constexpr double spacing = 3.4 / (count / 2); // NOLINT: whole number of nodes on each side
+    for (int k = 0; k < count; ++k) {
+      const double t = (k - count / 2) * spacing, reach = std::numbers::pi / 2 * std::sinh(t);
+      distance[k] = 2 / (1 + std::exp(2 * std::abs(reach)));
+      weight[k] = spacing * std::numbers::pi / 2 * std::cosh(t) / std::pow(std::cosh(reach), 2);
+    }
+  }
+};
+
+/// Integrals of exp(-q/l)/l A(x + way q) over q, way = +-1, l > 0.
+class DelayIntegral {
+public:
+  DelayIntegral(const RowInfluence& influence, double dx, double length, double way)
+      : influence_(influence), dx_(dx), length_(length), way_(way) {}
+
+  /// From 0 to `end`.
+  Influence up_to(double x, double end) const {
+    end = std::min(end, farthest * length_);
+    std::vector<double> breaks = {0, end};
+    const auto add_break = [&](double q) {
+      if (q > 0 && q < end) breaks.push_back(q);
+    };
+    for (const double edge : {-dx_ / 2, dx_ / 2}) add_break(way_ * (edge - x));
+    for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
+    std::sort(breaks.begin(), breaks.end());
+    Influence sum = {};
+    for (std::size_t k = 1; k < breaks.size(); ++k) add_interval(x, breaks[k - 1], breaks[k], sum);
+    return sum;
+  }
+  Influence whole(double x) const { return up_to(x, farthest * length_); }
+
+private:
+  static constexpr double farthest = 40; // exp(-40) is below rounding
+
+  void add_interval(double x, double from, double to, Influence& sum) const {
+    static const Quadrature rule;
+    const double half = (to - from) / 2;
+    for (int k = 0; k < Quadrature::count; ++k) {
+      const double inside = half * rule.distance[k];
+      const double q = k < Quadrature::count / 2 ? from + inside : to - inside;
+      add(sum, half * rule.weight[k] * std::exp(-q / length_) / length_, influence_(x + way_ * q));
+    }
+  }
+
+  const RowInfluence& influence_;
+  double dx_, length_, way_;
+};
+
+} // namespace
+
+std::vector<Influence> delayed_row(const DelayedPart& part, const RowInfluence& influence, double dx, double x_first,
+                                   int count) {
+  std::vector<Influence> row(static_cast<std::size_t>(count));
+  const bool forward = part.distance >= 0;
+  const double length = std::abs(part.distance), decay = std::exp(-dx / length);
+  const DelayIntegral integral(influence, dx, length, forward ? 1 : -1);
+  for (int k = 0; k < count; ++k) { // from where the particles come from
+    const int i = forward ? count - 1 - k : k;
+    const double x = x_first + i * dx;
+    Influence& here = row[static_cast<std::size_t>(i)];
+    if (length == 0) {
+      add(here, part.ratio, influence(x));
+    } else if (k == 0) {
+      add(here, part.ratio, integral.whole(x));
+    } else {
+      add(here, part.ratio, integral.up_to(x, dx));
+      add(here, decay, row[static_cast<std::size_t>(forward ? i + 1 : i - 1)]);
+    }
+  }
+  return row;
+}
+
+} // namespace microslip
