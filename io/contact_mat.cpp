@@ -35,9 +35,8 @@ std::string head(const ContactCase& c, const ContactOutcome& outcome) {
 }
 
 double coefficient(const ContactOutcome& outcome, std::size_t k) {
-  const auto& friction = outcome.step.friction;
-  if (friction.empty()) return 0;
-  return friction.size() == 1 ? friction[0] : friction[k / outcome.step.grid.mx];
+  const auto& friction = outcome.solution.friction;
+  return outcome.step.frictionless || friction.empty() ? 0 : friction[k];
 }
 
 } // namespace

@@ -218,10 +218,30 @@ void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
     }
 }
 
-/// Coefficients of friction by rows; what FX and FY are relative to, over Fn.
+/// The law in force, with a set of its numbers as they stand in the file.
+FrictionLaw friction_law(int law, const std::vector<double>& set) {
+  if (set.empty()) return FrictionLaw();
+  if (law == 0) return FrictionLaw::coulomb(set[0]);
+  // A term that is switched off may have any velocity.
+  const auto term = [&](std::size_t k) {
+    return set[k] == 0 ? FrictionTerm{} : FrictionTerm{.drop = set[k], .half_velocity = set[k + 1] * mm};
+  };
+  if (law == 2) return FrictionLaw::linear(set[0], term(1), term(3));
+  if (law == 3) return FrictionLaw::rational(set[0], term(1), term(3));
+  return FrictionLaw::exponential(set[0], term(1), term(3));
+}
+
+/// Friction by rows; what FX and FY are relative to, over Fn.
 double set_friction(const ContactCase& c, ContactStep& step) {
-  for (const auto& set : c.friction.sets) step.friction.push_back(set.empty() ? 0 : set[0]);
-  return c.friction.by_row ? 1 : step.friction[0];
+  for (const auto& set : c.friction.sets) step.friction.push_back(friction_law(c.friction.law, set));
+  if (c.friction.law == 0) return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
+  const auto& set = c.friction.sets[0]; // its last two numbers, MEMDST and MEM_S0, hold for all rows
+  step.friction_memory = {set[set.size() - 2] * mm, set[set.size() - 1] * mm};
+  const double begin = c.solver.method >= 2 && c.solver.method <= 4 ? c.solver.inislp : 0;
+  step.slip_start = begin < 0                           ? SlipStart::above
+                    : begin > 0 || c.digits.iestim == 0 ? SlipStart::below
+                                                        : SlipStart::given;
+  return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
 }
 
 void set_motion(const ContactCase& c, ContactStep& step) {

@@ -7,7 +7,7 @@ constexpr double per_m = 1e3; // mm
 
 /// What a force is relative to, over Fn: the coefficient of friction, or 1 if it differs from row to row.
 double force_scale(const ContactCase& c, const ContactStep& step) {
-  return c.friction.by_row || step.friction.empty() ? 1 : step.friction[0];
+  return c.friction.by_row || step.friction.empty() ? 1 : step.friction[0].static_coefficient();
 }
 
 } // namespace

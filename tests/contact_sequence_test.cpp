@@ -30,7 +30,7 @@ ContactStep sphere(const ElementGrid& grid) {
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) step.gap.push_back(curvature * (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)));
   step.load = {NormalLoad::Given::force, force};
-  step.friction = {friction};
+  step.friction = {FrictionLaw::coulomb(friction)};
   step.motion.motion = ContactMotion::shift;
   step.motion.tolerance = 1e-10;
   step.force_x = -0.2;
@@ -144,21 +144,21 @@ TEST(ContactSequence, AnExcludedRegionCarriesNothing) {
 TEST(ContactSequence, FrictionByRowsBoundsEachRow) {
   ContactStep step = sphere(grid_of(18, -1.7e-3));
   step.friction.clear();
-  for (int j = 0; j < 18; ++j) step.friction.push_back(0.01 * j);
+  for (int j = 0; j < 18; ++j) step.friction.push_back(FrictionLaw::coulomb(0.01 * j));
   step.motion.motion = ContactMotion::steady;
   step.force_x.reset();
   step.motion.creepage.longitudinal = 0.1; // slides all over
   const auto s = ContactSequence().solve(step);
   double wanted = 0;
   for (std::size_t k = 0; k < step.gap.size(); ++k)
-    wanted -= step.friction[k / 18] * s.normal.pressure[k] * step.grid.element_area();
+    wanted -= step.friction[k / 18].static_coefficient() * s.normal.pressure[k] * step.grid.element_area();
   EXPECT_NEAR(s.tangential.forces.fx / wanted, 1, 1e-4);
   EXPECT_EQ(s.adhesion_elements, 0);
 }
 
 TEST(ContactSequence, WithoutFrictionNothingResists) {
   ContactStep step = sphere(grid_of(18, -1.7e-3));
-  step.friction = {0};
+  step.friction = {FrictionLaw()};
   step.force_x.reset();
   step.motion.creepage.longitudinal = 1e-3;
   const auto sliding = ContactSequence().solve(step);

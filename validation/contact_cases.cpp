@@ -101,7 +101,7 @@ std::vector<Comparison> compare(const ContactOutcome& o, const Printed& printed)
     all.push_back(
         {name, ours, *theirs, rounding(printed.at(column)), std::max(relative_difference * std::abs(*theirs), least)});
   };
-  const double limit = o.step.friction.empty() ? t.fn : o.step.friction[0] * t.fn;
+  const double limit = o.step.friction.empty() ? t.fn : o.step.friction[0].static_coefficient() * t.fn;
   const double length = std::sqrt(t.contact * o.step.grid.element_area() * 1e6 / std::numbers::pi);
   const double force = of_friction_limit * limit, row = row_of_elements(o);
   add("fn", "FN", t.fn, 0);

@@ -87,16 +87,57 @@ void check(const ContactStep& step) {
   check_size("gap", step.gap.size());
   if (!step.excluded.empty()) check_size("excluded", step.excluded.size());
   if (step.frictionless) return;
-  if (step.friction.size() != 1 && step.friction.size() != static_cast<std::size_t>(step.grid.my))
-    throw Error("friction: must have one value or one for each of the " + std::to_string(step.grid.my) + " rows");
-  for (const double mu : step.friction) require_between("friction", mu, "-", 0, FrictionLaw::largest_coefficient);
 }
 
-Field bound_of(const ContactStep& step, const Field& pressure) {
+Field bound_of(const Field& friction, const Field& pressure) {
   Field bound = pressure;
-  for (std::size_t k = 0; k < bound.size(); ++k)
-    bound[k] *= step.friction.size() == 1 ? step.friction[0] : step.friction[k / step.grid.mx];
+  for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= friction[k];
   return bound;
+}
+
+/// Time that passes in a step, or in steady rolling on the way of an element [s]. A shift takes a second.
+double time_of(const ContactStep& step) {
+  const TangentialInput& m = step.motion;
+  if (m.motion == ContactMotion::shift) return 1;
+  const double way = m.motion == ContactMotion::steady || !(m.step > 0) ? step.grid.dx : m.step;
+  return way / m.rolling_speed;
+}
+
+/// Coefficients that the particles of the elements had before a step.
+Field friction_before(const ContactStep& step, const TangentialState& previous, const ElementGrid& from) {
+  Field mu = SlipFriction(step.grid, step.friction, {}, {}).static_coefficients();
+  if (previous.friction_drop.empty()) return mu;
+  ElementGrid origin = step.grid; // of the particles
+  const double way = step.motion.step > 0 ? step.motion.step : step.grid.dx;
+  if (step.motion.motion == ContactMotion::transient)
+    origin.x0 += step.motion.direction == RollingDirection::forward ? way : -way;
+  const Field drop = moved(origin, previous.friction_drop, from);
+  for (std::size_t k = 0; k < mu.size(); ++k) mu[k] -= drop[k];
+  return mu;
+}
+
+SlipFriction slip_friction(const ContactStep& step, const TangentialState& previous, const ElementGrid& from) {
+  SlipFriction::Passage passage;
+  passage.time = time_of(step);
+  passage.along_rows = step.motion.motion == ContactMotion::steady;
+  passage.from_high_x = step.motion.direction == RollingDirection::forward;
+  if (!passage.along_rows) passage.before = friction_before(step, previous, from);
+  return {step.grid, step.friction, step.friction_memory, std::move(passage)};
+}
+
+/// |s| V where the bodies slip [m/s]; in a shift the slip over a second.
+Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
+  const double speed = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
+  Field v(s.sx.size());
+  for (std::size_t k = 0; k < v.size(); ++k)
+    if (s.state[k] == CellState::slip) v[k] = speed * std::hypot(s.sx[k], s.sy[k]);
+  return v;
+}
+
+double norm(const Field& a, const Field& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(sum);
 }
 
 /// Without friction or contact nothing resists.
@@ -110,12 +151,27 @@ TangentialSolution without_tractions(const ContactStep& step) {
   return s;
 }
 
+/// What the next step may go on from.
+TangentialState state_after(const ContactStep& step, const ContactStepSolution& s) {
+  if (s.status == Status::invalid_input) return {};
+  TangentialState state = s.tangential.tractions;
+  state.pressure = s.normal.pressure;
+  if (step.frictionless) return state;
+  state.friction_drop = SlipFriction(step.grid, step.friction, {}, {}).static_coefficients();
+  for (std::size_t k = 0; k < s.friction.size(); ++k)
+    state.friction_drop[k] = s.normal.pressure[k] > 0 ? state.friction_drop[k] - s.friction[k] : 0;
+  state.slip_velocity = slip_velocity(step, s.tangential);
+  return state;
+}
+
 } // namespace
 
 TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from) {
   if (state.px.empty() || same(to, from)) return state;
-  TangentialState result = {moved(to, state.px, from), moved(to, state.py, from)};
-  if (!state.pressure.empty()) result.pressure = moved(to, state.pressure, from);
+  TangentialState result;
+  for (const auto field : {&TangentialState::px, &TangentialState::py, &TangentialState::pressure,
+                           &TangentialState::friction_drop, &TangentialState::slip_velocity})
+    if (!(state.*field).empty()) result.*field = moved(to, state.*field, from);
   return result;
 }
 
@@ -153,11 +209,11 @@ CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
 }
 
 /// Pressure first, then tractions.
-ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, const TangentialState& previous,
-                                                   const TangentialState& start) {
+ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, const Field& friction,
+                                                   const TangentialState& previous, const TangentialState& start) {
   ContactStepSolution out;
   out.normal = solve_normal_part(step);
-  const Field bound = step.frictionless ? Field() : bound_of(step, out.normal.pressure);
+  const Field bound = step.frictionless ? Field() : bound_of(friction, out.normal.pressure);
   const bool resists = std::any_of(bound.begin(), bound.end(), [](double g) { return g > 0; });
   if (!resists) return out;
   const double force = step.given ? step.given->normal_force : out.normal.normal_force;
@@ -170,12 +226,55 @@ ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, cons
   return out;
 }
 
-ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const TangentialState& previous,
-                                                   const TangentialState& start) {
-  const Field friction = step.frictionless ? Field(step.grid.count()) : bound_of(step, Field(step.grid.count(), 1.0));
+ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const Field& friction,
+                                                   const TangentialState& previous, const TangentialState& start) {
   ContactStepSolution out = coupled_contact(step).solve(step, friction, previous, start);
   if (step.given) out.normal = solve_normal_part(step);
   return out;
+}
+
+ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const Field& friction,
+                                                const TangentialState& previous, const TangentialState& start) {
+  ContactStepSolution out = is_coupled(step) ? solve_coupled(step, friction, previous, start)
+                                             : solve_similar(step, friction, previous, start);
+  out.friction = friction;
+  out.status = out.normal.status;
+  if (out.status == Status::ok && !out.tangential.tractions.px.empty()) out.status = out.tangential.forces.status;
+  return out;
+}
+
+/// Solves with the friction that the slip of the last solution has, until both go together. The slip's change is relaxed
+/// as soon as it grows.
+ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
+                                                         const TangentialState& previous, TangentialState start) {
+  constexpr int most_rounds = 300;
+  constexpr double wanted = 1e-6, least_share = 0.05;
+  const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
+  Field slip(step.grid.count(), step.slip_start == SlipStart::above ? fastest : 0.0);
+  if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) slip = start.slip_velocity;
+  double share = 1, last_change = HUGE_VAL;
+  long products = 0;
+  ContactStepSolution out;
+  for (int round = 1;; ++round) {
+    out = solve_with(step, law.coefficients(slip), previous, start);
+    products += out.tangential.products;
+    out.tangential.products = products;
+    out.friction_rounds = round;
+    if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
+    const Field found = slip_velocity(step, out.tangential);
+    const double size = norm(found, Field(found.size())), change = norm(found, slip);
+    out.friction_residual = size > 0 ? change / size : change;
+    if (change <= wanted * size) return out;
+    if (round == most_rounds) {
+      out.status = out.tangential.forces.status = Status::not_converged;
+      return out;
+    }
+    if (change > 0.9 * last_change) share = std::max(least_share, 0.7 * share);
+    last_change = change;
+    for (std::size_t k = 0; k < slip.size(); ++k) slip[k] += share * (found[k] - slip[k]);
+    start = out.tangential.tractions;
+    start.pressure = out.normal.pressure;
+  }
 }
 
 ContactStepSolution ContactSequence::solve(const ContactStep& step) {
@@ -185,13 +284,16 @@ ContactStepSolution ContactSequence::solve(const ContactStep& step) {
   TangentialState previous, start;
   if (step.start != StepStart::fresh) previous = moved_to(step.grid, origin.tractions, origin.grid);
   if (step.warm_start) start = moved_to(step.grid, after_.tractions, after_.grid);
-  ContactStepSolution out =
-      is_coupled(step) ? solve_coupled(step, previous, start) : solve_similar(step, previous, start);
-  const bool has_tractions = !step.frictionless && !out.tangential.tractions.px.empty();
-  if (!has_tractions) out.tangential = without_tractions(step);
 
-  out.status = out.normal.status;
-  if (out.status == Status::ok && has_tractions) out.status = out.tangential.forces.status;
+  ContactStepSolution out;
+  if (step.frictionless) {
+    out = solve_with(step, Field(step.grid.count()), previous, start);
+  } else {
+    const SlipFriction law = slip_friction(step, previous, step.grid);
+    out = law.is_constant() ? solve_with(step, law.static_coefficients(), previous, start)
+                            : solve_slip_friction(step, law, previous, start);
+  }
+  if (step.frictionless || out.tangential.tractions.px.empty()) out.tangential = without_tractions(step);
   out.contact_elements = out.normal.contact_elements;
   out.normal_force = step.given ? step.given->normal_force : out.normal.normal_force;
   out.adhesion_elements =
@@ -199,11 +301,7 @@ ContactStepSolution ContactSequence::solve(const ContactStep& step) {
   if (step.frictionless) out.adhesion_elements = out.contact_elements;
   out.slip_elements = out.contact_elements - out.adhesion_elements;
   before_ = {step.grid, std::move(previous)};
-  after_ = {step.grid, {}};
-  if (out.status != Status::invalid_input) {
-    after_.tractions = out.tangential.tractions;
-    after_.tractions.pressure = out.normal.pressure;
-  }
+  after_ = {step.grid, state_after(step, out)};
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/normal_problem.hpp"
+#include "microslip/exact/slip_friction.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 
 #include <optional>
@@ -37,7 +38,9 @@ struct ContactStep {
   std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
   NormalLoad load = {};
   std::optional<GivenPressure> given = {};          ///< in the place of gap and load
-  std::vector<double> friction = {};                ///< mu of each row of the grid; one value: the same for all
+  std::vector<FrictionLaw> friction = {};           ///< of each row of the grid; one: the same for all
+  FrictionMemory friction_memory = {};              ///< of friction that depends on the slip
+  SlipStart slip_start = SlipStart::below;          ///< where the slip of such friction begins
   bool frictionless = false;                        ///< the normal problem only; tractions are zero
   StepStart start = StepStart::fresh;               ///< of shifts and transient rolling
   bool warm_start = false;                          ///< the iteration starts from the tractions of the step before
@@ -52,6 +55,9 @@ struct ContactStepSolution {
   double normal_force = 0; ///< Fn [N]
   int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
   Status status = Status::ok;
+  std::vector<double> friction;   ///< mu of the elements [-]; empty without tractions
+  int friction_rounds = 0;        ///< problems solved until friction that depends on the slip went with it; else 0
+  double friction_residual = 0;   ///< last change of the slip, over the slip
   int alternations = 0; ///< with Coupling::alternating: how often both problems were solved
 };
 

@@ -105,11 +105,17 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
     return out;
   }
   const bool starts = !start.px.empty() && !start.pressure.empty();
+  const CoupledFrictionProblem problem{slip_response(step.motion, way), gap, step.load, friction, cx, cy,
+                                       grid_.element_area(), step.force_x, step.force_y};
+  const CoupledNewton::Options options{.tolerance = step.motion.tolerance};
   CoupledFrictionSolution s = newton_.solve(
-      {slip_response(step.motion, way), gap, step.load, friction, cx, cy, grid_.element_area(), step.force_x,
-       step.force_y},
-      {.tolerance = step.motion.tolerance},
-      {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
+      problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
+  if (s.friction.status != Status::ok) { // tractions that go with a pressure are a better start
+    ContactStepSolution with_pressure;
+    find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
+    const TangentialState& better = with_pressure.tangential.tractions;
+    s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
+  }
 
   normal.pressure = std::move(s.pressure);
   normal.approach = s.approach;

@@ -22,6 +22,9 @@ enum class ContactMotion {
 struct TangentialState {
   std::vector<double> px, py;        ///< [Pa]; empty: none
   std::vector<double> pressure = {}; ///< p_n [Pa], which counts for bodies of different materials; empty: none
+  /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity [m/s];
+  /// empty: nothing.
+  std::vector<double> friction_drop = {}, slip_velocity = {};
 };
 
 /// What drives the tangential problem.

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "microslip/exact/element_grid.hpp"
+#include "microslip/friction/friction_law.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// How fast the coefficient of friction follows a change of the slip velocity s: d mu/dt = -max(s, s0)/d (mu - mu_law(s))
+/// (Vollebregt & Schuttelaars 2012). Without it the law holds at once.
+struct FrictionMemory {
+  double distance = 0; ///< d [m], >= 0; 0: no memory
+  double slowest = 0;  ///< s0 [m/s], >= 0
+};
+
+/// Where the slip velocity begins when the friction depends on it. With friction that falls there may be several
+/// solutions; which one is found depends on this.
+enum class SlipStart {
+  below, ///< zero: friction is static everywhere
+  above, ///< rolling speed: friction is that of full sliding
+  given, ///< that of the step before
+};
+
+/// The coefficients of friction of the elements for the slip that they have.
+class SlipFriction {
+public:
+  /// How a particle's time passes from one element to the next, or from one step to the next.
+  struct Passage {
+    double time = 0;            ///< of a step, or from element to element in steady rolling [s]
+    bool along_rows = false;    ///< steady: the coefficient before is that of the element before
+    bool from_high_x = true;    ///< where rows begin
+    std::vector<double> before; ///< else: coefficients before
+  };
+
+  /// `laws` has one law, or one for each row.
+  SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory, Passage passage);
+
+  /// Whether nothing depends on the slip.
+  bool is_constant() const;
+  /// With the slip velocity s [m/s] of the elements: mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s,
+  /// s0)), where mu' is the coefficient before, static for particles that come from outside.
+  std::vector<double> coefficients(std::span<const double> slip_velocity) const;
+  /// At rest.
+  std::vector<double> static_coefficients() const;
+
+private:
+  const FrictionLaw& law(int row) const { return laws_.size() == 1 ? laws_[0] : laws_[static_cast<std::size_t>(row)]; }
+
+  ElementGrid grid_;
+  std::vector<FrictionLaw> laws_;
+  FrictionMemory memory_;
+  Passage passage_;
+};
+
+} // namespace microslip
