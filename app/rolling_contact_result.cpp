@@ -58,7 +58,7 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   EllipticContactSolver solver(options);
   ExactResult result;
   result.contact = solver.solve(contact, motion, progress);
-  result.gap = solver.deformed_gap(contact, motion);
+  result.gap = result.contact.gap.empty() ? solver.deformed_gap(contact, motion) : result.contact.gap;
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
   result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
   return result;
@@ -94,6 +94,9 @@ void write_body(ResultFile& file, const BodyInput& body, const std::string& numb
   scalar("transverse_radius", body.transverse_radius, "m", "radius in the lateral plane");
   scalar("shear_modulus", body.material.shear_modulus, "Pa", "shear modulus G");
   scalar("poisson_ratio", body.material.poisson_ratio, "-", "Poisson's ratio");
+  if (body.creep.ratio == 0) return;
+  scalar("creep_ratio", body.creep.ratio, "-", "share by which deformation grows with time");
+  scalar("creep_time", body.creep.time, "s", "time in which it grows");
 }
 
 void write_friction(ResultFile& file, const RollingCase& input) {
@@ -134,6 +137,8 @@ void write_solution(ResultFile& file, const RollingCase& input) {
   if (input.theory == Theory::exact) {
     file.text("inputs/discretisation", std::string(to_word(input.discretisation)), "of the exact theory");
     file.scalar("inputs/tolerance", input.tolerance, "-", "relative residual at which the exact theory stops");
+    file.scalar("inputs/friction_memory_distance", input.friction_memory.distance, "m", "slip that friction remembers");
+    file.scalar("inputs/friction_memory_speed", input.friction_memory.slowest, "m/s", "least speed of forgetting");
   }
   file.scalar("inputs/mx", options.mx, "-", "cells along x");
   file.scalar("inputs/my", options.my, "-", "rows along y");
@@ -217,6 +222,8 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   scalar("elastic_energy", contact.elastic_energy, "J", "of the tangential tractions");
   scalar("residual", contact.residual, "-", "of the tangential problem, relative");
   scalar("newton_steps", contact.newton_steps, "-", "iterations of Newton's method");
+  if (contact.friction_rounds > 0)
+    scalar("friction_rounds", contact.friction_rounds, "-", "problems solved until friction went with the slip");
   scalar("products", static_cast<double>(contact.products), "-", "products with the matrix of influence coefficients");
   const ResultFile::Shape shape = {static_cast<std::size_t>(contact.fields.my),
                                    static_cast<std::size_t>(contact.fields.mx)};

@@ -13,7 +13,8 @@ namespace {
 constexpr int most_steps = 1000000;
 
 BodyInput read_body(const TomlSection& body) {
-  body.allow({"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus", "poisson_ratio"});
+  body.allow({"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus", "poisson_ratio",
+              "creep_ratio", "creep_time"});
   BodyInput input;
   input.rolling_radius = body.radius("rolling_radius");
   input.transverse_radius = body.radius("transverse_radius");
@@ -22,6 +23,8 @@ BodyInput read_body(const TomlSection& body) {
   const auto poisson_ratio = body.between("poisson_ratio", "-", 0, 0.5);
   input.material =
       key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
+  if (body.has("creep_ratio") || body.has("creep_time"))
+    input.creep = {body.between("creep_ratio", "-", 0, 1e6), body.between("creep_time", "s", 0, 1e12)};
   return input;
 }
 
@@ -33,11 +36,19 @@ void read_load(const TomlSection& load, RollingCase& input) {
     input.approach = load.positive("approach", "m");
 }
 
+constexpr std::string_view memory_keys[] = {"memory_distance", "memory_speed"};
+
+/// Allows the keys of a law that falls with the slip velocity.
+void allow_falling(const TomlSection& friction, TomlSection::Words keys) {
+  keys.insert(keys.end(), std::begin(memory_keys), std::end(memory_keys));
+  friction.allow(keys);
+}
+
 /// A law that falls with the slip velocity in one or two terms.
 using FallingLaw = FrictionLaw (*)(double kinetic, FrictionTerm first, FrictionTerm second);
 
 FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) {
-  friction.allow({"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
+  allow_falling(friction, {"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
   const auto kinetic = friction.between("kinetic_coefficient", "-", 0, FrictionLaw::largest_coefficient);
   const auto term = [&](std::string_view drop, std::string_view half_velocity) {
     return FrictionTerm{friction.between(drop, "-", 0, FrictionLaw::largest_coefficient),
@@ -52,7 +63,7 @@ FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) 
 }
 
 FrictionLaw read_polach(const TomlSection& friction) {
-  friction.allow({"law", "static_coefficient", "ratio", "decay"});
+  allow_falling(friction, {"law", "static_coefficient", "ratio", "decay"});
   const auto coefficient = friction.between("static_coefficient", "-", 0, FrictionLaw::largest_coefficient);
   const auto ratio = friction.between("ratio", "-", 0, 1);
   const auto decay = friction.positive("decay", "s/m");
@@ -75,6 +86,8 @@ void read_friction(const TomlSection& friction, RollingCase& input) {
   if (law == "rational") input.friction = read_falling_friction(friction, FrictionLaw::rational);
   if (law == "exponential") input.friction = read_falling_friction(friction, FrictionLaw::exponential);
   if (law == "polach") input.friction = read_polach(friction);
+  if (friction.has("memory_distance")) input.friction_memory.distance = friction.between("memory_distance", "m", 0, 1e6);
+  if (friction.has("memory_speed")) input.friction_memory.slowest = friction.between("memory_speed", "m/s", 0, 1e6);
 }
 
 /// The names of what sets one component of the motion: a force or how far the bodies move.
@@ -110,42 +123,61 @@ void read_motion(const TomlSection& motion, RollingCase& input) {
   motion.count("steps", 1, most_steps, input.motion.steps);
 }
 
-/// The simplified theory knows steady rolling with given creepages, the exact theory Coulomb's friction, and limits are
-/// those of steady rolling at second order.
-void check_theory(const TomlSection& motion, const TomlSection& friction, const TomlSection& solution,
-                  const RollingCase& input) {
-  if (input.theory == Theory::exact) {
-    friction.at("law", [&] {
-      if (input.friction_law != "coulomb")
-        throw Error("friction.law = \"" + input.friction_law + "\": must be coulomb with solution.theory = \"exact\"");
-    });
-    const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
-                           input.discretisation == Discretisation::second_order;
-    solution.at("accuracy", [&] {
-      if (input.accuracy && !has_limit)
-        throw Error("solution.accuracy: needs steady rolling without motion.step, of second order");
-    });
-    return;
+/// Where a key asks for what a case does not have. `what` is the rest of the message.
+void refuse_at(const TomlSection& section, std::string_view name, std::string_view key, bool is_there,
+               const std::string& what) {
+  if (!is_there) return;
+  section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
+}
+
+bool needs_classical(const RollingCase& input) {
+  const Bodies bodies = bodies_of(input);
+  return input.friction_law != "coulomb" || bodies.are_coupled() || !bodies.are_elastic();
+}
+
+/// Limits are those of steady rolling at second order; bodies that differ or flow and falling friction are classical.
+void check_exact(const TomlSection& motion, const TomlSection& solution, RollingCase& input) {
+  const bool is_classical = needs_classical(input);
+  refuse_at(motion, "motion", "kind",
+            input.motion.kind != ContactMotion::steady && (input.body1.creep.ratio > 0 || input.body2.creep.ratio > 0),
+            "must be steady with viscoelastic bodies");
+  refuse_at(solution, "solution", "discretisation",
+            is_classical && solution.has("discretisation") && input.discretisation == Discretisation::second_order,
+            "must be classical for bodies of different materials, viscoelastic ones and falling friction");
+  if (is_classical) input.discretisation = Discretisation::classical;
+  const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
+                         input.discretisation == Discretisation::second_order;
+  refuse_at(solution, "solution", "accuracy", input.accuracy && !has_limit,
+            "needs steady rolling without motion.step, of second order");
+}
+
+/// The simplified theory knows steady rolling of elastic bodies with given creepages.
+void check_simplified(const TomlSection& root, const RollingCase& input) {
+  const std::string exact = "needs solution.theory = \"exact\"";
+  const auto motion = root.required_section("motion"), friction = root.required_section("friction");
+  const auto solution = root.optional_section("solution");
+  for (const auto* key : {"accuracy", "coupling", "slip_start"})
+    refuse_at(solution, "solution", key, solution.has(key), exact);
+  refuse_at(motion, "motion", "kind", input.motion.kind != ContactMotion::steady, exact);
+  for (const auto* key : {"force_longitudinal", "force_lateral", "step"})
+    refuse_at(motion, "motion", key, motion.has(key), exact);
+  for (const auto key : memory_keys) refuse_at(friction, "friction", key, friction.has(key), exact);
+  for (const auto* name : {"body1", "body2"}) {
+    const auto body = root.required_section(name);
+    refuse_at(body, name, "creep_ratio", body.has("creep_ratio"), exact);
   }
-  solution.at("accuracy", [&] {
-    if (input.accuracy) throw Error("solution.accuracy: needs solution.theory = \"exact\"");
-  });
-  const auto needs_exact = [&](std::string_view key, bool is_there) {
-    if (!is_there) return;
-    motion.at(key, [&] { throw Error("motion." + std::string(key) + ": needs solution.theory = \"exact\""); });
-  };
-  needs_exact("kind", input.motion.kind != ContactMotion::steady);
-  for (const auto* key : {"force_longitudinal", "force_lateral", "step"}) needs_exact(key, motion.has(key));
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
-  solution.allow({"theory", "grid", "accuracy", "discretisation", "tolerance", "bound", "flexibility", "coefficients",
-                  "slope_reduction"});
+  solution.allow({"theory", "grid", "accuracy", "discretisation", "tolerance", "coupling", "slip_start", "bound",
+                  "flexibility", "coefficients", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
   if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
+  input.coupling = solution.option("coupling", input.coupling);
+  input.slip_start = solution.option("slip_start", input.slip_start);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
   input.options.creepage_table = solution.option("coefficients", input.options.creepage_table);
@@ -172,15 +204,22 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
   read_solution(root.optional_section("solution"), input);
-  check_theory(root.required_section("motion"), root.required_section("friction"), root.optional_section("solution"),
-               input);
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
     hertz_contact(input);
   } catch (const Error& error) {
     throw Error(name + ": [body1], [body2] and [load] together: " + error.what());
   }
+  if (input.theory == Theory::exact)
+    check_exact(root.required_section("motion"), root.optional_section("solution"), input);
+  else
+    check_simplified(root, input);
   return input;
+}
+
+Bodies bodies_of(const RollingCase& input) {
+  const double speed = input.options.direction == RollingDirection::forward ? input.rolling_speed : -input.rolling_speed;
+  return viscoelastic(input.body1.material, input.body1.creep, input.body2.material, input.body2.creep, speed);
 }
 
 HertzContact hertz_contact(const RollingCase& input) {
@@ -209,7 +248,11 @@ ExactOptions exact_options(const RollingCase& input) {
           .my = input.options.my,
           .discretisation = input.discretisation,
           .direction = input.options.direction,
-          .tolerance = input.tolerance};
+          .tolerance = input.tolerance,
+          .bodies = bodies_of(input),
+          .coupling = input.coupling,
+          .friction_memory = input.friction_memory,
+          .slip_start = input.slip_start};
 }
 
 std::string read_case_text(const std::filesystem::path& path) {

@@ -18,6 +18,7 @@ struct BodyInput {
   double rolling_radius = 0;    ///< [m], in the plane of rolling: positive convex, negative concave, infinite flat
   double transverse_radius = 0; ///< [m], in the lateral plane
   Material material = {};
+  Creep creep = {}; ///< none: an elastic body
 };
 
 /// What a case file says, in SI units; the annotated example in examples/ shows every key.
@@ -29,6 +30,7 @@ struct RollingCase {
   std::optional<double> approach = {};     ///< [m]; or this
   std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
   FrictionLaw friction = {};
+  FrictionMemory friction_memory = {};      ///< of the exact theory
   Creepage creepage = {};   ///< for a shift the rigid shift [m] and rotation [rad]
   double rolling_speed = 0; ///< [m/s]
   ExactMotion motion = {};  ///< what is not steady rolling with given creepages needs the exact theory
@@ -36,6 +38,8 @@ struct RollingCase {
   SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
   Discretisation discretisation = Discretisation::second_order; ///< of the exact theory
   double tolerance = 1e-6;                                      ///< of its residual
+  Coupling coupling = Coupling::newton;                         ///< of its problems for bodies of different materials
+  SlipStart slip_start = SlipStart::below;                      ///< of its friction that depends on the slip
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
 
@@ -46,6 +50,9 @@ inline constexpr int largest_field_grid = 2000;
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
 RollingCase parse_case(std::string_view text, const std::string& name);
+
+/// The bodies of a case: elastic, or viscoelastic in steady rolling.
+Bodies bodies_of(const RollingCase& input);
 
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.

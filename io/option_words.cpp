@@ -20,6 +20,8 @@ template <> constexpr auto words_of<FlexibilityModel> = std::array<Word, 3>{"thr
 template <> constexpr auto words_of<CreepageTable> = std::array<Word, 2>{"kalker", "computed"};
 template <> constexpr auto words_of<RollingDirection> = std::array<Word, 2>{"forward", "backward"};
 template <> constexpr auto words_of<Discretisation> = std::array<Word, 2>{"second_order", "classical"};
+template <> constexpr auto words_of<Coupling> = std::array<Word, 2>{"newton", "alternating"};
+template <> constexpr auto words_of<SlipStart> = std::array<Word, 2>{"below", "above"};
 template <> constexpr auto words_of<ContactMotion> = std::array<Word, 3>{"shift", "transient", "steady"};
 
 } // namespace
@@ -45,6 +47,8 @@ template std::span<const std::string_view> option_words<CreepageTable>();
 template std::span<const std::string_view> option_words<RollingDirection>();
 template std::span<const std::string_view> option_words<ContactMotion>();
 template std::span<const std::string_view> option_words<Discretisation>();
+template std::span<const std::string_view> option_words<Coupling>();
+template std::span<const std::string_view> option_words<SlipStart>();
 template std::string_view to_word(Theory);
 template std::string_view to_word(TractionBound);
 template std::string_view to_word(FlexibilityModel);
@@ -52,6 +56,8 @@ template std::string_view to_word(CreepageTable);
 template std::string_view to_word(RollingDirection);
 template std::string_view to_word(ContactMotion);
 template std::string_view to_word(Discretisation);
+template std::string_view to_word(Coupling);
+template std::string_view to_word(SlipStart);
 template Theory from_word(std::string_view, std::string_view);
 template TractionBound from_word(std::string_view, std::string_view);
 template FlexibilityModel from_word(std::string_view, std::string_view);
@@ -59,6 +65,8 @@ template CreepageTable from_word(std::string_view, std::string_view);
 template RollingDirection from_word(std::string_view, std::string_view);
 template ContactMotion from_word(std::string_view, std::string_view);
 template Discretisation from_word(std::string_view, std::string_view);
+template Coupling from_word(std::string_view, std::string_view);
+template SlipStart from_word(std::string_view, std::string_view);
 
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;

@@ -27,8 +27,7 @@ ExactContact invalid() {
 bool is_valid(const EllipticContact& c) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   return positive(c.a) && positive(c.b) && positive(c.shear_modulus) && positive(c.normal_force) &&
-         positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 &&
-         c.friction.kind() == FrictionLaw::Kind::coulomb && std::isfinite(c.creepage.longitudinal) &&
+         positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 && std::isfinite(c.creepage.longitudinal) &&
          std::isfinite(c.creepage.lateral) && std::isfinite(c.creepage.spin);
 }
 
@@ -58,9 +57,15 @@ void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
   require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, margin));
 }
 
-bool EllipticContactSolver::is_second_order(const ExactMotion& motion) const {
+/// Whether normal and tangential problem, or friction and slip, depend on each other.
+bool EllipticContactSolver::needs_sequence(const EllipticContact& contact) const {
+  return contact.friction.kind() != FrictionLaw::Kind::coulomb ||
+         (options_.bodies && (options_.bodies->are_coupled() || !options_.bodies->are_elastic()));
+}
+
+bool EllipticContactSolver::is_second_order(const EllipticContact& contact, const ExactMotion& motion) const {
   return options_.discretisation == Discretisation::second_order && motion.kind == ContactMotion::steady &&
-         motion.step == 0;
+         motion.step == 0 && !needs_sequence(contact);
 }
 
 /// Whether what depends on ellipse and material only is there for this contact; if not, room is made for it.
@@ -123,7 +128,8 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
 }
 
 /// Results as they are passed on: rows from the leading to the trailing edge.
-ExactContact EllipticContactSolver::results(TangentialSolution s, double normal_force) const {
+ExactContact EllipticContactSolver::results(TangentialSolution s, const NormalSolution& normal,
+                                            double normal_force) const {
   const auto in_rows = [&](auto field) {
     if (options_.direction == RollingDirection::forward)
       for (auto row = field.begin(); row != field.end(); row += grid_.mx) std::reverse(row, row + grid_.mx);
@@ -131,14 +137,16 @@ ExactContact EllipticContactSolver::results(TangentialSolution s, double normal_
   };
   ExactContact out;
   ContactFields& f = out.fields = ContactFields(grid_.mx, grid_.my);
-  out.pressure = normal_.pressure;
+  out.pressure = normal.pressure;
+  out.gap = normal.gap;
   for (std::size_t k = 0; k < grid_.count(); ++k) {
     f.x[k] = grid_.x(static_cast<int>(k % grid_.mx));
     f.y[k] = grid_.y(static_cast<int>(k / grid_.mx));
     f.area[k] = grid_.element_area();
     out.pressure[k] *= normal_force;
+    out.gap[k] *= normal_force;
   }
-  for (auto* field : {&f.x, &out.pressure}) *field = in_rows(std::move(*field));
+  for (auto* field : {&f.x, &out.pressure, &out.gap}) *field = in_rows(std::move(*field));
   f.bound = in_rows(std::move(s.bound));
   f.px = in_rows(std::move(s.tractions.px));
   f.py = in_rows(std::move(s.tractions.py));
@@ -150,8 +158,8 @@ ExactContact EllipticContactSolver::results(TangentialSolution s, double normal_
   f.forces = s.forces;
   f.frictional_power = s.frictional_power;
   out.creepage = s.creepage;
-  out.approach = normal_.approach * normal_force;
-  out.peak_pressure = normal_.peak_pressure * normal_force;
+  out.approach = normal.approach * normal_force;
+  out.peak_pressure = normal.peak_pressure * normal_force;
   out.peak_traction = s.peak_traction;
   out.power_by_creepage = s.power_by_creepage;
   out.elastic_energy = s.elastic_energy;
@@ -167,13 +175,65 @@ ExactContact EllipticContactSolver::solve_classical(const EllipticContact& conta
   std::vector<double> bound = normal_.pressure;
   for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
   std::vector<ExactStep> history;
-  ExactContact out = results(roll(contact, motion, bound, progress, history), contact.normal_force);
+  ExactContact out = results(roll(contact, motion, bound, progress, history), normal_, contact.normal_force);
   out.history = std::move(history);
   if (normal_.status != Status::ok) out.fields.forces.status = normal_.status;
   for (std::size_t i = 0; i + 1 < out.history.size(); ++i) {
     out.newton_steps += out.history[i].newton_steps;
     out.products += out.history[i].products;
   }
+  return out;
+}
+
+/// The potential contact is the ellipse and a margin; viscoelastic bodies under a slow load touch in a larger one.
+ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact, const ExactMotion& motion) const {
+  double softest = 1;
+  const Bodies similar(CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0});
+  ContactStep step;
+  step.bodies = options_.bodies.value_or(similar);
+  for (const DelayedPart& part : step.bodies.delayed) softest = std::max(softest, 1 + part.ratio);
+  const double growth = std::cbrt(softest) - 1;
+  const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
+  step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin + wider);
+  const GapCurvatures gap =
+      hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;
+  step.gap = hertzian_gap(gap, step.grid);
+  step.load = {NormalLoad::Given::force, contact.normal_force};
+  step.friction = {contact.friction};
+  step.friction_memory = options_.friction_memory;
+  step.slip_start = options_.slip_start;
+  step.coupling = options_.coupling;
+  step.motion.motion = motion.kind;
+  step.motion.creepage = contact.creepage;
+  step.motion.step = motion.step;
+  step.motion.direction = options_.direction;
+  step.motion.rolling_speed = contact.rolling_speed;
+  step.motion.tolerance = options_.tolerance;
+  if (motion.force_x) step.force_x = *motion.force_x / contact.normal_force;
+  if (motion.force_y) step.force_y = *motion.force_y / contact.normal_force;
+  return step;
+}
+
+ExactContact EllipticContactSolver::solve_sequence(const EllipticContact& contact, const ExactMotion& motion,
+                                                   const Progress& progress) {
+  ContactStep step = sequence_step(contact, motion);
+  ContactStepSolution s = sequence_.solve(step);
+  std::vector<ExactStep> history;
+  if (motion.kind == ContactMotion::transient) {
+    const auto remember = [&] {
+      const TangentialSolution& t = s.tangential;
+      history.push_back({t.creepage, t.forces, t.residual, t.newton_steps, t.products});
+      return !progress || progress(double(history.size()) / motion.steps);
+    };
+    step.start = StepStart::previous;
+    while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
+  }
+  grid_ = step.grid;
+  a_ = b_ = 0; // what was prepared for another contact is gone
+  ExactContact out = results(std::move(s.tangential), s.normal, 1);
+  out.history = std::move(history);
+  out.friction_rounds = s.friction_rounds;
+  out.fields.forces.status = s.status;
   return out;
 }
 
@@ -247,7 +307,7 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
   constexpr double tolerance = 1e-7, linear_tolerance = 1e-5;
-  if (!is_valid(contact)) return {.contact = invalid()};
+  if (!is_valid(contact) || needs_sequence(contact)) return {.contact = invalid()};
   try {
     prepare_second_order(contact);
   } catch (const Error&) { // numbers that overflow on the way
@@ -277,10 +337,11 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
 ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
                                           const Progress& progress) {
   if (!is_valid(contact) || !is_valid(motion)) return invalid();
-  if (!is_second_order(motion)) require_memory_for(ContactProblem::tangential);
+  const bool second_order = is_second_order(contact, motion), sequence = needs_sequence(contact);
+  if (!second_order) require_memory_for(sequence ? ContactProblem::coupled : ContactProblem::tangential);
   try {
-    return is_second_order(motion) ? solve_second_order(contact, motion, progress)
-                                   : solve_classical(contact, motion, progress);
+    if (second_order) return solve_second_order(contact, motion, progress);
+    return sequence ? solve_sequence(contact, motion, progress) : solve_classical(contact, motion, progress);
   } catch (const Error&) { // numbers that overflow on the way
     return invalid();
   }
@@ -288,7 +349,7 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const 
 
 std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion) {
   std::vector<double> gap;
-  if (is_second_order(motion)) {
+  if (is_second_order(contact, motion)) {
     prepare_second_order(contact);
     gap = unit_load(contact, second_order_->contact().grid).gap;
   } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/exact/contact_sequence.hpp"
 #include "microslip/exact/hertzian_rolling.hpp"
 #include "microslip/exact/memory_need.hpp"
 #include "microslip/exact/normal_problem.hpp"
@@ -25,6 +26,12 @@ struct ExactOptions {
   Discretisation discretisation = Discretisation::second_order;
   RollingDirection direction = RollingDirection::forward;
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
+  /// Bodies of different materials or viscoelastic ones, which are solved classically; none: similar elastic bodies with
+  /// the contact's constants. The ellipse is that of the elastic bodies without friction.
+  std::optional<Bodies> bodies = {};
+  Coupling coupling = Coupling::newton;
+  FrictionMemory friction_memory = {}; ///< of friction that depends on the slip, which is solved classically, too
+  SlipStart slip_start = SlipStart::below;
 };
 
 /// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
@@ -60,6 +67,8 @@ struct ExactContact {
   double residual = 0;
   int newton_steps = 0; ///< of all steps together
   long products = 0;
+  int friction_rounds = 0;        ///< as in ContactStepSolution, of the last step
+  std::vector<double> gap;        ///< deformed distance of the bodies [m]; empty at second order, see deformed_gap
   std::vector<ExactStep> history; ///< transient rolling: the steps in their order
 };
 
@@ -70,9 +79,8 @@ struct ExactDerivatives {
   long products = 0; ///< that the derivatives took
 };
 
-/// Hertzian contacts by the exact theory, for elastically similar bodies with Coulomb friction: normal and tangential
-/// problem on a grid of mx x my elements across the ellipse. Influence coefficients are kept for the next contact if it
-/// has the same ellipse and material. Distinct objects may be used from distinct threads.
+/// Hertzian contacts by the exact theory: normal and tangential problem on a grid of mx x my elements across the ellipse.
+/// Influence coefficients are kept for the next contact if it has the same ellipse and material. Distinct objects may be used from distinct threads.
 class EllipticContactSolver {
 public:
   /// Throws Error if an option is out of range, or if the grid needs more memory than the machine has.
@@ -80,7 +88,7 @@ public:
 
   const ExactOptions& options() const { return options_; }
 
-  /// Input out of range gives Status::invalid_input and NaN, another friction law than Coulomb's too. `progress` is
+  /// Input out of range gives Status::invalid_input and NaN. `progress` is
   /// told of the steps of transient rolling, or of the Newton steps at second order, and may end it.
   ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
@@ -95,7 +103,8 @@ public:
   std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {});
 
 private:
-  bool is_second_order(const ExactMotion& motion) const;
+  bool is_second_order(const EllipticContact& contact, const ExactMotion& motion) const;
+  bool needs_sequence(const EllipticContact& contact) const;
   void require_memory_for(ContactProblem problem) const;
   void prepare_classical(const EllipticContact& contact);
   void prepare_second_order(const EllipticContact& contact);
@@ -103,7 +112,9 @@ private:
   ExactContact solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
                           const Progress& progress, std::vector<ExactStep>& history);
-  ExactContact results(TangentialSolution solution, double normal_force) const;
+  ExactContact results(TangentialSolution solution, const NormalSolution& normal, double normal_force) const;
+  ContactStep sequence_step(const EllipticContact& contact, const ExactMotion& motion) const;
+  ExactContact solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   EllipticContact mirrored(EllipticContact contact) const;
   ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialState fitted_start(const EllipticContact& contact, const std::vector<double>& bound) const;
@@ -118,6 +129,7 @@ private:
   NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
   std::unique_ptr<TangentialProblem> tangential_;
   std::unique_ptr<HertzianRolling> second_order_;
+  ContactSequence sequence_; ///< of bodies and friction that need one
 };
 
 } // namespace microslip
