@@ -1,0 +1,295 @@
+// Bodies of different materials and viscoelastic ones: the conditions of contact and friction by sums over pairs of
+// elements, the alternating process, limits, mirror images.
+
+#include "microslip/exact/contact_sequence.hpp"
+
+#include "dense_response.hpp"
+#include "friction_conditions.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr double curvature = 4, friction = 0.3, load = 200, step_length = 0.25e-3;
+const Material steel = {82e9, 0.28}, soft = {4e9, 0.4}, aluminium = {23e9, 0.31};
+
+ContactStep ball(const Bodies& bodies, ContactMotion motion, int n = 14) {
+  ContactStep step;
+  step.grid = {n, n - 2, -0.5 * (n - 1) * step_length, -0.5 * (n - 3) * step_length, step_length, step_length};
+  step.bodies = bodies;
+  for (int j = 0; j < step.grid.my; ++j)
+    for (int i = 0; i < step.grid.mx; ++i)
+      step.gap.push_back(curvature * (std::pow(step.grid.x(i), 2) + 1.4 * std::pow(step.grid.y(j), 2)));
+  step.load = {NormalLoad::Given::force, load};
+  step.friction = {FrictionLaw::coulomb(friction)};
+  step.motion.motion = motion;
+  step.motion.tolerance = 1e-9;
+  return step;
+}
+
+/// Slip and deformed gap as sums over all pairs of elements.
+struct DenseFields {
+  Field sx, sy, gap;
+};
+
+void add_pairs(const ContactStep& step, const TangentialState& p, double shift, double factor, Field& ux, Field& uy,
+               Field* un) {
+  for_pairs(step.bodies.material, step.grid, shift, [&](std::size_t to, std::size_t from, const Influence& a) {
+    ux[to] += factor * (a.xx * p.px[from] + a.xy * p.py[from] + a.xz * p.pressure[from]);
+    uy[to] += factor * (a.xy * p.px[from] + a.yy * p.py[from] + a.yz * p.pressure[from]);
+    if (un) (*un)[to] += a.zz * p.pressure[from] - a.xz * p.px[from] - a.yz * p.py[from];
+  });
+}
+
+DenseFields dense_fields(const ContactStep& step, const ContactStepSolution& s, const TangentialState* before) {
+  const auto n = step.grid.count();
+  const bool shift = step.motion.motion == ContactMotion::shift;
+  const double length = shift ? 1 : step.motion.step > 0 ? step.motion.step : step.grid.dx;
+  const double way = step.motion.direction == RollingDirection::forward ? length : -length;
+  DenseFields f{Field(n), Field(n), Field(n)};
+  TangentialState p = s.tangential.tractions;
+  p.pressure = s.normal.pressure;
+  add_pairs(step, p, 0, 1 / length, f.sx, f.sy, &f.gap);
+  const TangentialState& last = step.motion.motion == ContactMotion::steady ? p : *before;
+  if (step.motion.motion == ContactMotion::steady || before)
+    add_pairs(step, last, shift ? 0 : way, -1 / length, f.sx, f.sy, nullptr);
+  const Creepage& c = s.tangential.creepage;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = step.grid.x(static_cast<int>(k) % step.grid.mx), y = step.grid.y(static_cast<int>(k) / step.grid.mx);
+    f.sx[k] += c.longitudinal - c.spin * y;
+    f.sy[k] += c.lateral + c.spin * (x + (shift ? 0 : way / 6));
+    f.gap[k] += step.gap[k] - s.normal.approach;
+  }
+  return f;
+}
+
+void expect_conditions(const ContactStep& step, const ContactStepSolution& s, const TangentialState* before = nullptr) {
+  ASSERT_EQ(s.status, Status::ok);
+  const DenseFields f = dense_fields(step, s, before);
+  const double depth = *std::max_element(s.normal.displacement.begin(), s.normal.displacement.end());
+  for (std::size_t k = 0; k < f.gap.size(); ++k) {
+    ASSERT_GE(s.normal.pressure[k], 0);
+    if (s.normal.pressure[k] > 0)
+      EXPECT_NEAR(f.gap[k], 0, 1e-6 * depth) << k;
+    else
+      EXPECT_GE(f.gap[k], -1e-6 * depth) << k;
+  }
+  EXPECT_NEAR(s.normal.normal_force, load, 1e-7 * load);
+  const bool shift = step.motion.motion == ContactMotion::shift;
+  const double length = shift ? 1 : step.grid.dx;
+  const Influence own = influence(step.bodies.material, step.grid.dx, step.grid.dy, 0, 0);
+  const FrictionState state{s.tangential.bound, s.tangential.tractions.px, s.tangential.tractions.py, f.sx, f.sy,
+                            (own.xx + own.yy) / 2 / length};
+  EXPECT_LT(complementarity_residual(state), 1e-6);
+}
+
+class UnlikeBodies : public testing::TestWithParam<ContactMotion> {};
+
+TEST_P(UnlikeBodies, FulfilTheConditionsOfContactAndFriction) {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int n = 0; n < 12; ++n) {
+    SCOPED_TRACE(n);
+    ContactStep step = ball(combine(n % 2 ? soft : aluminium, steel), GetParam());
+    const double scale = GetParam() == ContactMotion::shift ? 1e-6 : 1e-3;
+    step.motion.creepage = {scale * unit(engine), scale * unit(engine), 100 * scale * unit(engine)};
+    step.motion.direction = n % 3 == 0 ? RollingDirection::backward : RollingDirection::forward;
+    if (n % 4 == 1) step.force_x = 0.2 * unit(engine);
+    if (n % 4 == 3) step.force_x = 0.1 * unit(engine), step.force_y = 0.2 * unit(engine);
+    ContactSequence sequence;
+    const ContactStepSolution first = sequence.solve(step);
+    expect_conditions(step, first);
+    const ContactForces& f = first.tangential.forces;
+    EXPECT_NEAR(f.fx, step.force_x.value_or(f.fx / load) * load, 1e-6 * load);
+    EXPECT_NEAR(f.fy, step.force_y.value_or(f.fy / load) * load, 1e-6 * load);
+    if (GetParam() == ContactMotion::steady) continue;
+    TangentialState before = first.tangential.tractions;
+    before.pressure = first.normal.pressure;
+    step.start = StepStart::previous;
+    expect_conditions(step, sequence.solve(step), &before);
+  }
+}
+
+TEST_P(UnlikeBodies, NewtonAndTheAlternatingProcessAgree) {
+  ContactStep step = ball(combine(soft, steel), GetParam());
+  step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, -1e-6, 0} : Creepage{4e-4, -2e-4, 0.05};
+  const ContactStepSolution newton = ContactSequence().solve(step);
+  step.coupling = Coupling::alternating;
+  const ContactStepSolution alternating = ContactSequence().solve(step);
+  ASSERT_EQ(alternating.status, Status::ok);
+  EXPECT_GT(alternating.alternations, 2);
+  EXPECT_EQ(alternating.slip_elements, newton.slip_elements);
+  EXPECT_NEAR(alternating.normal.approach, newton.normal.approach, 1e-7 * newton.normal.approach);
+  EXPECT_NEAR(alternating.tangential.forces.fx, newton.tangential.forces.fx, 1e-6 * load);
+  EXPECT_NEAR(alternating.tangential.forces.fy, newton.tangential.forces.fy, 1e-6 * load);
+  const double energy = newton.normal.elastic_energy + newton.tangential.elastic_energy;
+  EXPECT_NEAR(alternating.normal.elastic_energy + alternating.tangential.elastic_energy, energy, 1e-6 * energy);
+}
+
+TEST_P(UnlikeBodies, DependOnEachOtherByTheirDifferenceOnly) {
+  // As K goes to zero the coupled problem becomes the one of similar bodies.
+  CombinedMaterial material = combine(aluminium, steel);
+  material.dissimilarity = 0;
+  ContactStep step = ball(material, GetParam());
+  step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, -1e-6, 0} : Creepage{4e-4, -2e-4, 0.05};
+  const ContactStepSolution similar = ContactSequence().solve(step);
+  step.bodies.material.dissimilarity = 2e-6; // just beyond what counts as similar
+  const ContactStepSolution nearly = ContactSequence().solve(step);
+  EXPECT_NEAR(nearly.tangential.forces.fx, similar.tangential.forces.fx, 1e-5 * load);
+  EXPECT_NEAR(nearly.tangential.forces.fy, similar.tangential.forces.fy, 1e-5 * load);
+  EXPECT_NEAR(nearly.normal.approach, similar.normal.approach, 1e-6 * similar.normal.approach);
+}
+
+TEST_P(UnlikeBodies, ChangePlaces) {
+  // Seen from the other body everything is the same with x turned round: u, p and the creepage keep their signs in the
+  // mirror of the contact plane, K changes its own, and so do the tractions that it makes.
+  ContactStep step = ball(combine(soft, steel), GetParam());
+  step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, 0, 0} : Creepage{4e-4, 0, 0};
+  const ContactStepSolution one = ContactSequence().solve(step);
+  step.bodies = combine(steel, soft);
+  step.motion.creepage.longitudinal *= -1;
+  const ContactStepSolution other = ContactSequence().solve(step);
+  EXPECT_NEAR(one.tangential.forces.fx, -other.tangential.forces.fx, 1e-6 * load);
+  EXPECT_EQ(one.slip_elements, other.slip_elements);
+  EXPECT_NEAR(one.normal.approach, other.normal.approach, 1e-7 * one.normal.approach);
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, UnlikeBodies,
+                         testing::Values(ContactMotion::shift, ContactMotion::transient, ContactMotion::steady));
+
+TEST(CoupledContact, TractionsOfAFrictionalCompressionAreRadialAndHaveNoResultant) {
+  ContactStep step = ball(combine(soft, steel), ContactMotion::shift, 16);
+  step.grid.my = 16;
+  step.grid.y0 = step.grid.x0;
+  step.gap.clear();
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i) step.gap.push_back(curvature * (std::pow(step.grid.x(i), 2) + std::pow(step.grid.y(j), 2)));
+  step.force_x = step.force_y = 0;
+  const ContactStepSolution s = ContactSequence().solve(step);
+  ASSERT_EQ(s.status, Status::ok);
+  EXPECT_GT(s.slip_elements, 0);
+  const auto& [px, py] = std::tie(s.tangential.tractions.px, s.tangential.tractions.py);
+  const double peak = s.tangential.peak_traction;
+  EXPECT_GT(peak, 0.01 * s.normal.peak_pressure);
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i) {
+      const auto k = static_cast<std::size_t>(j * 16 + i), turned = static_cast<std::size_t>(i * 16 + j);
+      EXPECT_NEAR(px[k], py[turned], 1e-6 * peak);
+      EXPECT_NEAR(px[k], -px[static_cast<std::size_t>(j * 16 + 15 - i)], 1e-6 * peak);
+    }
+}
+
+TEST(CoupledContact, NoContactAndExcludedElements) {
+  ContactStep step = ball(combine(soft, steel), ContactMotion::steady);
+  step.load = {NormalLoad::Given::approach, -1e-6};
+  EXPECT_EQ(ContactSequence().solve(step).status, Status::no_contact);
+  step.load = {NormalLoad::Given::force, load};
+  step.motion.creepage = {3e-4, 0, 0};
+  step.excluded.assign(step.grid.count(), 0);
+  for (int i = 0; i < step.grid.mx; ++i) step.excluded[static_cast<std::size_t>(6 * step.grid.mx + i)] = 1;
+  const ContactStepSolution s = ContactSequence().solve(step);
+  ASSERT_EQ(s.status, Status::ok);
+  for (std::size_t k = 0; k < step.excluded.size(); ++k)
+    EXPECT_TRUE(!step.excluded[k] || s.normal.pressure[k] == 0);
+  EXPECT_NEAR(s.normal.normal_force, load, 1e-7 * load);
+}
+
+TEST(CoupledContact, AGivenPressureActsOnTheSlip) {
+  ContactStep step = ball(combine(soft, steel), ContactMotion::steady);
+  step.motion.creepage = {3e-4, 1e-4, 0};
+  const ContactStepSolution whole = ContactSequence().solve(step);
+  step.given = GivenPressure{whole.normal.pressure, whole.normal.approach, whole.normal.normal_force, {}};
+  const ContactStepSolution given = ContactSequence().solve(step);
+  ASSERT_EQ(given.status, Status::ok);
+  EXPECT_NEAR(given.tangential.forces.fx, whole.tangential.forces.fx, 1e-6 * load);
+  EXPECT_NEAR(given.tangential.forces.fy, whole.tangential.forces.fy, 1e-6 * load);
+}
+
+template <class Call> void expect_refusal(const std::string& word, Call call) {
+  try {
+    call();
+    ADD_FAILURE() << "no error for " << word;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(CoupledContact, RefusesWhatMakesNoSense) {
+  const Bodies slow = viscoelastic(soft, {1, 1}, soft, {1, 1}, 1);
+  expect_refusal("steady", [&] { ContactSequence().solve(ball(slow, ContactMotion::shift)); });
+  ContactStep step = ball(slow, ContactMotion::steady);
+  step.coupling = Coupling::alternating;
+  expect_refusal("elastic", [&] { ContactSequence().solve(step); });
+  expect_refusal("creep1.ratio", [] { viscoelastic(soft, {-1, 1}, soft, {}, 1); });
+  expect_refusal("creep2.time", [] { viscoelastic(soft, {}, soft, {1, -1}, 1); });
+  expect_refusal("speed", [] { viscoelastic(soft, {1, 1}, soft, {}, 0); });
+}
+
+/// Forces over mu Fn and the approach.
+struct Totals {
+  double fx, fy, approach;
+};
+Totals roll(const Bodies& bodies, RollingDirection direction = RollingDirection::forward, double side = 1) {
+  ContactStep step = ball(bodies, ContactMotion::steady, 22);
+  step.motion.creepage = {side * 4e-3, -2e-3, side * 0.5};
+  step.motion.direction = direction;
+  const ContactStepSolution s = ContactSequence().solve(step);
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_FALSE(s.normal.touches_border);
+  return {s.tangential.forces.fx / (friction * load), s.tangential.forces.fy / (friction * load), s.normal.approach};
+}
+
+void expect_equal(const Totals& a, const Totals& b, double tolerance) {
+  EXPECT_NEAR(a.fx, b.fx, tolerance);
+  EXPECT_NEAR(a.fy, b.fy, tolerance);
+  EXPECT_NEAR(a.approach, b.approach, tolerance * b.approach);
+}
+
+TEST(ViscoelasticContact, IsElasticForSlowAndForQuickLoads) {
+  const double f = 0.8;
+  const Material slow = {soft.shear_modulus / (1 + f), soft.poisson_ratio};
+  expect_equal(roll(viscoelastic(soft, {f, 0}, soft, {f, 0}, 1)), roll(combine(slow, slow)), 1e-6);
+  expect_equal(roll(viscoelastic(soft, {f, 1e-8}, soft, {f, 1e-8}, 1)), roll(combine(slow, slow)), 1e-3);
+  expect_equal(roll(viscoelastic(soft, {f, 1e4}, soft, {f, 1e4}, 1)), roll(combine(soft, soft)), 1e-3);
+  // One body elastic, the other slow.
+  expect_equal(roll(viscoelastic(aluminium, {}, soft, {f, 0}, 1)), roll(combine(aluminium, slow)), 1e-6);
+}
+
+TEST(ViscoelasticContact, TwoEqualBodiesAreTheSumOfTheirParts) {
+  Bodies together = viscoelastic(soft, {1, 1e-3}, soft, {1, 1e-3}, 1);
+  ASSERT_EQ(together.delayed.size(), 1u);
+  Bodies apart = viscoelastic(soft, {1, 1e-3}, soft, {1, 1.0000001e-3}, 1);
+  ASSERT_EQ(apart.delayed.size(), 2u);
+  EXPECT_TRUE(apart.are_coupled());
+  expect_equal(roll(apart), roll(together), 1e-5);
+}
+
+TEST(ViscoelasticContact, RollingBackwardsIsTheMirrorImage) {
+  const Totals forward = roll(viscoelastic(soft, {1, 1e-3}, aluminium, {}, 1));
+  Totals backward = roll(viscoelastic(soft, {1, 1e-3}, aluminium, {}, -1), RollingDirection::backward, -1);
+  backward.fx *= -1;
+  expect_equal(backward, forward, 1e-6);
+}
+
+TEST(ViscoelasticContact, PressureLeansForward) {
+  // The material comes in unrelaxed and stiff, and goes out relaxed: the pressure's centre moves to the leading edge,
+  // which is the rolling resistance.
+  ContactStep step = ball(viscoelastic(soft, {1, 1e-3}, soft, {1, 1e-3}, 1), ContactMotion::steady, 22);
+  const ContactStepSolution s = ContactSequence().solve(step);
+  ASSERT_EQ(s.status, Status::ok);
+  double moment = 0;
+  for (std::size_t k = 0; k < step.grid.count(); ++k)
+    moment += s.normal.pressure[k] * step.grid.x(static_cast<int>(k) % step.grid.mx);
+  EXPECT_GT(moment * step.grid.element_area() / load, 0.1 * step.grid.dx);
+}
+
+} // namespace
+} // namespace microslip

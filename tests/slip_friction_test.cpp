@@ -1,0 +1,151 @@
+// Friction that depends on the slip velocity, and the solutions that go with it.
+
+#include "microslip/exact/slip_friction.hpp"
+
+#include "expect_error.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/contact_sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const ElementGrid grid = {6, 2, -2.5e-3, 0, 1e-3, 1e-3};
+const FrictionLaw law = FrictionLaw::exponential(0.1, {.drop = 0.3, .half_velocity = 2});
+
+TEST(SlipFriction, WithoutMemoryIsTheLaw) {
+  const FrictionLaw laws[] = {law, FrictionLaw::coulomb(0.2)};
+  const SlipFriction friction(grid, laws, {}, {.time = 1e-3, .along_rows = true, .from_high_x = true, .before = {}});
+  EXPECT_FALSE(friction.is_constant());
+  const std::vector<double> v = {0, 1, 2, 4, 8, 100, 0, 1, 2, 4, 8, 100};
+  const auto mu = friction.coefficients(v);
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_DOUBLE_EQ(mu[k], law.coefficient(v[k]));
+  for (std::size_t k = 6; k < 12; ++k) EXPECT_DOUBLE_EQ(mu[k], 0.2);
+  EXPECT_EQ(friction.static_coefficients()[0], 0.4);
+}
+
+TEST(SlipFriction, RemembersAlongARow) {
+  // At a constant slip velocity the coefficient nears the law's by the factor theta from element to element, from the
+  // leading edge on.
+  const FrictionLaw laws[] = {law};
+  const double d = 3e-3, time = 1e-3, v = 2;
+  const SlipFriction friction(grid, laws, {.distance = d, .slowest = 0.1},
+                              {.time = time, .along_rows = true, .from_high_x = true, .before = {}});
+  const auto mu = friction.coefficients(std::vector<double>(12, v));
+  const double theta = d / (d + time * v), limit = law.coefficient(v);
+  for (int j = 0; j < 2; ++j)
+    for (int n = 1; n <= 6; ++n)
+      EXPECT_NEAR(mu[static_cast<std::size_t>(j * 6 + 6 - n)], limit + std::pow(theta, n) * (0.4 - limit), 1e-14);
+}
+
+TEST(SlipFriction, ForgetsWithTimeEvenInAdhesion) {
+  const FrictionLaw laws[] = {law};
+  const SlipFriction friction(grid, laws, {.distance = 1e-3, .slowest = 0.5},
+                              {.time = 1e-3, .along_rows = false, .from_high_x = true, .before = std::vector<double>(12, 0.15)});
+  const double theta = 1e-3 / (1e-3 + 1e-3 * 0.5);
+  for (const double mu : friction.coefficients(std::vector<double>(12, 0.0)))
+    EXPECT_NEAR(mu, theta * 0.15 + (1 - theta) * 0.4, 1e-15);
+}
+
+TEST(SlipFriction, RefusesWhatMakesNoSense) {
+  const std::vector<FrictionLaw> three(3, law);
+  EXPECT_THROW(SlipFriction(grid, three, {}, {}), Error);
+  expect_error([&] { SlipFriction(grid, std::span(three).first(1), {.distance = -1, .slowest = 0}, {}); },
+               "friction_memory.distance", "m");
+}
+
+/// A cylinder that rolls.
+ContactStep cylinder(double creepage, const FrictionLaw& friction) {
+  const CombinedMaterial steel = {82e9, 0.28, 0};
+  const double a = 4e-3, curvature = 1 / 0.92;
+  ContactStep step;
+  step.grid = ElementGrid::across_line(a, 60, 2);
+  step.bodies = steel;
+  for (int i = 0; i < step.grid.mx; ++i) step.gap.push_back(curvature * step.grid.x(i) * step.grid.x(i));
+  const double load = line_contact_from_half_width(curvature, steel, a).force_per_length;
+  step.load = {NormalLoad::Given::force, load};
+  step.friction = {friction};
+  step.motion.creepage = {creepage, 0, 0};
+  step.motion.rolling_speed = 45;
+  step.motion.tolerance = 1e-8;
+  return step;
+}
+
+/// mu pn of every element goes with the slip that it has.
+void expect_consistent(const ContactStep& step, const ContactStepSolution& s) {
+  ASSERT_EQ(s.status, Status::ok);
+  for (std::size_t k = 0; k < step.grid.count(); ++k) {
+    if (s.tangential.state[k] != CellState::slip) continue;
+    const double v = step.motion.rolling_speed * std::hypot(s.tangential.sx[k], s.tangential.sy[k]);
+    EXPECT_NEAR(std::hypot(s.tangential.tractions.px[k], s.tangential.tractions.py[k]),
+                step.friction[0].coefficient(v) * s.normal.pressure[k], 1e-4 * s.normal.peak_pressure);
+  }
+}
+
+TEST(SlipFriction, TractionsGoWithTheSlip) {
+  const FrictionLaw falling = FrictionLaw::exponential(0.18, {.drop = 0.12, .half_velocity = 0.1});
+  double last = 1;
+  for (const double creepage : {1e-3, 3e-3, 1e-2, 1e-1}) {
+    const ContactStep step = cylinder(creepage, falling);
+    const ContactStepSolution s = ContactSequence().solve(step);
+    expect_consistent(step, s);
+    EXPECT_GT(s.friction_rounds, 1);
+    const double force = -s.tangential.forces.fx / (0.3 * s.normal_force);
+    EXPECT_TRUE(creepage <= 3e-3 || force < last) << force; // falls once all slides
+    last = force;
+  }
+  EXPECT_NEAR(last, 0.6, 1e-3); // kinetic friction at last
+}
+
+TEST(SlipFriction, ThatIsConstantIsCoulombs) {
+  const FrictionLaw flat = FrictionLaw::linear(0.3, {.drop = 1e-13, .half_velocity = 1});
+  const auto falling = ContactSequence().solve(cylinder(1e-3, flat));
+  const auto coulomb = ContactSequence().solve(cylinder(1e-3, FrictionLaw::coulomb(0.3)));
+  EXPECT_EQ(coulomb.friction_rounds, 0);
+  EXPECT_NEAR(falling.tangential.forces.fx, coulomb.tangential.forces.fx, 1e-6 * coulomb.normal_force);
+}
+
+TEST(SlipFriction, HasTwoSolutionsInATimeStepOfWhichTheStartDecides) {
+  // Vollebregt & Schuttelaars 2012: from the steady state on, a step with slip from below and one with slip from above.
+  const FrictionLaw falling = FrictionLaw::exponential(0.18, {.drop = 0.12, .half_velocity = 0.1});
+  ContactSequence sequence;
+  ContactStep step = cylinder(1e-3, falling);
+  ASSERT_EQ(sequence.solve(step).status, Status::ok);
+  step.motion.motion = ContactMotion::transient;
+  step.motion.step = step.grid.dx;
+  step.start = StepStart::previous;
+  const ContactStepSolution below = sequence.solve(step);
+  step.start = StepStart::repeated;
+  step.slip_start = SlipStart::above;
+  const ContactStepSolution above = sequence.solve(step);
+  expect_consistent(step, below);
+  expect_consistent(step, above);
+  EXPECT_LT(below.slip_elements, above.slip_elements);
+  EXPECT_GT(-below.tangential.forces.fx, -above.tangential.forces.fx * 1.02);
+}
+
+TEST(SlipFriction, OfASteadyStateStaysInSmallSteps) {
+  // With a memory that is long against the contact nothing is ambiguous, and steady rolling is where the steps end.
+  const FrictionLaw falling = FrictionLaw::exponential(0.18, {.drop = 0.12, .half_velocity = 0.1});
+  ContactStep step = cylinder(1e-3, falling);
+  step.friction_memory = {.distance = 5e-5, .slowest = 1e-2};
+  const ContactStepSolution steady = ContactSequence().solve(step);
+  ASSERT_EQ(steady.status, Status::ok);
+  ContactSequence sequence;
+  step.motion.motion = ContactMotion::transient;
+  ContactStepSolution s;
+  for (int n = 0; n < 300; ++n) {
+    s = sequence.solve(step);
+    step.start = StepStart::previous;
+  }
+  ASSERT_EQ(s.status, Status::ok);
+  EXPECT_NEAR(s.tangential.forces.fx, steady.tangential.forces.fx, 2e-3 * 0.3 * s.normal_force);
+}
+
+} // namespace
+} // namespace microslip
