@@ -273,11 +273,25 @@ CombinedMaterial combined_material(const ContactCase& c) {
   return combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2});
 }
 
+namespace {
+
+/// GG3, LAYTHK, TAU_C0, K_TAU; no yield stress means that the layer does not yield.
+InterfaceLayer interface_layer(const std::vector<double>& v) {
+  InterfaceLayer layer{.flexibility = v[1] * mm / (v[0] * newton_per_mm2)};
+  if (v[2] > 0) layer.yield_stress = v[2] * newton_per_mm2;
+  layer.hardening = v[3] * newton_per_mm2 / mm;
+  return layer;
+}
+
+} // namespace
+
 Bodies bodies_of(const ContactCase& c) {
   const ContactMaterial& m = *c.material;
   const Material body1 = {m.shear1 * newton_per_mm2, m.poisson1}, body2 = {m.shear2 * newton_per_mm2, m.poisson2};
-  if (c.digits.mater != 1) return combine(body1, body2);
-  const auto& v = m.model_data; // FG1, FG2, TC1, TC2
+  const auto& v = m.model_data;
+  Bodies elastic = combine(body1, body2);
+  if (c.digits.mater == 4) elastic.layer = interface_layer(v);
+  if (c.digits.mater != 1) return elastic; // else FG1, FG2, TC1, TC2
   const double speed = c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
   return viscoelastic(body1, {v[0], v[2]}, body2, {v[1], v[3]}, speed);
 }

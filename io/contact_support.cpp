@@ -36,7 +36,6 @@ constexpr Refusal refusals[] = {
      [](const ContactCase& c) { return c.digits.mater == 1 && c.digits.tang != 3; }},
     {"M = 2", "FASTSIM with one flexibility", [](const ContactCase& c) { return c.digits.mater == 2; }},
     {"M = 3", "FASTSIM with three flexibilities", [](const ContactCase& c) { return c.digits.mater == 3; }},
-    {"M = 4", "third-body layer", [](const ContactCase& c) { return c.digits.mater == 4; }},
     {"M = 5", "FaStrip", [](const ContactCase& c) { return c.digits.mater == 5; }},
     {"M = 6", "FaStrip in its first form", [](const ContactCase& c) { return c.digits.mater == 6; }},
     {"M = 7", "FaStrip with its correction for full sliding", [](const ContactCase& c) { return c.digits.mater == 7; }},

@@ -20,7 +20,7 @@ const FrictionLaw law = FrictionLaw::exponential(0.1, {.drop = 0.3, .half_veloci
 
 TEST(SlipFriction, WithoutMemoryIsTheLaw) {
   const FrictionLaw laws[] = {law, FrictionLaw::coulomb(0.2)};
-  const SlipFriction friction(grid, laws, {}, {.time = 1e-3, .along_rows = true, .from_high_x = true, .before = {}});
+  const SlipFriction friction(grid, laws, {}, {}, {.time = 1e-3, .along_rows = true, .from_high_x = true, .before = {}});
   EXPECT_FALSE(friction.is_constant());
   const std::vector<double> v = {0, 1, 2, 4, 8, 100, 0, 1, 2, 4, 8, 100};
   const auto mu = friction.coefficients(v);
@@ -34,7 +34,7 @@ TEST(SlipFriction, RemembersAlongARow) {
   // leading edge on.
   const FrictionLaw laws[] = {law};
   const double d = 3e-3, time = 1e-3, v = 2;
-  const SlipFriction friction(grid, laws, {.distance = d, .slowest = 0.1},
+  const SlipFriction friction(grid, laws, {.distance = d, .slowest = 0.1}, {},
                               {.time = time, .along_rows = true, .from_high_x = true, .before = {}});
   const auto mu = friction.coefficients(std::vector<double>(12, v));
   const double theta = d / (d + time * v), limit = law.coefficient(v);
@@ -45,7 +45,7 @@ TEST(SlipFriction, RemembersAlongARow) {
 
 TEST(SlipFriction, ForgetsWithTimeEvenInAdhesion) {
   const FrictionLaw laws[] = {law};
-  const SlipFriction friction(grid, laws, {.distance = 1e-3, .slowest = 0.5},
+  const SlipFriction friction(grid, laws, {.distance = 1e-3, .slowest = 0.5}, {},
                               {.time = 1e-3, .along_rows = false, .from_high_x = true, .before = std::vector<double>(12, 0.15)});
   const double theta = 1e-3 / (1e-3 + 1e-3 * 0.5);
   for (const double mu : friction.coefficients(std::vector<double>(12, 0.0)))
@@ -54,8 +54,8 @@ TEST(SlipFriction, ForgetsWithTimeEvenInAdhesion) {
 
 TEST(SlipFriction, RefusesWhatMakesNoSense) {
   const std::vector<FrictionLaw> three(3, law);
-  EXPECT_THROW(SlipFriction(grid, three, {}, {}), Error);
-  expect_error([&] { SlipFriction(grid, std::span(three).first(1), {.distance = -1, .slowest = 0}, {}); },
+  EXPECT_THROW(SlipFriction(grid, three, {}, {}, {}), Error);
+  expect_error([&] { SlipFriction(grid, std::span(three).first(1), {.distance = -1, .slowest = 0}, {}, {}); },
                "friction_memory.distance", "m");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/elasticity/interface_layer.hpp"
 #include "microslip/elasticity/material.hpp"
 
 #include <vector>
@@ -27,6 +28,7 @@ struct Bodies {
 
   CombinedMaterial material;             ///< of what deforms at once
   std::vector<DelayedPart> delayed = {}; ///< in steady rolling
+  InterfaceLayer layer = {};             ///< between them
 
   bool are_elastic() const { return delayed.empty(); }
   /// Whether normal and tangential problem depend on each other.

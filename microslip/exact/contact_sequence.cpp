@@ -25,7 +25,7 @@ bool same(const Bodies& a, const Bodies& b) {
   const auto same_part = [](const DelayedPart& p, const DelayedPart& q) {
     return same(p.material, q.material) && p.ratio == q.ratio && p.distance == q.distance;
   };
-  return same(a.material, b.material) &&
+  return same(a.material, b.material) && a.layer.flexibility == b.layer.flexibility &&
          std::equal(a.delayed.begin(), a.delayed.end(), b.delayed.begin(), b.delayed.end(), same_part);
 }
 
@@ -103,15 +103,20 @@ double time_of(const ContactStep& step) {
   return way / m.rolling_speed;
 }
 
-/// Coefficients that the particles of the elements had before a step.
-Field friction_before(const ContactStep& step, const TangentialState& previous, const ElementGrid& from) {
-  Field mu = SlipFriction(step.grid, step.friction, {}, {}).static_coefficients();
-  if (previous.friction_drop.empty()) return mu;
-  ElementGrid origin = step.grid; // of the particles
+/// Where the particles of the elements were before a step.
+ElementGrid origin_of_particles(const ContactStep& step) {
+  ElementGrid origin = step.grid;
   const double way = step.motion.step > 0 ? step.motion.step : step.grid.dx;
   if (step.motion.motion == ContactMotion::transient)
     origin.x0 += step.motion.direction == RollingDirection::forward ? way : -way;
-  const Field drop = moved(origin, previous.friction_drop, from);
+  return origin;
+}
+
+/// Coefficients that they had.
+Field friction_before(const ContactStep& step, const TangentialState& previous, const ElementGrid& from) {
+  Field mu = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
+  if (previous.friction_drop.empty()) return mu;
+  const Field drop = moved(origin_of_particles(step), previous.friction_drop, from);
   for (std::size_t k = 0; k < mu.size(); ++k) mu[k] -= drop[k];
   return mu;
 }
@@ -121,8 +126,12 @@ SlipFriction slip_friction(const ContactStep& step, const TangentialState& previ
   passage.time = time_of(step);
   passage.along_rows = step.motion.motion == ContactMotion::steady;
   passage.from_high_x = step.motion.direction == RollingDirection::forward;
-  if (!passage.along_rows) passage.before = friction_before(step, previous, from);
-  return {step.grid, step.friction, step.friction_memory, std::move(passage)};
+  if (!passage.along_rows) {
+    passage.before = friction_before(step, previous, from);
+    if (!previous.plastic_deformation.empty())
+      passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, from);
+  }
+  return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage)};
 }
 
 /// |s| V where the bodies slip [m/s]; in a shift the slip over a second.
@@ -157,10 +166,11 @@ TangentialState state_after(const ContactStep& step, const ContactStepSolution& 
   TangentialState state = s.tangential.tractions;
   state.pressure = s.normal.pressure;
   if (step.frictionless) return state;
-  state.friction_drop = SlipFriction(step.grid, step.friction, {}, {}).static_coefficients();
+  state.friction_drop = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
   for (std::size_t k = 0; k < s.friction.size(); ++k)
     state.friction_drop[k] = s.normal.pressure[k] > 0 ? state.friction_drop[k] - s.friction[k] : 0;
   state.slip_velocity = slip_velocity(step, s.tangential);
+  state.plastic_deformation = s.plastic_deformation;
   return state;
 }
 
@@ -170,7 +180,8 @@ TangentialState moved_to(const ElementGrid& to, const TangentialState& state, co
   if (state.px.empty() || same(to, from)) return state;
   TangentialState result;
   for (const auto field : {&TangentialState::px, &TangentialState::py, &TangentialState::pressure,
-                           &TangentialState::friction_drop, &TangentialState::slip_velocity})
+                           &TangentialState::friction_drop, &TangentialState::slip_velocity,
+                           &TangentialState::plastic_deformation})
     if (!(state.*field).empty()) result.*field = moved(to, state.*field, from);
   return result;
 }
@@ -243,35 +254,48 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const F
   return out;
 }
 
-/// Solves with the friction that the slip of the last solution has, until both go together. The slip's change is relaxed
-/// as soon as it grows.
+/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. The
+/// slip's change is relaxed as soon as it grows.
 ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
                                                          const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 300;
   constexpr double wanted = 1e-6, least_share = 0.05;
+  const auto n = step.grid.count();
   const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
-  Field slip(step.grid.count(), step.slip_start == SlipStart::above ? fastest : 0.0);
+  Field slip(n, step.slip_start == SlipStart::above ? fastest : 0.0);
   if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) slip = start.slip_velocity;
+  const bool yields = step.bodies.layer.yields();
+  std::vector<char> yielding(n);
+  Field pressure = yields ? solve_normal_part(step).pressure : Field();
   double share = 1, last_change = HUGE_VAL;
   long products = 0;
   ContactStepSolution out;
   for (int round = 1;; ++round) {
-    out = solve_with(step, law.coefficients(slip), previous, start);
+    Field friction = law.coefficients(slip), deformation;
+    if (yields) {
+      deformation = law.plastic_deformation(slip, yielding);
+      law.limit(friction, pressure, deformation, yielding);
+    }
+    out = solve_with(step, friction, previous, start);
     products += out.tangential.products;
     out.tangential.products = products;
     out.friction_rounds = round;
     if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
     const Field found = slip_velocity(step, out.tangential);
-    const double size = norm(found, Field(found.size())), change = norm(found, slip);
+    const double size = norm(found, Field(n)), change = norm(found, slip);
     out.friction_residual = size > 0 ? change / size : change;
-    if (change <= wanted * size) return out;
-    if (round == most_rounds) {
-      out.status = out.tangential.forces.status = Status::not_converged;
+    const bool together = change <= wanted * size;
+    if (together || round == most_rounds) {
+      for (std::size_t k = 0; k < n; ++k)
+        if (yielding[k] && out.tangential.state[k] == CellState::slip) ++out.plastic_elements;
+      if (yields) out.plastic_deformation = law.plastic_deformation(found, yielding);
+      if (!together) out.status = out.tangential.forces.status = Status::not_converged;
       return out;
     }
     if (change > 0.9 * last_change) share = std::max(least_share, 0.7 * share);
     last_change = change;
-    for (std::size_t k = 0; k < slip.size(); ++k) slip[k] += share * (found[k] - slip[k]);
+    for (std::size_t k = 0; k < n; ++k) slip[k] += share * (found[k] - slip[k]);
+    if (yields) pressure = out.normal.pressure;
     start = out.tangential.tractions;
     start.pressure = out.normal.pressure;
   }
@@ -290,7 +314,8 @@ ContactStepSolution ContactSequence::solve(const ContactStep& step) {
     out = solve_with(step, Field(step.grid.count()), previous, start);
   } else {
     const SlipFriction law = slip_friction(step, previous, step.grid);
-    out = law.is_constant() ? solve_with(step, law.static_coefficients(), previous, start)
+    out = law.is_constant() && !step.bodies.layer.yields()
+              ? solve_with(step, law.static_coefficients(), previous, start)
                             : solve_slip_friction(step, law, previous, start);
   }
   if (step.frictionless || out.tangential.tractions.px.empty()) out.tangential = without_tractions(step);
@@ -299,7 +324,7 @@ ContactStepSolution ContactSequence::solve(const ContactStep& step) {
   out.adhesion_elements =
       static_cast<int>(std::count(out.tangential.state.begin(), out.tangential.state.end(), CellState::adhesion));
   if (step.frictionless) out.adhesion_elements = out.contact_elements;
-  out.slip_elements = out.contact_elements - out.adhesion_elements;
+  out.slip_elements = out.contact_elements - out.adhesion_elements - out.plastic_elements;
   before_ = {step.grid, std::move(previous)};
   after_ = {step.grid, state_after(step, out)};
   return out;

@@ -58,6 +58,8 @@ struct ContactStepSolution {
   std::vector<double> friction;   ///< mu of the elements [-]; empty without tractions
   int friction_rounds = 0;        ///< problems solved until friction that depends on the slip went with it; else 0
   double friction_residual = 0;   ///< last change of the slip, over the slip
+  std::vector<double> plastic_deformation; ///< of a layer that yields, of the elements [m]; else empty
+  int plastic_elements = 0;                ///< where it yields; they do not count as slip
   int alternations = 0; ///< with Coupling::alternating: how often both problems were solved
 };
 

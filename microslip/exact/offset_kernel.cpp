@@ -15,6 +15,17 @@ Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid
   return line_influence(material, grid.dx, x, grid.mx * grid.dx);
 }
 
+/// A layer is sheared where the traction is: on the element itself, and half on its edges.
+void add_layer(double flexibility, double dx, double first, std::vector<Influence>& row) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double distance = 2 * std::abs(first + static_cast<double>(i) * dx) / dx;
+    const double share = distance < 1 - rounding ? 1 : distance < 1 + rounding ? 0.5 : 0;
+    row[i].xx += share * flexibility;
+    row[i].yy += share * flexibility;
+  }
+}
+
 /// The influence of an element on the points of row j, `shift` further along x, at all offsets from 1 - mx on.
 std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, double shift, int j) {
   const double y = j * grid.dy, first = (1 - grid.mx) * grid.dx + shift;
@@ -30,6 +41,7 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
       row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz;
     }
   }
+  if (j == 0 && bodies.layer.flexibility > 0) add_layer(bodies.layer.flexibility, grid.dx, first, row);
   return row;
 }
 

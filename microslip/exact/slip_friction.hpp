@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/elasticity/interface_layer.hpp"
 #include "microslip/exact/element_grid.hpp"
 #include "microslip/friction/friction_law.hpp"
 
@@ -23,34 +24,44 @@ enum class SlipStart {
   given, ///< that of the step before
 };
 
-/// The coefficients of friction of the elements for the slip that they have.
+/// The coefficients of friction of the elements for the slip that they have, and what the slip does to a layer between
+/// the bodies.
 class SlipFriction {
 public:
   /// How a particle's time passes from one element to the next, or from one step to the next.
   struct Passage {
-    double time = 0;            ///< of a step, or from element to element in steady rolling [s]
-    bool along_rows = false;    ///< steady: the coefficient before is that of the element before
-    bool from_high_x = true;    ///< where rows begin
-    std::vector<double> before; ///< else: coefficients before
+    double time = 0;         ///< of a step, or from element to element in steady rolling [s]
+    bool along_rows = false; ///< steady: what was before is what the element before has
+    bool from_high_x = true; ///< where rows begin
+    /// Else: coefficients and plastic deformation [m] before; empty: static, none.
+    std::vector<double> before = {}, deformation_before = {};
   };
 
   /// `laws` has one law, or one for each row.
-  SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory, Passage passage);
+  SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory,
+               const InterfaceLayer& layer, Passage passage);
 
-  /// Whether nothing depends on the slip.
+  /// Whether no friction depends on the slip.
   bool is_constant() const;
   /// With the slip velocity s [m/s] of the elements: mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s,
   /// s0)), where mu' is the coefficient before, static for particles that come from outside.
   std::vector<double> coefficients(std::span<const double> slip_velocity) const;
+  /// Plastic deformation [m] after slip with this velocity where the layer yields: all of it there, and nothing elsewhere.
+  std::vector<double> plastic_deformation(std::span<const double> slip_velocity, std::span<const char> yields) const;
+  /// Coefficients limited by the layer's yield stress after a deformation, and where it yields.
+  void limit(std::span<double> friction, std::span<const double> pressure, std::span<const double> deformation,
+             std::span<char> yields) const;
   /// At rest.
   std::vector<double> static_coefficients() const;
 
 private:
+  template <class At> void for_particles(At at) const;
   const FrictionLaw& law(int row) const { return laws_.size() == 1 ? laws_[0] : laws_[static_cast<std::size_t>(row)]; }
 
   ElementGrid grid_;
   std::vector<FrictionLaw> laws_;
   FrictionMemory memory_;
+  InterfaceLayer layer_;
   Passage passage_;
 };
 

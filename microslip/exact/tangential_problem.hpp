@@ -25,6 +25,7 @@ struct TangentialState {
   /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity [m/s];
   /// empty: nothing.
   std::vector<double> friction_drop = {}, slip_velocity = {};
+  std::vector<double> plastic_deformation = {}; ///< of a layer [m]; empty: none
 };
 
 /// What drives the tangential problem.
