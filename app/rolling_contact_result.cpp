@@ -157,6 +157,11 @@ void write_inputs(ResultFile& file, const RollingCase& input, const EllipticCont
   file.scalar("inputs/shear_modulus", contact.shear_modulus, "Pa", "combined shear modulus G");
   file.scalar("inputs/poisson_ratio", contact.poisson_ratio, "-", "combined Poisson's ratio");
   file.scalar("inputs/normal_force", contact.normal_force, "N", "normal force Fn");
+  if (input.layer.flexibility > 0) {
+    file.scalar("inputs/layer_flexibility", input.layer.flexibility, "m/Pa", "h/G of the layer between the bodies");
+    file.scalar("inputs/layer_yield_stress", input.layer.yield_stress, "Pa", "where it begins to yield");
+    file.scalar("inputs/layer_hardening", input.layer.hardening, "Pa/m", "what plastic deformation adds to that");
+  }
   write_friction(file, input);
   write_motion(file, input, contact.creepage);
   write_solution(file, input);

@@ -28,6 +28,14 @@ BodyInput read_body(const TomlSection& body) {
   return input;
 }
 
+void read_layer(const TomlSection& layer, RollingCase& input) {
+  layer.allow({"shear_modulus", "thickness", "yield_stress", "hardening"});
+  const double modulus = layer.positive("shear_modulus", "Pa");
+  input.layer.flexibility = layer.positive("thickness", "m") / modulus;
+  if (layer.has("yield_stress")) input.layer.yield_stress = layer.positive("yield_stress", "Pa");
+  input.layer.hardening = layer.finite("hardening", "Pa/m", 0);
+}
+
 void read_load(const TomlSection& load, RollingCase& input) {
   load.allow({"normal_force", "approach"});
   if (load.one_of("normal_force", "approach") == "normal_force")
@@ -132,7 +140,8 @@ void refuse_at(const TomlSection& section, std::string_view name, std::string_vi
 
 bool needs_classical(const RollingCase& input) {
   const Bodies bodies = bodies_of(input);
-  return input.friction_law != "coulomb" || bodies.are_coupled() || !bodies.are_elastic();
+  return input.friction_law != "coulomb" || bodies.are_coupled() || !bodies.are_elastic() ||
+         bodies.layer.flexibility > 0;
 }
 
 /// Limits are those of steady rolling at second order; bodies that differ or flow and falling friction are classical.
@@ -143,7 +152,7 @@ void check_exact(const TomlSection& motion, const TomlSection& solution, Rolling
             "must be steady with viscoelastic bodies");
   refuse_at(solution, "solution", "discretisation",
             is_classical && solution.has("discretisation") && input.discretisation == Discretisation::second_order,
-            "must be classical for bodies of different materials, viscoelastic ones and falling friction");
+            "must be classical for bodies of different materials, viscoelastic ones, a layer and falling friction");
   if (is_classical) input.discretisation = Discretisation::classical;
   const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
                          input.discretisation == Discretisation::second_order;
@@ -162,6 +171,7 @@ void check_simplified(const TomlSection& root, const RollingCase& input) {
   for (const auto* key : {"force_longitudinal", "force_lateral", "step"})
     refuse_at(motion, "motion", key, motion.has(key), exact);
   for (const auto key : memory_keys) refuse_at(friction, "friction", key, friction.has(key), exact);
+  refuse_at(root, "case", "layer", root.has("layer"), exact);
   for (const auto* name : {"body1", "body2"}) {
     const auto body = root.required_section(name);
     refuse_at(body, name, "creep_ratio", body.has("creep_ratio"), exact);
@@ -195,11 +205,13 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
 RollingCase parse_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
   const TomlSection root(table, name);
-  root.allow({"title", "body1", "body2", "load", "friction", "motion", "solution"});
+  root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution"});
   RollingCase input;
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));
   input.body2 = read_body(root.required_section("body2"));
+  const bool has_layer = root.has("layer");
+  if (has_layer) read_layer(root.required_section("layer"), input);
   read_load(root.required_section("load"), input);
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
@@ -219,7 +231,9 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
 
 Bodies bodies_of(const RollingCase& input) {
   const double speed = input.options.direction == RollingDirection::forward ? input.rolling_speed : -input.rolling_speed;
-  return viscoelastic(input.body1.material, input.body1.creep, input.body2.material, input.body2.creep, speed);
+  Bodies bodies = viscoelastic(input.body1.material, input.body1.creep, input.body2.material, input.body2.creep, speed);
+  bodies.layer = input.layer;
+  return bodies;
 }
 
 HertzContact hertz_contact(const RollingCase& input) {

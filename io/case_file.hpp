@@ -26,6 +26,7 @@ struct RollingCase {
   std::string title = {};
   BodyInput body1 = {}; ///< the body that the forces act on, e.g. the wheel
   BodyInput body2 = {};
+  InterfaceLayer layer = {};               ///< between them
   std::optional<double> normal_force = {}; ///< [N]; either this
   std::optional<double> approach = {};     ///< [m]; or this
   std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach

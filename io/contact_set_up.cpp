@@ -266,6 +266,25 @@ void set_motion(const ContactCase& c, ContactStep& step) {
   motion.rolling_speed = c.rolling->veloc * mm;
 }
 
+/// E: slip of each element on top of that of the creepages, or against the spin's part of it.
+void set_extra_slip(const ContactCase& c, ContactStep& step) {
+  if (c.extra == 0) return;
+  const ElementGrid& grid = step.grid;
+  const bool shifts = c.digits.tang == 1;
+  const double unit = shifts ? mm : 1, turn = c.phi * (shifts ? 1 : per_mm);
+  const double way = std::cos(shifts ? 0 : c.rolling->chi) > 0 ? step.motion.step : -step.motion.step;
+  const double ahead = shifts ? 0 : step.motion.spin_offset * way;
+  step.extra_slip_x.assign(grid.count(), 0);
+  step.extra_slip_y.assign(grid.count(), 0);
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const auto k = static_cast<std::size_t>(j) * grid.mx + i;
+      if (c.extra == 2) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead - c.spin_x * mm);
+      if (c.extra == 3) step.extra_slip_x[k] = turn * (grid.y(j) - c.spin_y * mm);
+      if (c.extra == 9) step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
+    }
+}
+
 } // namespace
 
 CombinedMaterial combined_material(const ContactCase& c) {
@@ -323,7 +342,10 @@ ContactStep contact_step(const ContactCase& c) {
   if (c.digits.bound == 1) step.given = sheet_pressure(c, step);
   if (c.digits.bound == 2 || c.digits.bound == 3) step.given = hertzian_pressure(c, step);
   step.frictionless = c.digits.tang == 0;
-  if (!step.frictionless) set_motion(c, step);
+  if (!step.frictionless) {
+    set_motion(c, step);
+    set_extra_slip(c, step);
+  }
   return step;
 }
 

@@ -35,6 +35,7 @@ void check(const ContactCase& c) {
   }
   if ((d.tang == 1 || d.tang == 2) && d.pvtime != 1 && d.pvtime != 2)
     refuse("P = " + std::to_string(d.pvtime) + " (it goes on from another case)");
+  if (c.extra != 0) refuse("E = " + std::to_string(c.extra) + " (extra rigid slip)");
   if (d.varfrc == 3 || c.friction.by_row) refuse("V = 3 (friction that differs from row to row)");
   if (d.bound != 0 && !is_fastsim(c)) refuse("B = " + std::to_string(d.bound) + " (a given pressure)");
   if (is_fastsim(c) && (d.tang != 3 || d.force != 0 || (d.bound != 2 && d.bound != 3)))
@@ -67,15 +68,26 @@ std::string quoted_line(const char* key, std::string_view word) {
   return fmt::format("{} = \"{}\"\n", key, word);
 }
 
+/// Between the bodies.
+std::string layer(const ContactCase& c) {
+  if (c.digits.mater != 4) return "";
+  const auto& v = c.material->model_data; // GG3, LAYTHK, TAU_C0, K_TAU
+  std::string text = "\n[layer]\n" + line("shear_modulus", v[0] * newton_per_mm2) + line("thickness", v[1] * mm);
+  if (v[2] > 0) text += line("yield_stress", v[2] * newton_per_mm2);
+  return text + line("hardening", v[3] * newton_per_mm2 / mm);
+}
+
 /// The first body has all of the curvature, the second is flat.
 std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
   const ContactMaterial& m = *c.material;
-  const auto material = [](double shear, double poisson) {
-    return line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson);
+  const auto material = [&](std::size_t body, double shear, double poisson) {
+    const std::string text = line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson);
+    if (c.digits.mater != 1) return text; // else FG1, FG2, TC1, TC2
+    return text + line("creep_ratio", m.model_data[body]) + line("creep_time", m.model_data[2 + body]);
   };
   return "[body1]\n" + line("rolling_radius", 1 / (2 * gap.x)) + line("transverse_radius", 1 / (2 * gap.y)) +
-         material(m.shear1, m.poisson1) + "\n[body2]\nrolling_radius = inf\ntransverse_radius = inf\n" +
-         material(m.shear2, m.poisson2);
+         material(0, m.shear1, m.poisson1) + "\n[body2]\nrolling_radius = inf\ntransverse_radius = inf\n" +
+         material(1, m.shear2, m.poisson2) + layer(c);
 }
 
 std::string friction(const ContactCase& c) {
@@ -86,7 +98,8 @@ std::string friction(const ContactCase& c) {
   std::string text = quoted_line("law", laws[c.friction.law]) + line("kinetic_coefficient", set[0]) +
                      line("drop", set[1]) + line("half_velocity", set[2] * mm);
   if (set[3] > 0) text += line("second_drop", set[3]) + line("second_half_velocity", set[4] * mm);
-  return text;
+  if (is_fastsim(c)) return text;
+  return text + line("memory_distance", set[set.size() - 2] * mm) + line("memory_speed", set.back() * mm);
 }
 
 std::string motion(const ContactCase& c) {
@@ -110,6 +123,8 @@ std::string solution(const ContactCase& c, const HertzContact& hertz) {
   const ElementGrid grid = contact_step(c).grid;
   std::string text = quoted_line("theory", is_fastsim(c) ? "fastsim" : "exact") +
                      fmt::format("grid = [{}, {}]\n", across(hertz.a, grid.dx), across(hertz.b, grid.dy));
+  const bool above = !is_fastsim(c) && contact_step(c).slip_start == SlipStart::above;
+  if (above) text += quoted_line("slip_start", "above");
   if (!is_fastsim(c)) return text + quoted_line("discretisation", "classical");
   const auto& data = c.material->model_data;
   text += quoted_line("bound", c.digits.bound == 3 ? "parabolic" : "elliptic") + quoted_line("flexibility", "blended");

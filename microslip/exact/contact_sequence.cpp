@@ -86,7 +86,8 @@ void check(const ContactStep& step) {
   }
   check_size("gap", step.gap.size());
   if (!step.excluded.empty()) check_size("excluded", step.excluded.size());
-  if (step.frictionless) return;
+  for (const auto* extra : {&step.extra_slip_x, &step.extra_slip_y})
+    if (!extra->empty()) check_size("extra_slip", extra->size());
 }
 
 Field bound_of(const Field& friction, const Field& pressure) {
@@ -228,7 +229,7 @@ ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, cons
   const bool resists = std::any_of(bound.begin(), bound.end(), [](double g) { return g > 0; });
   if (!resists) return out;
   const double force = step.given ? step.given->normal_force : out.normal.normal_force;
-  TangentialInput input = step.motion;
+  TangentialInput input = motion_of(step);
   input.previous = &previous;
   if (!start.px.empty()) input.start = &start;
   if (step.force_x) input.force_x = *step.force_x * force;

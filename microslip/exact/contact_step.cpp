@@ -7,6 +7,13 @@
 
 namespace microslip {
 
+TangentialInput motion_of(const ContactStep& step) {
+  TangentialInput motion = step.motion;
+  motion.extra_x = step.extra_slip_x;
+  motion.extra_y = step.extra_slip_y;
+  return motion;
+}
+
 NormalSolution given_normal(const ContactStep& step) {
   NormalSolution s;
   s.pressure = step.given->pressure;

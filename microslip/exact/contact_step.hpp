@@ -44,7 +44,9 @@ struct ContactStep {
   bool frictionless = false;                        ///< the normal problem only; tractions are zero
   StepStart start = StepStart::fresh;               ///< of shifts and transient rolling
   bool warm_start = false;                          ///< the iteration starts from the tractions of the step before
-  TangentialInput motion = {};                      ///< but for forces, previous and start
+  TangentialInput motion = {};                      ///< but for forces, extra slip, previous and start
+  /// Slip of each element on top of that of the creepages; empty: none. In a shift [m], else [-].
+  std::vector<double> extra_slip_x = {}, extra_slip_y = {};
   std::optional<double> force_x = {}, force_y = {}; ///< given, over Fn [-]
   Coupling coupling = Coupling::newton;             ///< if the bodies' problems are coupled
 };
@@ -63,6 +65,8 @@ struct ContactStepSolution {
   int alternations = 0; ///< with Coupling::alternating: how often both problems were solved
 };
 
+/// The motion of a step with its extra slip, which belongs to the step.
+TangentialInput motion_of(const ContactStep& step);
 /// The normal problem of a step as if its bodies were similar; without pressure on the elements that are excluded.
 NormalSolution solve_normal(NormalProblem& problem, const ContactStep& step);
 /// The pressure that is given, with its displacements and totals.

@@ -95,7 +95,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
   if (step.force_x) tangential.creepage.longitudinal = 0;
   if (step.force_y) tangential.creepage.lateral = 0;
   Field cx(n), cy(n);
-  find_rigid_slip(grid_, step.motion, tangential.creepage, way, cx, cy);
+  find_rigid_slip(grid_, motion_of(step), tangential.creepage, way, cx, cy);
   add_previous(step.motion, way, previous, cx, cy);
 
   const Field gap = gap_within(step);
@@ -149,8 +149,8 @@ void CoupledContact::find_tangential(const ContactStep& step, std::span<const do
   for (std::size_t k = 0; k < n; ++k) {
     bound[k] = friction[k] * pressure[k];
     force += pressure[k] * grid_.element_area();
-    if (!step.motion.extra_x.empty()) extra_x[k] += step.motion.extra_x[k];
-    if (!step.motion.extra_y.empty()) extra_y[k] += step.motion.extra_y[k];
+    if (!step.extra_slip_x.empty()) extra_x[k] += step.extra_slip_x[k];
+    if (!step.extra_slip_y.empty()) extra_y[k] += step.extra_slip_y[k];
   }
   TangentialInput input = step.motion;
   input.previous = &previous;

@@ -60,7 +60,8 @@ void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
 /// Whether normal and tangential problem, or friction and slip, depend on each other.
 bool EllipticContactSolver::needs_sequence(const EllipticContact& contact) const {
   return contact.friction.kind() != FrictionLaw::Kind::coulomb ||
-         (options_.bodies && (options_.bodies->are_coupled() || !options_.bodies->are_elastic()));
+         (options_.bodies && (options_.bodies->are_coupled() || !options_.bodies->are_elastic() ||
+                               options_.bodies->layer.flexibility > 0));
 }
 
 bool EllipticContactSolver::is_second_order(const EllipticContact& contact, const ExactMotion& motion) const {

@@ -26,7 +26,7 @@ struct ExactOptions {
   Discretisation discretisation = Discretisation::second_order;
   RollingDirection direction = RollingDirection::forward;
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
-  /// Bodies of different materials or viscoelastic ones, which are solved classically; none: similar elastic bodies with
+  /// Bodies of different materials, viscoelastic ones, or with a layer between them, which are solved classically; none: similar elastic bodies with
   /// the contact's constants. The ellipse is that of the elastic bodies without friction.
   std::optional<Bodies> bodies = {};
   Coupling coupling = Coupling::newton;
