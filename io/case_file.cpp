@@ -1,5 +1,6 @@
 #include "io/case_file.hpp"
 
+#include "io/option_words.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
 
@@ -110,15 +111,31 @@ void read_motion(const TomlSection& motion, RollingCase& input) {
   motion.count("steps", 1, most_steps, input.motion.steps);
 }
 
-/// The simplified theory knows steady rolling with given creepages, the exact theory Coulomb's friction, and limits are
-/// those of steady rolling at second order.
+/// FaStrip needs Hertz's pressure and does not know a reduced slope.
+void check_fastrip(const TomlSection& solution, const RollingCase& input) {
+  solution.at("bound", [&] {
+    if (input.options.bound != TractionBound::elliptic)
+      throw Error("solution.bound = \"parabolic\": must be elliptic with solution.theory = \"fastrip\"");
+  });
+  const SlopeReduction& slope = input.options.slope_reduction;
+  solution.at("slope_reduction", [&] {
+    if (slope.initial != 1 || slope.at_infinity != 1)
+      throw Error("solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\"");
+  });
+}
+
+/// The simplified theory knows steady rolling with given creepages, the exact theory and FaStrip Coulomb's friction,
+/// and limits are those of steady rolling at second order.
 void check_theory(const TomlSection& motion, const TomlSection& friction, const TomlSection& solution,
                   const RollingCase& input) {
-  if (input.theory == Theory::exact) {
+  if (input.theory == Theory::exact || input.theory == Theory::fastrip)
     friction.at("law", [&] {
       if (input.friction_law != "coulomb")
-        throw Error("friction.law = \"" + input.friction_law + "\": must be coulomb with solution.theory = \"exact\"");
+        throw Error("friction.law = \"" + input.friction_law + "\": must be coulomb with solution.theory = \"" +
+                    std::string(to_word(input.theory)) + "\"");
     });
+  if (input.theory == Theory::fastrip) check_fastrip(solution, input);
+  if (input.theory == Theory::exact) {
     const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
                            input.discretisation == Discretisation::second_order;
     solution.at("accuracy", [&] {
@@ -146,6 +163,7 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   input.discretisation = solution.option("discretisation", input.discretisation);
   if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
+  set_defaults(input.theory, input.options);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
   input.options.creepage_table = solution.option("coefficients", input.options.creepage_table);
