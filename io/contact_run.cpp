@@ -1,5 +1,6 @@
 #include "io/contact_run.hpp"
 
+#include "io/contact_fastsim.hpp"
 #include "io/contact_set_up.hpp"
 #include "io/contact_support.hpp"
 #include "microslip/error.hpp"
@@ -30,7 +31,12 @@ int element_state(const ContactOutcome& outcome, std::size_t element) {
 ContactOutcome ContactRun::solve(const ContactCase& c, Sequence& sequence) {
   ContactOutcome outcome;
   outcome.step = contact_step(c);
-  outcome.solution = sequence.steps.solve(outcome.step);
+  if (is_simplified(c)) {
+    outcome.step.friction = static_friction(c);
+    outcome.solution = solve_simplified(c, outcome.step, sequence.steps);
+  } else {
+    outcome.solution = sequence.steps.solve(outcome.step);
+  }
   outcome.totals = contact_totals(c, outcome.step, outcome.solution);
   outcome.notes = left_out(c, outcome.step);
   if (outcome.solution.normal.touches_border)
@@ -53,7 +59,7 @@ ContactOutcome ContactRun::run(const ContactCase& c) {
                       std::to_string(sequence.lost) + ", which has left no tractions)");
   if (reasons.empty()) try {
       ContactOutcome outcome = solve(c, sequence);
-      sequence.lost = outcome.solution.status == Status::invalid_input ? c.number : 0;
+      sequence.lost = outcome.solution.status == Status::invalid_input || is_simplified(c) ? c.number : 0;
       return outcome;
     } catch (const Error& error) {
       reasons.emplace_back(error.what());

@@ -1,5 +1,6 @@
 #include "io/contact_support.hpp"
 
+#include "io/contact_fastsim.hpp"
 #include "io/contact_set_up.hpp"
 
 #include <cmath>
@@ -9,6 +10,11 @@ namespace {
 
 bool has_tractions(const ContactCase& c) {
   return c.digits.tang != 0;
+}
+
+/// Friction by velocity is a matter of the exact theory's iteration; the simplified theory takes one velocity for all.
+bool falls(const ContactCase& c, int law) {
+  return has_tractions(c) && c.friction.law == law && !is_simplified(c);
 }
 
 bool rolls(const ContactCase& c) {
@@ -26,12 +32,11 @@ constexpr Refusal refusals[] = {
     {"B = 4", "two half ellipses, SDEC", [](const ContactCase& c) { return c.digits.bound == 4; }},
     {"B = 5", "approximate normal problem, KPEC", [](const ContactCase& c) { return c.digits.bound == 5; }},
     {"B = 6", "approximate normal problem, ANALYN", [](const ContactCase& c) { return c.digits.bound == 6; }},
-    {"L = 2", "friction that falls linearly with the slip velocity",
-     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 2; }},
+    {"L = 2", "friction that falls linearly with the slip velocity", [](const ContactCase& c) { return falls(c, 2); }},
     {"L = 3", "friction that falls rationally with the slip velocity",
-     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 3; }},
+     [](const ContactCase& c) { return falls(c, 3); }},
     {"L = 4", "friction that falls exponentially with the slip velocity",
-     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 4; }},
+     [](const ContactCase& c) { return falls(c, 4); }},
     {"L = 6", "friction that depends on the temperature",
      [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 6; }},
     {"C = 3", "bilinear elements", [](const ContactCase& c) { return c.material->coefficients == 3; }},
@@ -39,14 +44,15 @@ constexpr Refusal refusals[] = {
      [](const ContactCase& c) { return c.material->coefficients == 4; }},
     {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},
     {"M = 1", "viscoelastic bodies", [](const ContactCase& c) { return c.digits.mater == 1; }},
-    {"M = 2", "FASTSIM with one flexibility", [](const ContactCase& c) { return c.digits.mater == 2; }},
-    {"M = 3", "FASTSIM with three flexibilities", [](const ContactCase& c) { return c.digits.mater == 3; }},
     {"M = 4", "third-body layer", [](const ContactCase& c) { return c.digits.mater == 4; }},
-    {"M = 5", "FaStrip", [](const ContactCase& c) { return c.digits.mater == 5; }},
-    {"M = 6", "FaStrip in its first form", [](const ContactCase& c) { return c.digits.mater == 6; }},
-    {"M = 7", "FaStrip with its correction for full sliding", [](const ContactCase& c) { return c.digits.mater == 7; }},
     {"T > 0", "bodies of different materials, whose normal and tangential problems are coupled (K not 0)",
      [](const ContactCase& c) { return has_tractions(c) && std::abs(combined_material(c).dissimilarity) >= 1e-6; }},
+    {"T = 1", "a shift with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 1; }},
+    {"T = 2", "transient rolling with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 2; }},
+    {"F > 0", "forces given with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.force > 0; }},
     {"E = 2", "extra rigid slip without the spin's part of wy",
      [](const ContactCase& c) { return has_tractions(c) && c.extra == 2; }},
     {"E = 3", "extra rigid slip without the spin's part of wx",
@@ -76,6 +82,9 @@ std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step)
   if (d.stress > 0) notes.emplace_back("S > 0: the interior field is not computed");
   if (d.heat > 0) notes.emplace_back("H > 0: surface temperatures are not computed; nothing else depends on them");
   if (d.damping > 0) notes.emplace_back("M2 > 0: damping forces are not computed");
+  if (is_simplified(c) && d.mater >= 6)
+    notes.emplace_back(
+        "M = 6, 7: made after a description of CONTACT's method; no result of CONTACT's is at hand to compare");
   const double dx = step.grid.dx * 1e3;
   if (takes_element_length(c) && std::abs(c.rolling->dq - dx) > 1e-3 * dx)
     notes.emplace_back("T = 3: DQ is DX, as with CONTACT's SteadyGS");
