@@ -80,7 +80,8 @@ std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step)
   const ContactDigits& d = c.digits;
   std::vector<std::string> notes;
   if (d.stress > 0) notes.emplace_back("S > 0: the interior field is not computed");
-  if (d.heat > 0) notes.emplace_back("H > 0: surface temperatures are not computed; nothing else depends on them");
+  if (d.heat > 0)
+    notes.emplace_back("H > 0: temperatures lie below CONTACT's, which counts the heat of an element itself twice");
   if (d.damping > 0) notes.emplace_back("M2 > 0: damping forces are not computed");
   if (is_simplified(c) && d.mater >= 6)
     notes.emplace_back(
