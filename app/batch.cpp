@@ -8,6 +8,7 @@
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -34,7 +35,7 @@ namespace fs = std::filesystem;
 
 struct BatchArguments {
   fs::path input, output;
-  std::string theory = "fastsim2", grid = "10x10", bound = "parabolic", flexibility = "three";
+  std::string theory = "fastsim2", grid = "10x10", bound, flexibility;
   std::string coefficients = "kalker", discretisation = "second_order";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
@@ -51,13 +52,15 @@ void parse_grid(const std::string& text, int largest, int& mx, int& my) {
   require_count("--grid", my, 1, largest);
 }
 
-RowSolver make_simplified_solver(const BatchArguments& arguments, Theory theory) {
+SimplifiedOptions simplified_options(const BatchArguments& arguments, Theory theory) {
   SimplifiedOptions options;
   parse_grid(arguments.grid, 10000, options.mx, options.my);
-  options.bound = from_word<TractionBound>("--bound", arguments.bound);
-  options.flexibility = from_word<FlexibilityModel>("--flexibility", arguments.flexibility);
+  set_defaults(theory, options);
+  if (!arguments.bound.empty()) options.bound = from_word<TractionBound>("--bound", arguments.bound);
+  if (!arguments.flexibility.empty())
+    options.flexibility = from_word<FlexibilityModel>("--flexibility", arguments.flexibility);
   options.creepage_table = from_word<CreepageTable>("--coefficients", arguments.coefficients);
-  return {marching_scheme(theory), options};
+  return options;
 }
 
 std::vector<EllipticContactSolver> make_exact_solvers(const BatchArguments& arguments) {
@@ -124,11 +127,11 @@ template <class Work> void for_each_parallel(std::size_t count, std::size_t thre
     if (error) std::rethrow_exception(error);
 }
 
-/// Contacts cost next to nothing: the threads share the chunks.
-class SimplifiedTableSolver : public TableSolver {
+/// Contacts cost next to nothing: the threads share the chunks. `Solver` is RowSolver or Fastrip.
+template <class Solver> class SimplifiedTableSolver : public TableSolver {
 public:
-  SimplifiedTableSolver(const BatchArguments& arguments, Theory theory)
-      : solvers_(static_cast<std::size_t>(arguments.threads), make_simplified_solver(arguments, theory)) {}
+  SimplifiedTableSolver(const BatchArguments& arguments, const Solver& solver)
+      : solvers_(static_cast<std::size_t>(arguments.threads), solver) {}
   bool is_exact() const override { return false; }
 
   void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
@@ -140,7 +143,7 @@ public:
   }
 
 private:
-  std::string solve(const ContactRows& rows, std::size_t bytes, RowSolver& solver, const ReportBytes& report) {
+  std::string solve(const ContactRows& rows, std::size_t bytes, Solver& solver, const ReportBytes& report) {
     std::vector<ContactForces> forces(rows.contacts.size());
     // Few enough contacts at a time to see Ctrl-C and to move the bar also on the largest grids.
     const auto cells = static_cast<std::size_t>(solver.options().mx) * static_cast<std::size_t>(solver.options().my);
@@ -155,7 +158,7 @@ private:
     return result_rows(rows, forces);
   }
 
-  std::vector<RowSolver> solvers_; ///< one for each thread
+  std::vector<Solver> solvers_; ///< one for each thread
 };
 
 /// Contacts cost much: the threads share those of a chunk.
@@ -189,7 +192,9 @@ private:
 std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
   const auto theory = from_word<Theory>("--theory", arguments.theory);
   if (theory == Theory::exact) return std::make_unique<ExactTableSolver>(arguments);
-  return std::make_unique<SimplifiedTableSolver>(arguments, theory);
+  const auto options = simplified_options(arguments, theory);
+  if (theory == Theory::fastrip) return std::make_unique<SimplifiedTableSolver<Fastrip>>(arguments, Fastrip(options));
+  return std::make_unique<SimplifiedTableSolver<RowSolver>>(arguments, RowSolver(marching_scheme(theory), options));
 }
 
 /// Reads, solves and writes a table, a group of chunks at a time.
@@ -258,10 +263,12 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   };
   command->add_option("IN.csv", arguments->input, "table of contacts")->required();
   command->add_option("-o,--output", arguments->output, "table of results")->required();
-  option("--theory", arguments->theory, "fastsim, fastsim_half_step, fastsim2 or exact");
+  option("--theory", arguments->theory, "fastsim, fastsim_half_step, fastsim2, fastrip or exact");
   option("--grid", arguments->grid, "cells or elements across the ellipse along x and y");
-  option("--bound", arguments->bound, "traction bound of the simplified theory: parabolic or elliptic");
-  option("--flexibility", arguments->flexibility, "flexibilities of the simplified theory: three, one or blended");
+  option("--bound", arguments->bound,
+         "traction bound of the simplified theory: parabolic (default) or elliptic (FaStrip's only)");
+  option("--flexibility", arguments->flexibility,
+         "flexibilities of the simplified theory: three (default), one or blended (FaStrip's default)");
   option("--coefficients", arguments->coefficients, "table of creepage coefficients: kalker or computed");
   option("--discretisation", arguments->discretisation, "of the exact theory: second_order or classical");
   option("--threads", arguments->threads, "results do not depend on it; default: all processors");

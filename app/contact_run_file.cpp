@@ -36,6 +36,8 @@ constexpr Column columns[] = {
     {"approach", "m", "approach of distant points", [](const ContactOutcome& o) { return o.solution.normal.approach; }},
     {"peak_pressure", "Pa", "largest pressure of an element",
      [](const ContactOutcome& o) { return o.solution.normal.peak_pressure; }},
+    {"highest_temperature", "deg C", "of the surfaces in contact; NaN where not asked for",
+     [](const ContactOutcome& o) { return o.totals.temperature.value_or(nan); }},
     {"residual", "-", "of the tangential problem",
      [](const ContactOutcome& o) { return o.solution.tangential.residual; }},
     {"shear_modulus", "Pa", "combined shear modulus G",
@@ -104,6 +106,9 @@ int ContactRunFile::add_elements(const ContactCase& c, const ContactOutcome& out
   add_field("uy", tangential.uy, "m", "displacement difference u1 - u2");
   add_field("sx", tangential.sx, "-", "relative slip; for a shift the slip [m]");
   add_field("sy", tangential.sy, "-", "relative slip; for a shift the slip [m]");
+  const std::vector<double> unknown(outcome.temperature ? 0 : outcome.step.grid.count(), nan);
+  add_field("temperature1", outcome.temperature ? outcome.temperature->body1 : unknown, "deg C", "of body 1's surface");
+  add_field("temperature2", outcome.temperature ? outcome.temperature->body2 : unknown, "deg C", "of body 2's surface");
   return static_cast<int>(elements.size());
 }
 

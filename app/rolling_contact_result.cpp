@@ -1,6 +1,7 @@
 #include "app/rolling_contact_result.hpp"
 
 #include "io/option_words.hpp"
+#include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +22,23 @@ GridError difference(const EllipticContact& contact, const ContactForces& a, con
   return {std::abs(a.fx - b.fx) / limit, std::abs(a.fy - b.fy) / limit, std::abs(a.mz - b.mz) / (limit * length)};
 }
 
-SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& contact) {
-  const auto scheme = marching_scheme(input.theory);
-  RowSolver solver(scheme, input.options);
-  auto finer = input.options;
-  finer.mx *= 2;
-  finer.my *= 2;
+/// By a solver for a grid and one for twice its cells in each direction.
+template <class Solver> SimplifiedResult solve_simplified(const EllipticContact& contact, Solver solver, Solver finer) {
   SimplifiedResult result;
   result.fields = solver.fields(contact);
-  result.grid_error = difference(contact, result.fields.forces, RowSolver(scheme, finer).solve(contact));
+  result.grid_error = difference(contact, result.fields.forces, finer.solve(contact));
   result.curve = creep_curve(contact, simplified_curve_points, [&](const auto& moved) { return solver.solve(moved); });
   return result;
+}
+
+SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& contact) {
+  const auto& options = input.options;
+  auto finer = options;
+  finer.mx *= 2;
+  finer.my *= 2;
+  if (input.theory == Theory::fastrip) return solve_simplified(contact, Fastrip(options), Fastrip(finer));
+  const auto scheme = marching_scheme(input.theory);
+  return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
 }
 
 CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact) {
@@ -287,6 +294,7 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
 } // namespace
 
 std::string simplified_name(const RollingCase& input) {
+  if (input.theory == Theory::fastrip) return "fastrip";
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
 }
 

@@ -106,6 +106,7 @@ void print_totals(const ContactCase& c, const ContactOutcome& outcome) {
   relative.add(with_unit(t.y_name), t.y);
   relative.add("APPROACH [mm]", t.approach);
   relative.add("PMAX [N/mm2]", t.peak_pressure);
+  if (t.temperature) relative.add("MAX(T1,T2)", *t.temperature);
   relative.print();
   counts.add("NPOT", std::to_string(t.potential));
   counts.add("NCON", std::to_string(t.contact));

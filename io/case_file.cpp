@@ -1,5 +1,6 @@
 #include "io/case_file.hpp"
 
+#include "io/option_words.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
 
@@ -160,11 +161,28 @@ void check_exact(const TomlSection& motion, const TomlSection& solution, Rolling
             "needs steady rolling without motion.step, of second order");
 }
 
+/// FaStrip needs Hertz's pressure and does not know a reduced slope.
+void check_fastrip(const TomlSection& solution, const RollingCase& input) {
+  solution.at("bound", [&] {
+    if (input.options.bound != TractionBound::elliptic)
+      throw Error("solution.bound = \"parabolic\": must be elliptic with solution.theory = \"fastrip\"");
+  });
+  const SlopeReduction& slope = input.options.slope_reduction;
+  solution.at("slope_reduction", [&] {
+    if (slope.initial != 1 || slope.at_infinity != 1)
+      throw Error("solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\"");
+  });
+}
+
 /// The simplified theory knows steady rolling of elastic bodies with given creepages.
 void check_simplified(const TomlSection& root, const RollingCase& input) {
   const std::string exact = "needs solution.theory = \"exact\"";
   const auto motion = root.required_section("motion"), friction = root.required_section("friction");
   const auto solution = root.optional_section("solution");
+  if (input.theory == Theory::fastrip) {
+    refuse_at(friction, "friction", "law", input.friction_law != "coulomb", "must be coulomb with solution.theory = \"fastrip\"");
+    check_fastrip(solution, input);
+  }
   for (const auto* key : {"accuracy", "coupling", "slip_start"})
     refuse_at(solution, "solution", key, solution.has(key), exact);
   refuse_at(motion, "motion", "kind", input.motion.kind != ContactMotion::steady, exact);
@@ -188,6 +206,7 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
   input.coupling = solution.option("coupling", input.coupling);
   input.slip_start = solution.option("slip_start", input.slip_start);
+  set_defaults(input.theory, input.options);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
   input.options.creepage_table = solution.option("coefficients", input.options.creepage_table);

@@ -44,15 +44,25 @@ double coefficient(const ContactOutcome& outcome, std::size_t k) {
 std::string contact_mat(const ContactCase& c, const ContactOutcome& outcome) {
   const NormalSolution& n = outcome.solution.normal;
   const TangentialSolution& t = outcome.solution.tangential;
+  const auto& temperature = outcome.temperature;
   const bool shifts = c.digits.tang == 1;
-  std::string text = head(c, outcome) + "%    I IGS  H  MU  PN  PX  PY  UN  UX  UY  " + (shifts ? "SHFT\n" : "SREL\n");
+  std::string text = head(c, outcome) + "%    I IGS  H  MU  PN  PX  PY  UN  UX  UY  " + (shifts ? "SHFT" : "SREL") +
+                     (temperature ? "  TEMP1  TEMP2\n" : "\n");
   for (std::size_t k = 0; k < outcome.step.grid.count(); ++k) {
     const int state = element_state(outcome, k);
     if (c.digits.matfil == 1 && state == 0) continue;
     fmt::format_to(std::back_inserter(text), "{:7} {:2}", k + 1, state);
-    text += numbers({(outcome.step.gap[k] - n.approach) * per_m, coefficient(outcome, k), n.pressure[k] * mega,
-                     t.tractions.px[k] * mega, t.tractions.py[k] * mega, n.displacement[k] * per_m, t.ux[k] * per_m,
-                     t.uy[k] * per_m, std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1)});
+    std::vector<double> line = {(outcome.step.gap[k] - n.approach) * per_m,
+                                coefficient(outcome, k),
+                                n.pressure[k] * mega,
+                                t.tractions.px[k] * mega,
+                                t.tractions.py[k] * mega,
+                                n.displacement[k] * per_m,
+                                t.ux[k] * per_m,
+                                t.uy[k] * per_m,
+                                std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1)};
+    if (temperature) line.insert(line.end(), {temperature->body1[k], temperature->body2[k]});
+    text += numbers(line);
   }
   return text;
 }

@@ -3,9 +3,11 @@
 #include "io/contact_input.hpp"
 #include "io/contact_totals.hpp"
 #include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/surface_temperature.hpp"
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +22,7 @@ struct ContactOutcome {
   std::vector<std::string> notes = {};   ///< what was left out or done in another way
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};
+  std::optional<SurfaceTemperature> temperature = {}; ///< if asked for, H > 0
   ContactTotals totals = {};
 };
 

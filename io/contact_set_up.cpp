@@ -222,9 +222,9 @@ void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
 FrictionLaw friction_law(int law, const std::vector<double>& set) {
   if (set.empty()) return FrictionLaw();
   if (law == 0) return FrictionLaw::coulomb(set[0]);
-  // A term that is switched off may have any velocity.
+  constexpr double least_velocity = 1e-4; // [mm/s], where a file says 0
   const auto term = [&](std::size_t k) {
-    return set[k] == 0 ? FrictionTerm{} : FrictionTerm{.drop = set[k], .half_velocity = set[k + 1] * mm};
+    return FrictionTerm{.drop = set[k], .half_velocity = std::max(set[k + 1], least_velocity) * mm};
   };
   if (law == 2) return FrictionLaw::linear(set[0], term(1), term(3));
   if (law == 3) return FrictionLaw::rational(set[0], term(1), term(3));

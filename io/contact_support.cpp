@@ -1,5 +1,6 @@
 #include "io/contact_support.hpp"
 
+#include "io/contact_fastsim.hpp"
 #include "io/contact_set_up.hpp"
 
 #include <cmath>
@@ -34,11 +35,14 @@ constexpr Refusal refusals[] = {
     {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",
      [](const ContactCase& c) { return c.digits.mater == 1 && c.digits.tang != 3; }},
-    {"M = 2", "FASTSIM with one flexibility", [](const ContactCase& c) { return c.digits.mater == 2; }},
-    {"M = 3", "FASTSIM with three flexibilities", [](const ContactCase& c) { return c.digits.mater == 3; }},
-    {"M = 5", "FaStrip", [](const ContactCase& c) { return c.digits.mater == 5; }},
-    {"M = 6", "FaStrip in its first form", [](const ContactCase& c) { return c.digits.mater == 6; }},
-    {"M = 7", "FaStrip with its correction for full sliding", [](const ContactCase& c) { return c.digits.mater == 7; }},
+    {"T = 1", "a shift with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 1; }},
+    {"T = 2", "transient rolling with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 2; }},
+    {"F > 0", "forces given with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.force > 0; }},
+    {"E > 0", "extra rigid slip with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_simplified(c) && has_tractions(c) && c.extra > 0; }},
     {"CHI", "rolling in a direction other than 0 or 180 degrees",
      [](const ContactCase& c) { return rolls(c) && std::abs(std::sin(c.rolling->chi)) > 0.01; }},
     {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5",
@@ -60,8 +64,12 @@ std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step)
   const ContactDigits& d = c.digits;
   std::vector<std::string> notes;
   if (d.stress > 0) notes.emplace_back("S > 0: the interior field is not computed");
-  if (d.heat > 0) notes.emplace_back("H > 0: surface temperatures are not computed; nothing else depends on them");
+  if (d.heat > 0)
+    notes.emplace_back("H > 0: temperatures lie below CONTACT's, which counts the heat of an element itself twice");
   if (d.damping > 0) notes.emplace_back("M2 > 0: damping forces are not computed");
+  if (is_simplified(c) && d.mater >= 6)
+    notes.emplace_back(
+        "M = 6, 7: made after a description of CONTACT's method; no result of CONTACT's is at hand to compare");
   const double dx = step.grid.dx * 1e3;
   if (takes_element_length(c) && std::abs(c.rolling->dq - dx) > 1e-3 * dx)
     notes.emplace_back("T = 3: DQ is DX, as with CONTACT's SteadyGS");

@@ -1,6 +1,7 @@
 #include "io/contact_toml.hpp"
 
 #include "io/case_file.hpp"
+#include "io/contact_fastsim.hpp"
 #include "io/contact_set_up.hpp"
 #include "io/contact_support.hpp"
 #include "io/option_words.hpp"
@@ -20,26 +21,32 @@ constexpr double mm = 1e-3, newton_per_mm2 = 1e6;
   throw Error(why);
 }
 
-bool is_fastsim(const ContactCase& c) {
-  return c.digits.mater == 3;
+bool is_fastrip(const ContactCase& c) {
+  return c.digits.mater == 5;
+}
+
+/// FaStrip in case files has Hertz's pressure, Coulomb's friction and no reduced slope.
+bool is_plain(const ContactCase& c) {
+  const auto& data = c.material->model_data;
+  return c.digits.bound == 2 && c.friction.law == 0 && data[0] == 1 && data[1] == 1;
 }
 
 /// What no case file can say.
 void check(const ContactCase& c) {
   const ContactDigits& d = c.digits;
   if (!c.unreadable.empty()) refuse(c.unreadable);
-  for (const std::string& reason : unsupported(c)) {
-    const bool is_known =
-        is_fastsim(c) && (reason.starts_with("M = 3") || reason.starts_with("L = ")) && c.friction.law != 6;
-    if (!is_known) refuse(reason);
-  }
+  for (const std::string& reason : unsupported(c)) refuse(reason);
+  if (is_simplified(c) && d.mater != 3 && d.mater != 5)
+    refuse("M = " + std::to_string(d.mater) + " (a form of FASTSIM or FaStrip that case files do not have)");
+  if (is_simplified(c) && is_fastrip(c) && !is_plain(c))
+    refuse("M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");
   if ((d.tang == 1 || d.tang == 2) && d.pvtime != 1 && d.pvtime != 2)
     refuse("P = " + std::to_string(d.pvtime) + " (it goes on from another case)");
   if (c.extra != 0) refuse("E = " + std::to_string(c.extra) + " (extra rigid slip)");
   if (d.varfrc == 3 || c.friction.by_row) refuse("V = 3 (friction that differs from row to row)");
-  if (d.bound != 0 && !is_fastsim(c)) refuse("B = " + std::to_string(d.bound) + " (a given pressure)");
-  if (is_fastsim(c) && (d.tang != 3 || d.force != 0 || (d.bound != 2 && d.bound != 3)))
-    refuse("M = 3 (FASTSIM) with other than T = 3, F = 0, B = 2 or 3");
+  if (d.bound != 0 && !is_simplified(c)) refuse("B = " + std::to_string(d.bound) + " (a given pressure)");
+  if (is_simplified(c) && (d.tang != 3 || d.force != 0 || (d.bound != 2 && d.bound != 3)))
+    refuse("M = 3, 5 (FASTSIM, FaStrip) with other than T = 3, F = 0, B = 2 or 3");
   if (d.force > 0 && d.norm == 0) refuse("N = 0 with F > 0 (forces relative to a normal force that is not given)");
 }
 
@@ -98,7 +105,7 @@ std::string friction(const ContactCase& c) {
   std::string text = quoted_line("law", laws[c.friction.law]) + line("kinetic_coefficient", set[0]) +
                      line("drop", set[1]) + line("half_velocity", set[2] * mm);
   if (set[3] > 0) text += line("second_drop", set[3]) + line("second_half_velocity", set[4] * mm);
-  if (is_fastsim(c)) return text;
+  if (is_simplified(c)) return text;
   return text + line("memory_distance", set[set.size() - 2] * mm) + line("memory_speed", set.back() * mm);
 }
 
@@ -115,17 +122,18 @@ std::string motion(const ContactCase& c) {
   text += line(shifts ? "rotation" : "spin", m.creepage.spin);
   if (shifts) return text;
   text += line("rolling_speed", m.rolling_speed) + quoted_line("direction", to_word(m.direction));
-  if (c.digits.tang >= 2 && !is_fastsim(c)) text += line("step", m.step);
+  if (c.digits.tang >= 2 && !is_simplified(c)) text += line("step", m.step);
   return text;
 }
 
 std::string solution(const ContactCase& c, const HertzContact& hertz) {
   const ElementGrid grid = contact_step(c).grid;
-  std::string text = quoted_line("theory", is_fastsim(c) ? "fastsim" : "exact") +
+  const char* theory = !is_simplified(c) ? "exact" : is_fastrip(c) ? "fastrip" : "fastsim";
+  std::string text = quoted_line("theory", theory) +
                      fmt::format("grid = [{}, {}]\n", across(hertz.a, grid.dx), across(hertz.b, grid.dy));
-  const bool above = !is_fastsim(c) && contact_step(c).slip_start == SlipStart::above;
+  const bool above = !is_simplified(c) && contact_step(c).slip_start == SlipStart::above;
   if (above) text += quoted_line("slip_start", "above");
-  if (!is_fastsim(c)) return text + quoted_line("discretisation", "classical");
+  if (!is_simplified(c)) return text + quoted_line("discretisation", "classical");
   const auto& data = c.material->model_data;
   text += quoted_line("bound", c.digits.bound == 3 ? "parabolic" : "elliptic") + quoted_line("flexibility", "blended");
   if (data[0] == 1 && data[1] == 1) return text;

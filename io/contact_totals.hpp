@@ -3,6 +3,7 @@
 #include "io/contact_input.hpp"
 #include "microslip/exact/contact_sequence.hpp"
 
+#include <optional>
 #include <string>
 
 namespace microslip {
@@ -18,6 +19,7 @@ struct ContactTotals {
   double x = 0, y = 0;
   double approach = 0;                                    ///< [mm]
   double peak_pressure = 0;                               ///< PMAX [N/mm2]
+  std::optional<double> temperature = {};                 ///< MAX(T1,T2) [deg C] in contact, if asked for
   int potential = 0, contact = 0, adhesion = 0, slip = 0; ///< NPOT, NCON, NADH, NSLIP: numbers of elements
 };
 

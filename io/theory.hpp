@@ -5,9 +5,10 @@
 namespace microslip {
 
 /// What a case file or a table of contacts can be solved by.
-enum class Theory { fastsim, fastsim_half_step, fastsim2, exact };
+enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip };
 
-/// The scheme of the simplified theory; beside the exact theory FASTSIM2.
+/// The scheme of the simplified theory, but for FaStrip, which is a solver of its own; beside the exact theory
+/// FASTSIM2.
 inline MarchingScheme marching_scheme(Theory theory) {
   switch (theory) {
   case Theory::fastsim:
@@ -17,6 +18,14 @@ inline MarchingScheme marching_scheme(Theory theory) {
   default:
     return MarchingScheme::fastsim2;
   }
+}
+
+/// Bound and flexibilities where nothing is said of them: the simplified theory's own, but FaStrip needs Hertz's
+/// pressure, and the direction of sliding that it takes from FASTSIM is good with blended flexibilities only.
+inline void set_defaults(Theory theory, SimplifiedOptions& options) {
+  if (theory != Theory::fastrip) return;
+  options.bound = TractionBound::elliptic;
+  options.flexibility = FlexibilityModel::blended;
 }
 
 } // namespace microslip

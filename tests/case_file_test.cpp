@@ -128,9 +128,10 @@ TEST(CaseFile, NamesTheNearestKnownWord) {
   EXPECT_EQ(message_of(with("coefficient = 0.3", "law = \"colomb\"")),
             "w.toml:15: friction.law = \"colomb\": must be coulomb, linear, rational, exponential or polach; did you "
             "mean coulomb?");
-  EXPECT_EQ(message_of(good + "[solution]\ntheory = \"fastsim3\""),
-            "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step, fastsim2 or exact; did "
-            "you mean fastsim?");
+  EXPECT_EQ(
+      message_of(good + "[solution]\ntheory = \"fastsim3\""),
+      "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step, fastsim2, exact or fastrip; did "
+      "you mean fastsim?");
   EXPECT_EQ(message_of(good + "velocity = 3\nbeyond = 1"),
             "w.toml:18: motion.velocity: unknown key; must be kind, creepage_longitudinal, force_longitudinal, "
             "creepage_lateral, force_lateral, spin, rolling_speed, direction or step");
@@ -202,6 +203,21 @@ TEST(CaseFile, RefusesWhatATheoryCannotDo) {
   const auto polach = with("coefficient = 0.3", "law = \"polach\"\nstatic_coefficient = 0.3\nratio = 0.4\ndecay = 0.6");
   EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\""),
             "w.toml:15: friction.law = \"polach\": must be coulomb with solution.theory = \"exact\"");
+}
+
+TEST(CaseFile, FaStripTakesWhatItNeeds) {
+  const auto with_fastrip = [](const std::string& more) {
+    return with("rolling_speed = 30", "rolling_speed = 30\n[solution]\ntheory = \"fastrip\"\n" + more);
+  };
+  const RollingCase input = parse_case(with_fastrip(""), "w.toml");
+  EXPECT_EQ(input.theory, Theory::fastrip);
+  EXPECT_EQ(input.options.bound, TractionBound::elliptic);
+  EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(parse_case(with_fastrip("flexibility = \"one\""), "w.toml").options.flexibility, FlexibilityModel::one);
+  EXPECT_EQ(message_of(with_fastrip("bound = \"parabolic\"")),
+            "w.toml:20: solution.bound = \"parabolic\": must be elliptic with solution.theory = \"fastrip\"");
+  EXPECT_EQ(message_of(with_fastrip("[solution.slope_reduction]\ninitial = 0.5")),
+            "w.toml:20: solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\"");
 }
 
 TEST(CaseFile, NamesWhatIsMissing) {

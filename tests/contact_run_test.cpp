@@ -151,5 +151,22 @@ TEST(ContactRun, APointOutOfContactIsReported) {
   EXPECT_EQ(cases.at(0).outcome.totals.contact, 0);
 }
 
+/// Without sliding the surfaces take the mean of the bulk temperatures by effusivity: 10 and 40 sqrt(W kg J/(m4 K2)).
+TEST(ContactRun, SurfaceTemperatures) {
+  std::string text = steady_rolling("100. 0 0 0");
+  text = with(with(text, "0000331", "3000331"), " -3\n", " 20. 1. 1e-3 1e-7\n 120. 1. 16e-3 1e-7\n -3\n");
+  const auto cases = run_cases(text + " 3 MODULE\n 203100\n 100000\n 1000331\n 100 100 30 1 1e-7\n 100. 2d-4 0 0\n" +
+                               " 3 MODULE\n 203100\n 100000\n 0000331\n 100 100 30 1 1e-7\n 100. 0 0 0\n");
+  ASSERT_EQ(cases.at(0).outcome.kind, Kind::solved);
+  EXPECT_NEAR(cases[0].outcome.totals.temperature.value(), 100, 1e-9);
+  EXPECT_GT(cases.at(1).outcome.totals.temperature.value(), 100.1);
+  EXPECT_FALSE(cases.at(2).outcome.temperature);
+  const ContactOutcome& o = cases[1].outcome;
+  for (std::size_t k = 0; k < o.step.grid.count(); ++k)
+    EXPECT_TRUE(element_state(o, k) == 0 || o.temperature->body1[k] == o.temperature->body2[k]);
+  EXPECT_EQ(o.temperature->body1[15], 20); // ahead of the contact
+  EXPECT_EQ(o.temperature->body2[15], 120);
+}
+
 } // namespace
 } // namespace microslip

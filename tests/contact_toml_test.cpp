@@ -82,6 +82,18 @@ TEST(ContactToml, FastsimWithAFallingLaw) {
   EXPECT_DOUBLE_EQ(input.friction.terms()[0].half_velocity, 0.5);
 }
 
+TEST(ContactToml, FaStrip) {
+  const auto text = [](const std::string& control, const std::string& reduction) {
+    return with(with(steady_rolling("100. 2d-4 0 0", "0 .1 30000.", control), "022020", "022520"), "82000. 82000.",
+                "82000. 82000.\n " + reduction);
+  };
+  const RollingCase input = converted(text("223100", "1. 1. 1."));
+  EXPECT_EQ(input.theory, Theory::fastrip);
+  EXPECT_EQ(input.options.bound, TractionBound::elliptic);
+  expect_refused(text("233100", "1. 1. 1."), "M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");
+  expect_refused(text("223100", ".5 1. 1."), "M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");
+}
+
 TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
   expect_refused(with(first_shift, ".01 0 .01", ".01 0 0"), "a contact that is not an ellipse");
   expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");

@@ -1,5 +1,6 @@
 #include "io/case_file.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
+#include "microslip/simplified/fastrip.hpp"
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/version.hpp"
@@ -292,12 +293,14 @@ TEST(Program, BatchGivesWhatTheLibraryComputes) {
                             "--flexibility blended")
                 .exit_code,
             0);
+  ASSERT_EQ(run(folder, "batch " + example_table + " -o strips.csv --theory fastrip --grid 7x5").exit_code, 0);
   EXPECT_EQ(contents(folder / "out.csv")
                 .rfind(header.substr(0, header.size() - 1) + ",fx,fy,mz,adhesion_area,slip_area,status\n", 0),
             0u);
   Fastsim2 fastsim2;
   Fastsim fastsim({.mx = 7, .my = 5, .bound = TractionBound::elliptic, .flexibility = FlexibilityModel::blended});
-  const auto expect_row = [](const Names& row, RowSolver& solver) {
+  Fastrip fastrip({.mx = 7, .my = 5, .bound = TractionBound::elliptic, .flexibility = FlexibilityModel::blended});
+  const auto expect_row = [](const Names& row, auto& solver) {
     const auto expected = solver.solve(contact_of(row));
     EXPECT_EQ(std::stod(row.at(9)), expected.fx);
     EXPECT_EQ(std::stod(row.at(10)), expected.fy);
@@ -310,6 +313,7 @@ TEST(Program, BatchGivesWhatTheLibraryComputes) {
   ASSERT_EQ(rows.size(), 6u);
   for (const auto& row : rows) expect_row(row, fastsim2);
   for (const auto& row : rows_of(folder / "first.csv")) expect_row(row, fastsim);
+  for (const auto& row : rows_of(folder / "strips.csv")) expect_row(row, fastrip);
 }
 
 TEST(Program, BatchDoesNotDependOnThreads) {

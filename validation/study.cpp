@@ -17,6 +17,7 @@
 #include "validation/second_order.hpp"
 #include "validation/solver_growth.hpp"
 #include "validation/subsurface.hpp"
+#include "validation/temperature.hpp"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,8 @@ constexpr std::array all_studies = {
           run_solver_growth},
     Study{"subsurface", "displacements and stresses inside the bodies; how near to the surface they hold",
           run_subsurface},
+    Study{"temperature", "surface temperatures of a sliding wheel beside CONTACT's, and Hertzian heat",
+          run_temperature},
 };
 
 } // namespace

@@ -30,6 +30,7 @@ THEORIES = {
     "fastsim": "FASTSIM",
     "fastsim_half_step": "FASTSIM, half first step",
     "fastsim2": "FASTSIM2",
+    "fastrip": "FaStrip",
     "exact": "exact theory",
 }
 

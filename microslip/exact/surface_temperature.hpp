@@ -1,0 +1,40 @@
+#pragma once
+
+#include "microslip/exact/element_grid.hpp"
+#include "microslip/simplified/options.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// What a body is for heat.
+struct ThermalBody {
+  double bulk_temperature = 0; ///< where it enters the contact [deg C]
+  double conductivity = 0;     ///< lambda [W/(m K)], > 0
+  double density = 0;          ///< rho [kg/m^3], > 0
+  double heat_capacity = 0;    ///< c [J/(kg K)], > 0
+
+  /// beta = sqrt(lambda rho c) [W s^(1/2)/(m^2 K)].
+  double effusivity() const;
+};
+
+/// Temperatures of the surfaces at the centres of a grid's elements [deg C]: the same in contact.
+struct SurfaceTemperature {
+  std::vector<double> body1, body2;
+  double highest = 0; ///< in contact; minus infinity without contact
+};
+
+/// Surface temperatures in steady rolling (Ertz & Knothe 2002): heat flows into the depth only, both bodies pass at the
+/// rolling speed, they are in perfect thermal contact where they touch and insulated elsewhere. In contact
+/// T = (beta1 T1 + beta2 T2)/(beta1 + beta2) + 1/((beta1 + beta2) sqrt(pi V)) integral of q(x')/sqrt(x' - x) dx' over
+/// what lies ahead in the row; docs/theory-temperature.md. Right to first order in dx where q varies, for a Peclet
+/// number V a rho c/lambda well above 10.
+///
+/// `pressure` tells the elements in contact (> 0), `heat` is the frictional heat of both bodies -V p.s [W/m^2], all of
+/// the grid, x fastest. Throws Error for numbers out of range. Cost O(mx^2 my).
+SurfaceTemperature surface_temperature(const ElementGrid& grid, RollingDirection direction, double rolling_speed,
+                                       const ThermalBody& body1, const ThermalBody& body2,
+                                       std::span<const double> pressure, std::span<const double> heat);
+
+} // namespace microslip

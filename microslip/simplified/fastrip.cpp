@@ -1,0 +1,157 @@
+#include "microslip/simplified/fastrip.hpp"
+
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double square(double x) {
+  return x * x;
+}
+
+/// sqrt of what is negative by rounding only, or outside.
+double root(double x) {
+  return std::sqrt(std::max(x, 0.0));
+}
+
+SimplifiedOptions checked(const SimplifiedOptions& options) {
+  if (options.bound != TractionBound::elliptic) throw Error("bound = parabolic: must be elliptic for FaStrip");
+  if (options.slope_reduction.initial != 1 || options.slope_reduction.at_infinity != 1)
+    throw Error("slope_reduction: FaStrip has none");
+  return options;
+}
+
+/// The cells of row j of a grid.
+StripRow row_of(ContactFields& f, int j, const EllipticContact& contact) {
+  const auto n = static_cast<std::size_t>(f.mx), first = n * static_cast<std::size_t>(j);
+  const auto part = [&](auto& field) { return std::span(field).subspan(first, n); };
+  const double y = f.y[first], half_length = contact.a * root(1 - square(y / contact.b));
+  return {y, 0, half_length, part(f.x), part(f.bound), part(f.px), part(f.py), part(f.sx), part(f.sy), part(f.state)};
+}
+
+/// Tractions above the bound are drawn back to it.
+void keep_within_bound(ContactFields& f) {
+  for (std::size_t k = 0; k < f.px.size(); ++k) {
+    const double size = std::sqrt(square(f.px[k]) + square(f.py[k]));
+    if (!(size > f.bound[k])) continue;
+    f.px[k] *= f.bound[k] / size;
+    f.py[k] *= f.bound[k] / size;
+    f.state[k] = CellState::slip;
+  }
+}
+
+void find_totals(ContactFields& f, const EllipticContact& contact) {
+  ContactForces t;
+  double area = 0, slip_area = 0, power = 0;
+  for (std::size_t k = 0; k < f.px.size(); ++k) {
+    t.fx += f.area[k] * f.px[k];
+    t.fy += f.area[k] * f.py[k];
+    t.mz += f.area[k] * (f.x[k] * f.py[k] - f.y[k] * f.px[k]);
+    power -= f.area[k] * (f.px[k] * f.sx[k] + f.py[k] * f.sy[k]);
+    area += f.area[k];
+    if (f.state[k] == CellState::slip) slip_area += f.area[k];
+  }
+  const double ellipse = std::numbers::pi * contact.a * contact.b;
+  t.slip_area = ellipse * slip_area / area;
+  t.adhesion_area = ellipse - t.slip_area;
+  f.forces = t;
+  f.frictional_power = power * contact.rolling_speed;
+}
+
+} // namespace
+
+/// Strip theory's solution for a row.
+struct StripTheory::Strip {
+  double slip_length;            ///< d, half the length of the sliding part [m]
+  double kappa, lambda, lambda2; ///< shares of the two roots in px, py
+};
+
+StripTheory::StripTheory(const EllipticContact& contact, double friction, RollingDirection direction,
+                         CreepageTable table)
+    : a_(contact.a), one_less_nu_(1 - contact.poisson_ratio), mirror_(direction == RollingDirection::forward ? 1 : -1) {
+  constexpr double pi = std::numbers::pi;
+  const CreepageCoefficients c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio, table);
+  const double area = contact.a * contact.b;
+  peak_ = friction * 1.5 * contact.normal_force / (pi * area);
+  const double stiffness = contact.shear_modulus / (2 * peak_);
+  const double translation = -4 * one_less_nu_ * stiffness / (pi * pi),
+               rotation = -3 * stiffness * std::sqrt(area) / pi;
+  creep_x_ = mirror_ * translation * c.c11 * contact.creepage.longitudinal;
+  creep_y_ = translation * c.c22 * contact.creepage.lateral;
+  creep_y_per_metre_ = translation * c.c22 * contact.creepage.spin;
+  spin_ = mirror_ * rotation * c.c23 * contact.creepage.spin;
+}
+
+StripTheory::Strip StripTheory::strip(const StripRow& row) const {
+  const double q = creep_x_ - spin_ * row.y / a_, across = creep_y_ + creep_y_per_metre_ * row.middle;
+  const double rest = 1 - spin_ * spin_, size2 = square(across) + rest * square(q);
+  Strip s = {row.half_length, 0, 0, 0};
+  if (std::abs(rest) > 1e-6 && size2 >= 0) {
+    const double length = a_ / one_less_nu_ * (std::sqrt(size2) + across * spin_) / rest;
+    if (length >= 0) s.slip_length = std::min(length, row.half_length);
+  }
+  const double r = across + spin_ * s.slip_length / a_, size = std::hypot(q, r);
+  if (size > 0) {
+    s.kappa = q / size;
+    s.lambda = r / size;
+  }
+  s.lambda2 = s.lambda - spin_;
+  return s;
+}
+
+/// At a cell: strip theory's where that adheres, else g along FASTSIM's.
+Vec2 StripTheory::traction(const Strip& strip, const StripRow& row, std::size_t cell) const {
+  const double x = mirror_ * (row.x[cell] - row.middle), half = row.half_length, d = strip.slip_length;
+  if (x > 2 * d - half) {
+    const double all = root(square(half) - square(x)) / a_, adhesion = root(square(half - d) - square(x - d)) / a_;
+    return {mirror_ * peak_ * strip.kappa * (all - adhesion), peak_ * (strip.lambda * all - strip.lambda2 * adhesion)};
+  }
+  const double size = std::sqrt(square(row.px[cell]) + square(row.py[cell]));
+  if (!(size > 0)) return {};
+  return {row.px[cell] * (row.bound[cell] / size), row.py[cell] * (row.bound[cell] / size)};
+}
+
+void StripTheory::solve(const StripRow& row) const {
+  const Strip strip = this->strip(row);
+  for (std::size_t k = 0; k < row.x.size(); ++k) {
+    const Vec2 p = traction(strip, row, k);
+    if (square(p.x) + square(p.y) > square(peak_)) return;
+  }
+  for (std::size_t k = 0; k < row.x.size(); ++k) {
+    const Vec2 p = traction(strip, row, k);
+    row.px[k] = p.x;
+    row.py[k] = p.y;
+    const bool adheres = mirror_ * (row.x[k] - row.middle) > 2 * strip.slip_length - row.half_length;
+    row.state[k] = adheres ? CellState::adhesion : CellState::slip;
+    if (adheres) row.sx[k] = row.sy[k] = 0;
+  }
+}
+
+Fastrip::Fastrip(const SimplifiedOptions& options) : fastsim_(MarchingScheme::fastsim, checked(options)) {}
+
+void Fastrip::solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) forces[k] = solve(contacts[k]);
+}
+
+ContactFields Fastrip::fields(const EllipticContact& contact) {
+  const bool is_coulomb = contact.friction.kind() == FrictionLaw::Kind::coulomb;
+  ContactFields f = is_coulomb ? fastsim_.fields(contact) : ContactFields();
+  if (!is_coulomb) f.forces = {nan, nan, nan, nan, nan, Status::invalid_input};
+  if (f.forces.status != Status::ok) return f;
+  const double friction = contact.friction.static_coefficient();
+  if (!(friction > 0)) return f;
+  const StripTheory theory(contact, friction, options().direction, options().creepage_table);
+  for (int j = 0; j < f.my; ++j) theory.solve(row_of(f, j, contact));
+  keep_within_bound(f);
+  find_totals(f, contact);
+  return f;
+}
+
+} // namespace microslip
