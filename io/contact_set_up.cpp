@@ -256,7 +256,7 @@ void set_motion(const ContactCase& c, ContactStep& step) {
   const double scale = set_friction(c, step);
   if (d.force >= 1) step.force_x = c.x * scale;
   if (d.force == 2) step.force_y = c.y * scale;
-  motion.tolerance = std::clamp(c.solver.eps, 1e-10, 1e-7);
+  motion.tolerance = std::clamp(c.solver.eps, 1e-10, 1e-8);
   step.start = d.pvtime == 0 ? StepStart::previous : d.pvtime == 3 ? StepStart::repeated : StepStart::fresh;
   step.warm_start = d.iestim > 0;
   if (shifts) return;

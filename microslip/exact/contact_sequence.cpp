@@ -255,12 +255,12 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const F
   return out;
 }
 
-/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. The
-/// slip's change is relaxed as soon as it grows.
+/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. On the
+/// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is relaxed.
 ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
                                                          const TangentialState& previous, TangentialState start) {
-  constexpr int most_rounds = 300;
-  constexpr double wanted = 1e-6, least_share = 0.05;
+  constexpr int most_rounds = 300, rounds_unrelaxed = 40;
+  constexpr double wanted = 1e-6;
   const auto n = step.grid.count();
   const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
   Field slip(n, step.slip_start == SlipStart::above ? fastest : 0.0);
@@ -268,7 +268,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
   const bool yields = step.bodies.layer.yields();
   std::vector<char> yielding(n);
   Field pressure = yields ? solve_normal_part(step).pressure : Field();
-  double share = 1, last_change = HUGE_VAL;
+  double share = 1;
   long products = 0;
   ContactStepSolution out;
   for (int round = 1;; ++round) {
@@ -293,8 +293,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
       if (!together) out.status = out.tangential.forces.status = Status::not_converged;
       return out;
     }
-    if (change > 0.9 * last_change) share = std::max(least_share, 0.7 * share);
-    last_change = change;
+    if (round % rounds_unrelaxed == 0) share *= 0.8;
     for (std::size_t k = 0; k < n; ++k) slip[k] += share * (found[k] - slip[k]);
     if (yields) pressure = out.normal.pressure;
     start = out.tangential.tractions;
