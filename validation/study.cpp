@@ -1,5 +1,6 @@
 #include "validation/study.hpp"
 
+#include "validation/bentall_johnson.hpp"
 #include "validation/carter.hpp"
 #include "validation/cattaneo.hpp"
 #include "validation/cattaneo_to_carter.hpp"
@@ -8,6 +9,7 @@
 #include "validation/edge_constants.hpp"
 #include "validation/exact_112.hpp"
 #include "validation/exact_test_set.hpp"
+#include "validation/falling_friction.hpp"
 #include "validation/fastsim2_table1.hpp"
 #include "validation/fastsim2_table2.hpp"
 #include "validation/hertz.hpp"
@@ -16,8 +18,10 @@
 #include "validation/refinement.hpp"
 #include "validation/second_order.hpp"
 #include "validation/solver_growth.hpp"
+#include "validation/spence.hpp"
 #include "validation/subsurface.hpp"
 #include "validation/temperature.hpp"
+#include "validation/viscoelastic_cylinders.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +30,8 @@ namespace microslip::validation {
 namespace {
 
 constexpr std::array all_studies = {
+    Study{"bentall-johnson", "rolling cylinders of different materials: the cases of Bentall and Johnson",
+          run_bentall_johnson},
     Study{"carter", "rolling cylinders against Carter's closed form", run_carter},
     Study{"cattaneo", "a shifted sphere against the closed form of Cattaneo and Mindlin", run_cattaneo},
     Study{"cattaneo-to-carter", "a shifted sphere that begins to roll, step by step to the steady state",
@@ -37,6 +43,8 @@ constexpr std::array all_studies = {
           run_edge_constants},
     Study{"exact-112", "112 of the 3,220 cases by exact theory", run_exact_112},
     Study{"exact-test-set", "all 3,220 cases by exact theory: failures, steps, products, time", run_exact_test_set},
+    Study{"falling-friction", "friction that falls with the slip: two branches, and a locomotive's creep curve",
+          run_falling_friction},
     Study{"fastsim2-table1", "Table 1 of the FASTSIM2 paper: FASTSIM2 against exact theory on 3,220 cases",
           run_fastsim2_table1},
     Study{"fastsim2-table2", "Table 2 of the FASTSIM2 paper: discretisation errors on 3,220 cases",
@@ -52,10 +60,13 @@ constexpr std::array all_studies = {
           run_second_order},
     Study{"solver-growth", "Table 1 of the refinement paper: how the cost of ConvexGS grows, beside Newton's",
           run_solver_growth},
+    Study{"spence", "a sphere pressed on a rigid plane with friction, stage by stage", run_spence},
     Study{"subsurface", "displacements and stresses inside the bodies; how near to the surface they hold",
           run_subsurface},
     Study{"temperature", "surface temperatures of a sliding wheel beside CONTACT's, and Hertzian heat",
           run_temperature},
+    Study{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads",
+          run_viscoelastic_cylinders},
 };
 
 } // namespace

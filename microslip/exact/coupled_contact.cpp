@@ -223,9 +223,15 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, std::span<con
     find_tangential(step, friction, step.given->pressure, previous, start, out);
     return out;
   }
-  if (step.coupling == Coupling::newton) return solve_newton(step, friction, previous, start);
-  if (!bodies_.are_elastic()) throw Error("coupling: the alternating process is for elastic bodies");
-  return solve_alternating(step, friction, previous, start);
+  if (step.coupling == Coupling::alternating) {
+    if (!bodies_.are_elastic()) throw Error("coupling: the alternating process is for elastic bodies");
+    return solve_alternating(step, friction, previous, start);
+  }
+  ContactStepSolution out = solve_newton(step, friction, previous, start);
+  if (out.normal.status != Status::not_converged || !bodies_.are_elastic()) return out;
+  ContactStepSolution other = solve_alternating(step, friction, previous, start); // slower, and goes where this does not
+  const bool better = other.normal.status == Status::ok && other.tangential.forces.status == Status::ok;
+  return better ? std::move(other) : std::move(out);
 }
 
 } // namespace microslip

@@ -26,6 +26,15 @@ void add_layer(double flexibility, double dx, double first, std::vector<Influenc
   }
 }
 
+/// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the average
+/// of the two places where the elastic ones are.
+Influence far_away(const DelayedPart& part, const RowInfluence& influence, const ElementGrid& grid) {
+  const double far = grid.mx * grid.dx;
+  const Influence a = delayed_row(part, influence, grid.dx, -far, 1)[0];
+  const Influence b = delayed_row(part, influence, grid.dx, far, 1)[0];
+  return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
+}
+
 /// The influence of an element on the points of row j, `shift` further along x, at all offsets from 1 - mx on.
 std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, double shift, int j) {
   const double y = j * grid.dy, first = (1 - grid.mx) * grid.dx + shift;
@@ -36,9 +45,10 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
   for (const DelayedPart& part : bodies.delayed) {
     const auto influence = [&](double x) { return influence_at(part.material, grid, x, y); };
     const std::vector<Influence> late = delayed_row(part, influence, grid.dx, first, count);
+    const Influence far = grid.line ? far_away(part, influence, grid) : Influence{};
     for (std::size_t i = 0; i < late.size(); ++i) {
-      row[i].xx += late[i].xx, row[i].xy += late[i].xy, row[i].yy += late[i].yy;
-      row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz;
+      row[i].xx += late[i].xx - far.xx, row[i].xy += late[i].xy, row[i].yy += late[i].yy - far.yy;
+      row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz - far.zz;
     }
   }
   if (j == 0 && bodies.layer.flexibility > 0) add_layer(bodies.layer.flexibility, grid.dx, first, row);
