@@ -201,8 +201,34 @@ TEST(CaseFile, RefusesWhatATheoryCannotDo) {
             "w.toml:18: motion.rolling_speed: unknown key; must be kind, shift_longitudinal, force_longitudinal, "
             "shift_lateral, force_lateral or rotation");
   const auto polach = with("coefficient = 0.3", "law = \"polach\"\nstatic_coefficient = 0.3\nratio = 0.4\ndecay = 0.6");
-  EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\""),
-            "w.toml:15: friction.law = \"polach\": must be coulomb with solution.theory = \"exact\"");
+  EXPECT_EQ(parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml").discretisation, Discretisation::classical);
+  EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\"\ndiscretisation = \"second_order\""),
+            "w.toml:23: solution.discretisation: must be classical for bodies of different materials, viscoelastic ones, a "
+            "layer and falling friction");
+  EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\"\naccuracy = 1e-3"),
+            "w.toml:23: solution.accuracy: needs steady rolling without motion.step, of second order");
+  EXPECT_EQ(message_of(with("coefficient = 0.3", "coefficient = 0.3\nmemory_distance = 1e-6")),
+            "w.toml:16: friction.memory_distance: unknown key; must be law or coefficient");
+}
+
+TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
+  const std::string creep = "poisson_ratio = 0.28\ncreep_ratio = 1.5\ncreep_time = 0.01";
+  const std::string exact = "\n[solution]\ntheory = \"exact\"\n", layer = "\n[layer]\nshear_modulus = 8e9\nthickness = 1e-5\n";
+  const RollingCase slow = parse_case(with("poisson_ratio = 0.28", creep) + exact, "w.toml");
+  EXPECT_EQ(slow.body1.creep.ratio, 1.5);
+  EXPECT_EQ(slow.discretisation, Discretisation::classical);
+  ASSERT_EQ(bodies_of(slow).delayed.size(), 1u);
+  EXPECT_DOUBLE_EQ(bodies_of(slow).delayed[0].distance, 0.3);
+  EXPECT_NE(message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
+            std::string::npos);
+  const RollingCase layered = parse_case(with("rolling_speed = 30", "rolling_speed = 30" + layer + exact), "w.toml");
+  EXPECT_DOUBLE_EQ(bodies_of(layered).layer.flexibility, 1e-5 / 8e9);
+  EXPECT_FALSE(bodies_of(layered).layer.yields());
+  EXPECT_EQ(layered.discretisation, Discretisation::classical);
+  EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer)).find("needs solution.theory"), std::string::npos);
+  EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer + "yield_stress = -1\n" + exact))
+                .find("layer.yield_stress = -1 [Pa]: must be positive"),
+            std::string::npos);
 }
 
 TEST(CaseFile, FaStripTakesWhatItNeeds) {

@@ -41,7 +41,8 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
   const int count = 2 * grid.mx - 1;
   std::vector<Influence> row;
   row.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) row.push_back(influence_at(bodies.material, grid, first + i * grid.dx, y));
+  for (int i = 1 - grid.mx; i < grid.mx; ++i)
+    row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift, y));
   for (const DelayedPart& part : bodies.delayed) {
     const auto influence = [&](double x) { return influence_at(part.material, grid, x, y); };
     const std::vector<Influence> late = delayed_row(part, influence, grid.dx, first, count);
