@@ -1,7 +1,6 @@
 // Hunting of a wheelset: below its critical speed a disturbance dies out, above it grows until the flanges stop it.
 //
-//   wheelset [FOLDER]     writes FOLDER/runs.csv and FOLDER/amplitudes.csv (default: the current folder); plot.py
-//                         draws them
+//   wheelset [FOLDER]     also writes FOLDER/runs.csv and FOLDER/amplitudes.csv, which plot.py draws
 
 #include "hunting.hpp"
 
@@ -48,23 +47,36 @@ void print_growth(double critical) {
   }
 }
 
-void write_runs(const std::filesystem::path& folder, double critical) {
-  const History below = run(at_speed(0.9 * critical), 4e-3, 10), above = run(at_speed(1.1 * critical), 1e-4, 10);
-  Table table(folder / "runs.csv");
-  std::fprintf(table.file(), "time [s],y below [m],psi below [rad],y above [m],psi above [rad]\n");
-  for (std::size_t k = 0; k < below.states.size(); k += 5)
-    std::fprintf(table.file(), "%.4f,%.6e,%.6e,%.6e,%.6e\n", static_cast<double>(k) * below.step,
-                 below.states[k][Wheelset::lateral], below.states[k][Wheelset::yaw], above.states[k][Wheelset::lateral],
-                 above.states[k][Wheelset::yaw]);
-  table.finish();
+struct Pair {
+  History below, above;
+};
+
+/// A run at 0.9 and one at 1.1 of the critical speed.
+Pair run_pair(double critical) {
+  return {run(at_speed(0.9 * critical), 4e-3, 10), run(at_speed(1.1 * critical), 1e-4, 10)};
+}
+
+void print_pair(const Pair& pair, double critical) {
   std::printf("\nFrom 4 mm at %.1f m/s after 10 s: %.2g mm. From 0.1 mm at %.1f m/s after 10 s: %.3f mm.\n",
-              0.9 * critical, 1e3 * below.amplitude(1), 1.1 * critical, 1e3 * above.amplitude(1));
-  for (const History* one : {&below, &above})
+              0.9 * critical, 1e3 * pair.below.amplitude(1), 1.1 * critical, 1e3 * pair.above.amplitude(1));
+  for (const History* one : {&pair.below, &pair.above})
     std::printf("%s: %.1f ms per simulated second, %.0f %% of it the contact law (%.2f us a contact), %.2f Newton "
                 "steps a step of 1 ms\n",
-                one == &below ? "Below" : "Above", one->seconds / 10 * 1e3, 100 * one->contact_seconds / one->seconds,
+                one == &pair.below ? "Below" : "Above", one->seconds / 10 * 1e3,
+                100 * one->contact_seconds / one->seconds,
                 one->contact_seconds / static_cast<double>(one->contacts) * 1e6,
                 static_cast<double>(one->newton_iterations) / 10000);
+}
+
+void write_pair(const std::filesystem::path& folder, const Pair& pair) {
+  Table table(folder / "runs.csv");
+  std::fprintf(table.file(), "time [s],y below [m],psi below [rad],y above [m],psi above [rad]\n");
+  for (std::size_t k = 0; k < pair.below.states.size(); k += 5) {
+    const Wheelset::State &below = pair.below.states[k], &above = pair.above.states[k];
+    std::fprintf(table.file(), "%.4f,%.6e,%.6e,%.6e,%.6e\n", static_cast<double>(k) * pair.below.step,
+                 below[Wheelset::lateral], below[Wheelset::yaw], above[Wheelset::lateral], above[Wheelset::yaw]);
+  }
+  table.finish();
 }
 
 /// What is left of a small and of a large disturbance after 15 s.
@@ -83,12 +95,15 @@ void write_amplitudes(const std::filesystem::path& folder, double critical) {
 
 int main(int count, char** arguments) {
   try {
-    const std::filesystem::path folder = count > 1 ? arguments[1] : ".";
     const double critical = critical_speed({}), of_runs = critical_speed_of_runs({});
     std::printf("Critical speed: %.3f m/s by eigenvalues, %.3f m/s by nonlinear runs\n", critical, of_runs);
     print_growth(critical);
-    write_runs(folder, critical);
-    write_amplitudes(folder, critical);
+    const Pair pair = run_pair(critical);
+    print_pair(pair, critical);
+    if (count > 1) {
+      write_pair(arguments[1], pair);
+      write_amplitudes(arguments[1], critical);
+    }
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "wheelset: %s\n", error.what());

@@ -7,4 +7,4 @@ shift 4
 rm -rf "$folder"
 cmake -S "$project" -B "$folder" -DCMAKE_PREFIX_PATH="$prefix" "$@" >"$folder.log" || { cat "$folder.log"; exit 1; }
 cmake --build "$folder" >"$folder.log" || { cat "$folder.log"; exit 1; }
-[ -z "$program" ] || "$folder/$program"
+"$folder/$program"

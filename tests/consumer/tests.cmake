@@ -14,7 +14,7 @@ add_test(NAME consumer_find_package_c
   COMMAND ${find_package} ${CMAKE_CURRENT_LIST_DIR}/c ${folder}/c consumer ${compilers}
     -DSOURCE=${PROJECT_SOURCE_DIR}/examples/c/first_contact.c)
 add_test(NAME consumer_wheelset
-  COMMAND ${find_package} ${PROJECT_SOURCE_DIR}/examples/wheelset ${folder}/wheelset "" ${compilers})
+  COMMAND ${find_package} ${PROJECT_SOURCE_DIR}/examples/wheelset ${folder}/wheelset wheelset ${compilers})
 # A sanitizer's run time must come first, which gfortran does not see to.
 set(fortran ${CMAKE_Fortran_COMPILER})
 if(CMAKE_CXX_FLAGS MATCHES sanitize)
