@@ -3,18 +3,21 @@
 #include "microslip/error.hpp"
 
 #include <numbers>
-#include <string>
+#include <string_view>
 
 namespace microslip {
 namespace {
 
-double require_coefficient(const std::string& field, double value) {
+double require_coefficient(std::string_view field, double value) {
   return require_between(field, value, "-", 0, FrictionLaw::largest_coefficient);
 }
 
-void require_term(const std::string& name, const FrictionTerm& term) {
-  require_coefficient(name + ".drop", term.drop);
-  require_positive(name + ".half_velocity", term.half_velocity, "m/s");
+// Names are literals, so that making a law takes no memory: hot loops do it.
+void require_terms(const FrictionTerm& first, const FrictionTerm& second) {
+  require_coefficient("first.drop", first.drop);
+  require_positive("first.half_velocity", first.half_velocity, "m/s");
+  require_coefficient("second.drop", second.drop);
+  require_positive("second.half_velocity", second.half_velocity, "m/s");
 }
 
 } // namespace
@@ -22,8 +25,7 @@ void require_term(const std::string& name, const FrictionTerm& term) {
 FrictionLaw::FrictionLaw(Kind kind, double kinetic, FrictionTerm first, FrictionTerm second)
     : kind_(kind), kinetic_(kinetic), terms_{first, second} {
   require_coefficient("kinetic", kinetic);
-  require_term("first", first);
-  require_term("second", second);
+  require_terms(first, second);
   require_coefficient("kinetic + first.drop + second.drop", static_coefficient());
 }
 

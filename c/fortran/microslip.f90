@@ -1,0 +1,291 @@
+!> microslip from Fortran 2003: the names of microslip.h, which documents them. Compile this file with your program and
+!> link with libmicroslip_c. Where C takes NULL pass c_null_ptr (c_null_funptr for the progress function).
+module microslip
+  use, intrinsic :: iso_c_binding
+  implicit none
+  private
+
+  integer(c_int), parameter, public :: microslip_ok = 0, microslip_invalid_input = 1, microslip_not_converged = 2, &
+    microslip_no_contact = 3, microslip_no_solution = 4, microslip_null_pointer = 16, microslip_wrong_size = 17, &
+    microslip_invalid_option = 18, microslip_out_of_memory = 19, microslip_no_result = 20, &
+    microslip_internal_error = 21
+  integer(c_int), parameter, public :: microslip_coulomb = 0, microslip_linear = 1, microslip_rational = 2, &
+    microslip_exponential = 3
+  integer(c_int), parameter, public :: microslip_parabolic = 0, microslip_elliptic = 1
+  integer(c_int), parameter, public :: microslip_three = 0, microslip_one = 1, microslip_blended = 2
+  integer(c_int), parameter, public :: microslip_kalker = 0, microslip_computed = 1
+  integer(c_int), parameter, public :: microslip_forward = 0, microslip_backward = 1
+  integer(c_int), parameter, public :: microslip_second_order = 0, microslip_classical = 1
+  integer(c_int), parameter, public :: microslip_steady = 0, microslip_transient = 1, microslip_shift = 2
+  integer(c_int), parameter, public :: microslip_field_x = 0, microslip_field_y = 1, microslip_field_area = 2, &
+    microslip_field_bound = 3, microslip_field_px = 4, microslip_field_py = 5, microslip_field_sx = 6, &
+    microslip_field_sy = 7, microslip_field_state = 8, microslip_field_pressure = 9, microslip_field_ux = 10, &
+    microslip_field_uy = 11
+  integer, parameter, public :: microslip_error_length = 256
+
+  type, bind(c), public :: microslip_error
+    integer(c_int) :: code = 0
+    character(kind=c_char) :: text(microslip_error_length) = c_null_char
+  end type
+
+  type, bind(c), public :: microslip_contact
+    real(c_double) :: a = 0, b = 0
+    real(c_double) :: shear_modulus = 0, poisson_ratio = 0
+    real(c_double) :: normal_force = 0, rolling_speed = 1
+    real(c_double) :: creep_longitudinal = 0, creep_lateral = 0, spin = 0
+    real(c_double) :: friction = 0
+    integer(c_int) :: friction_law = microslip_coulomb
+    real(c_double) :: friction_drop(2) = 0, friction_half_velocity(2) = 0
+  end type
+
+  type, bind(c), public :: microslip_forces
+    real(c_double) :: fx = 0, fy = 0, mz = 0
+    real(c_double) :: adhesion_area = 0, slip_area = 0
+    integer(c_int) :: status = 0
+  end type
+
+  !> Element (k, n) of C's jacobian, row n and column k counted from 1: columns xi, eta, phi, Fn come first here.
+  type, bind(c), public :: microslip_derivatives
+    type(microslip_forces) :: forces
+    real(c_double) :: jacobian(4, 3) = 0
+  end type
+
+  type, bind(c), public :: microslip_bodies
+    real(c_double) :: rolling_radius(2), transverse_radius(2)
+    real(c_double) :: young_modulus(2), poisson_ratio(2)
+  end type
+
+  type, bind(c), public :: microslip_hertz
+    real(c_double) :: a, b, approach, peak_pressure, stiffness
+    real(c_double) :: shear_modulus, poisson_ratio, dissimilarity
+  end type
+
+  type, bind(c), public :: microslip_fastsim2_options
+    integer(c_size_t) :: struct_size
+    integer(c_int) :: mx, my, bound, flexibility, coefficients, direction
+    real(c_double) :: slope_initial, slope_at_infinity, slope_decay
+  end type
+
+  type, bind(c), public :: microslip_exact_options
+    integer(c_size_t) :: struct_size
+    integer(c_int) :: mx, my, discretisation, direction
+    real(c_double) :: tolerance, accuracy
+    type(c_funptr) :: progress
+    type(c_ptr) :: progress_data
+  end type
+
+  type, bind(c), public :: microslip_exact_motion
+    integer(c_size_t) :: struct_size
+    integer(c_int) :: kind, force_x_given, force_y_given, steps
+    real(c_double) :: force_x, force_y, step
+  end type
+
+  !> Set struct_size = c_sizeof(result) before use.
+  type, bind(c), public :: microslip_exact_result
+    integer(c_size_t) :: struct_size = 0
+    type(microslip_forces) :: forces
+    real(c_double) :: creep_longitudinal = 0, creep_lateral = 0, spin = 0
+    real(c_double) :: approach = 0, peak_pressure = 0, peak_traction = 0
+    real(c_double) :: frictional_power = 0, power_by_creepage = 0, elastic_energy = 0
+    real(c_double) :: residual = 0, error = 0
+    integer(c_int) :: mx = 0, my = 0, newton_steps = 0
+    integer(c_long_long) :: products = 0
+  end type
+
+  interface
+    function microslip_contact_check(contact, error) bind(c) result(code)
+      import
+      type(microslip_contact), intent(in) :: contact
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_hertz_from_load(bodies, normal_force, hertz, error) bind(c) result(code)
+      import
+      type(microslip_bodies), intent(in) :: bodies
+      real(c_double), value :: normal_force
+      type(microslip_hertz), intent(out) :: hertz
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_fastsim2_options_init(options, size) bind(c) result(code)
+      import
+      type(microslip_fastsim2_options), intent(out) :: options
+      integer(c_size_t), value :: size
+      integer(c_int) :: code
+    end function
+
+    function microslip_fastsim2_create(options, solver, error) bind(c) result(code)
+      import
+      type(microslip_fastsim2_options), intent(in) :: options
+      type(c_ptr), intent(out) :: solver
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_fastsim2_destroy(solver) bind(c)
+      import
+      type(c_ptr), value :: solver
+    end subroutine
+
+    function microslip_fastsim2_solve(solver, count, contacts, forces) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      integer(c_size_t), value :: count
+      type(microslip_contact), intent(in) :: contacts(*)
+      type(microslip_forces), intent(inout) :: forces(*)
+      integer(c_int) :: code
+    end function
+
+    function microslip_fastsim2_differentiate(solver, count, contacts, derivatives) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      integer(c_size_t), value :: count
+      type(microslip_contact), intent(in) :: contacts(*)
+      type(microslip_derivatives), intent(inout) :: derivatives(*)
+      integer(c_int) :: code
+    end function
+
+    function microslip_fastsim2_solve_fields(solver, contact, forces, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      type(microslip_contact), intent(in) :: contact
+      type(microslip_forces), intent(out) :: forces
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_fastsim2_get(solver, field, count, values, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int), value :: field
+      integer(c_size_t), value :: count
+      real(c_double), intent(out) :: values(*)
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_exact_options_init(options, size) bind(c) result(code)
+      import
+      type(microslip_exact_options), intent(out) :: options
+      integer(c_size_t), value :: size
+      integer(c_int) :: code
+    end function
+
+    function microslip_exact_motion_init(motion, size) bind(c) result(code)
+      import
+      type(microslip_exact_motion), intent(out) :: motion
+      integer(c_size_t), value :: size
+      integer(c_int) :: code
+    end function
+
+    function microslip_exact_create(options, solver, error) bind(c) result(code)
+      import
+      type(microslip_exact_options), intent(in) :: options
+      type(c_ptr), intent(out) :: solver
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_exact_destroy(solver) bind(c)
+      import
+      type(c_ptr), value :: solver
+    end subroutine
+
+    function microslip_exact_solve(solver, contact, motion, result, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      type(microslip_contact), intent(in) :: contact
+      type(microslip_exact_motion), intent(in) :: motion
+      type(microslip_exact_result), intent(inout) :: result
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_exact_differentiate(solver, contact, count, jacobian, result, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      type(microslip_contact), intent(in) :: contact
+      integer(c_size_t), value :: count
+      real(c_double), intent(out) :: jacobian(*)
+      type(microslip_exact_result), intent(inout) :: result
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_exact_get(solver, field, count, values, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int), value :: field
+      integer(c_size_t), value :: count
+      real(c_double), intent(out) :: values(*)
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+  end interface
+
+  public :: microslip_contact_check, microslip_hertz_from_load
+  public :: microslip_fastsim2_options_init, microslip_fastsim2_create, microslip_fastsim2_destroy
+  public :: microslip_fastsim2_solve, microslip_fastsim2_differentiate
+  public :: microslip_fastsim2_solve_fields, microslip_fastsim2_get
+  public :: microslip_exact_options_init, microslip_exact_motion_init
+  public :: microslip_exact_create, microslip_exact_destroy
+  public :: microslip_exact_solve, microslip_exact_differentiate, microslip_exact_get
+  public :: microslip_version, microslip_code_text, microslip_error_text
+
+contains
+
+  !> Version of the library that is running, e.g. "0.1.0".
+  function microslip_version() result(text)
+    character(:), allocatable :: text
+    interface
+      function c_version() bind(c, name='microslip_version') result(text)
+        import
+        type(c_ptr) :: text
+      end function
+    end interface
+    text = from_c(c_version())
+  end function
+
+  !> What a code means, in a few words.
+  function microslip_code_text(code) result(text)
+    integer(c_int), intent(in) :: code
+    character(:), allocatable :: text
+    interface
+      function c_code_text(code) bind(c, name='microslip_code_text') result(text)
+        import
+        integer(c_int), value :: code
+        type(c_ptr) :: text
+      end function
+    end interface
+    text = from_c(c_code_text(code))
+  end function
+
+  !> The words of an error.
+  function microslip_error_text(error) result(text)
+    type(microslip_error), intent(in) :: error
+    character(:), allocatable :: text
+    integer :: i
+    text = ''
+    do i = 1, microslip_error_length
+      if (error%text(i) == c_null_char) exit
+      text = text // error%text(i)
+    end do
+  end function
+
+  !> A C string as a Fortran one.
+  function from_c(pointer) result(text)
+    type(c_ptr), intent(in) :: pointer
+    character(:), allocatable :: text
+    character(kind=c_char), pointer :: letters(:)
+    integer :: i
+    call c_f_pointer(pointer, letters, [microslip_error_length])
+    text = ''
+    do i = 1, microslip_error_length
+      if (letters(i) == c_null_char) exit
+      text = text // letters(i)
+    end do
+  end function
+
+end module

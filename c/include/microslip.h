@@ -1,0 +1,307 @@
+#ifndef MICROSLIP_H
+#define MICROSLIP_H
+
+/*
+ * microslip from C, and from all that can call C: frictional rolling contact by the simplified theory (FASTSIM2) and by
+ * the exact theory of elastic half-spaces.
+ *
+ * Units are SI. Forces, moments and tractions act on body 1, the wheel; positive creepage gives a negative force. Frame
+ * and signs: docs/conventions.md.
+ *
+ * Solvers stand behind handles: create, solve, get, destroy. Distinct handles may be used from distinct threads at the
+ * same time, one handle by one thread at a time. There is no global state.
+ *
+ * Calls return a microslip_code, MICROSLIP_OK being 0. Those that are not made for an inner loop also take a
+ * microslip_error, which may be NULL, and write into it what is wrong in words: field, value, unit and allowed range.
+ * A call that refuses its arguments changes nothing else. No C++ exception leaves the library.
+ *
+ * Structs that may grow in later versions begin with `struct_size`, which their _init function or the caller sets to
+ * sizeof the struct. New fields are added at the end and mean the old behaviour when they are zero, so programs built
+ * with an older header keep working. Structs without it keep their layout as long as the library's soname stays.
+ */
+
+#include <stddef.h>
+
+#define MICROSLIP_VERSION_MAJOR 0
+#define MICROSLIP_VERSION_MINOR 1
+#define MICROSLIP_VERSION_PATCH 0
+
+#if defined(__GNUC__)
+#define MICROSLIP_API __attribute__((visibility("default")))
+#else
+#define MICROSLIP_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------------------------------------- codes and texts ----
+ */
+
+/* How a call or a contact ended. Values are never given another meaning. */
+typedef enum microslip_code {
+  MICROSLIP_OK = 0,
+  /* How a calculation ended; also in `status` of the results. */
+  MICROSLIP_INVALID_INPUT = 1, /* a contact is not a number or out of range; its results are NaN, others are solved */
+  MICROSLIP_NOT_CONVERGED = 2, /* the result is the best one found; its residual is stated */
+  MICROSLIP_NO_CONTACT = 3,    /* the bodies do not touch */
+  MICROSLIP_NO_SOLUTION = 4,   /* a given force is beyond what friction can bear; the result slides fully */
+  /* Why a call was refused. */
+  MICROSLIP_NULL_POINTER = 16,
+  MICROSLIP_WRONG_SIZE = 17,     /* of an array or a struct */
+  MICROSLIP_INVALID_OPTION = 18, /* an option or argument out of range */
+  MICROSLIP_OUT_OF_MEMORY = 19,
+  MICROSLIP_NO_RESULT = 20,     /* nothing was solved yet that this could be got from, or not this field */
+  MICROSLIP_INTERNAL_ERROR = 21 /* a fault of the library; please report it */
+} microslip_code;
+
+#define MICROSLIP_ERROR_LENGTH 256
+
+/* What went wrong, in words. */
+typedef struct microslip_error {
+  int code;                          /* a microslip_code */
+  char text[MICROSLIP_ERROR_LENGTH]; /* ends with a zero; cut if longer; empty with MICROSLIP_OK */
+} microslip_error;
+
+/* What the library was built from. Texts live as long as the library is loaded. */
+typedef struct microslip_build {
+  const char* version;    /* e.g. "0.1.0" */
+  const char* commit;     /* short hash, with "-dirty" if there were changes; "unknown" outside a repository */
+  const char* compiler;   /* name and version */
+  const char* build_type; /* e.g. "Release" */
+} microslip_build;
+
+/* "0.1.0": of the library that is running, while the macros above are of the header. */
+MICROSLIP_API const char* microslip_version(void);
+MICROSLIP_API microslip_build microslip_build_info(void);
+/* What a code means, in a few words; never NULL. */
+MICROSLIP_API const char* microslip_code_text(int code);
+
+/* ------------------------------------------------------------------------------------------------------ contact ----
+ */
+
+/* How the coefficient of friction depends on the slip velocity v, with mu_k, d_i and v_i as in microslip_contact. */
+typedef enum microslip_friction_law {
+  MICROSLIP_COULOMB = 0,    /* mu_k */
+  MICROSLIP_LINEAR = 1,     /* mu_k + sum of d_i max(0, 1 - v/(2 v_i)) */
+  MICROSLIP_RATIONAL = 2,   /* mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2) */
+  MICROSLIP_EXPONENTIAL = 3 /* mu_k + sum of d_i 2^(-v/v_i) */
+} microslip_friction_law;
+
+/* One Hertzian contact: ellipse, combined material, load, friction and creepages. */
+typedef struct microslip_contact {
+  double a;                         /* semi-axis along the rolling direction [m], > 0 */
+  double b;                         /* lateral semi-axis [m], > 0 */
+  double shear_modulus;             /* combined G [Pa], > 0 */
+  double poisson_ratio;             /* combined nu [-], in [0, 0.5] */
+  double normal_force;              /* Fn [N], > 0 */
+  double rolling_speed;             /* V [m/s], > 0; matters for falling friction and for powers only */
+  double creep_longitudinal;        /* xi [-] */
+  double creep_lateral;             /* eta [-] */
+  double spin;                      /* phi [1/m] */
+  double friction;                  /* mu, or mu_k of a falling law [-], in [0, 10], as is mu_k + d_1 + d_2 */
+  int friction_law;                 /* a microslip_friction_law; the exact theory takes Coulomb's only */
+  double friction_drop[2];          /* d_i [-], >= 0; not used by Coulomb's law */
+  double friction_half_velocity[2]; /* v_i [m/s], > 0 where d_i > 0 */
+} microslip_contact;
+
+/* Whether a contact is within the ranges above; if not, the error names the first field that is not. Any thread. */
+MICROSLIP_API microslip_code microslip_contact_check(const microslip_contact* contact, microslip_error* error);
+
+/* Totals, on body 1. */
+typedef struct microslip_forces {
+  double fx;            /* [N] */
+  double fy;            /* [N] */
+  double mz;            /* integral of x py - y px [N m] */
+  double adhesion_area; /* [m^2] */
+  double slip_area;     /* [m^2] */
+  int status;           /* a microslip_code below 16 */
+} microslip_forces;
+
+/* Totals and their derivatives: rows fx, fy, mz; columns xi [-], eta [-], phi [1/m], Fn [N]. That to Fn keeps the
+ * ellipse as it is. */
+typedef struct microslip_derivatives {
+  microslip_forces forces;
+  double jacobian[3][4];
+} microslip_derivatives;
+
+/* Two bodies that touch at a point; index 0 is body 1. Radii are positive for convex bodies, negative for concave ones
+ * and infinite for flat ones. */
+typedef struct microslip_bodies {
+  double rolling_radius[2];    /* in the plane of rolling [m] */
+  double transverse_radius[2]; /* in the lateral plane [m] */
+  double young_modulus[2];     /* E [Pa], > 0 */
+  double poisson_ratio[2];     /* nu [-], in [0, 0.5] */
+} microslip_bodies;
+
+/* What Hertz's theory finds. */
+typedef struct microslip_hertz {
+  double a, b;          /* semi-axes along x and y [m] */
+  double approach;      /* of distant points [m] */
+  double peak_pressure; /* [Pa] */
+  double stiffness;     /* dFn/d(approach) [N/m] */
+  double shear_modulus; /* combined G [Pa] */
+  double poisson_ratio; /* combined nu [-] */
+  double dissimilarity; /* K [-], 0 for equal bodies; both theories here neglect it */
+} microslip_hertz;
+
+/* Hertz's contact under a normal force [N], > 0. Cost: about a microsecond. Any thread. */
+MICROSLIP_API microslip_code microslip_hertz_from_load(const microslip_bodies* bodies, double normal_force,
+                                                       microslip_hertz* hertz, microslip_error* error);
+
+/* --------------------------------------------------------------------------------------------- names of choices ----
+ */
+
+typedef enum microslip_bound { MICROSLIP_PARABOLIC = 0, MICROSLIP_ELLIPTIC = 1 } microslip_bound;
+typedef enum microslip_flexibility {
+  MICROSLIP_THREE = 0,  /* one for each creepage */
+  MICROSLIP_ONE = 1,    /* their weighted mean */
+  MICROSLIP_BLENDED = 2 /* three at small creepages, one at large ones */
+} microslip_flexibility;
+typedef enum microslip_coefficients { MICROSLIP_KALKER = 0, MICROSLIP_COMPUTED = 1 } microslip_coefficients;
+typedef enum microslip_direction { MICROSLIP_FORWARD = 0, MICROSLIP_BACKWARD = 1 } microslip_direction;
+typedef enum microslip_discretisation { MICROSLIP_SECOND_ORDER = 0, MICROSLIP_CLASSICAL = 1 } microslip_discretisation;
+typedef enum microslip_motion {
+  MICROSLIP_STEADY = 0,
+  MICROSLIP_TRANSIENT = 1, /* rolling from no tractions on */
+  MICROSLIP_SHIFT = 2      /* the creepages are a rigid shift [m] and a rotation [rad] */
+} microslip_motion;
+
+/* Fields over the cells of a grid: my rows, y ascending, of mx cells from the leading to the trailing edge; cell i of
+ * row j has the index j mx + i. */
+typedef enum microslip_field {
+  MICROSLIP_FIELD_X = 0,        /* cell centres [m] */
+  MICROSLIP_FIELD_Y = 1,        /* [m] */
+  MICROSLIP_FIELD_AREA = 2,     /* weights [m^2]: sum of area times px is fx */
+  MICROSLIP_FIELD_BOUND = 3,    /* traction bound g [Pa] */
+  MICROSLIP_FIELD_PX = 4,       /* tractions on body 1 [Pa] */
+  MICROSLIP_FIELD_PY = 5,       /* [Pa] */
+  MICROSLIP_FIELD_SX = 6,       /* relative slip of body 1 over body 2 [-] */
+  MICROSLIP_FIELD_SY = 7,       /* [-] */
+  MICROSLIP_FIELD_STATE = 8,    /* 0 exterior, 1 adhesion, 2 slip */
+  MICROSLIP_FIELD_PRESSURE = 9, /* exact theory only [Pa] */
+  MICROSLIP_FIELD_UX = 10,      /* exact theory only: displacement difference [m] */
+  MICROSLIP_FIELD_UY = 11       /* [m] */
+} microslip_field;
+
+/* ----------------------------------------------------------------------------------------------------- FASTSIM2 ----
+ */
+
+typedef struct microslip_fastsim2 microslip_fastsim2;
+
+typedef struct microslip_fastsim2_options {
+  size_t struct_size;
+  int mx, my;               /* cells along a row and rows, 1 to 10,000; 10 and 10 */
+  int bound;                /* a microslip_bound; parabolic */
+  int flexibility;          /* a microslip_flexibility; three */
+  int coefficients;         /* a microslip_coefficients; Kalker's table */
+  int direction;            /* a microslip_direction; forward */
+  double slope_initial;     /* slope reduction: k0 in (0, 1]; 1 */
+  double slope_at_infinity; /* alpha in [0, 1]; 1 */
+  double slope_decay;       /* beta, >= 0; 0 */
+} microslip_fastsim2_options;
+
+/* Writes the defaults, and `struct_size`, into the first `size` bytes: pass sizeof *options. */
+MICROSLIP_API microslip_code microslip_fastsim2_options_init(microslip_fastsim2_options* options, size_t size);
+/* Makes a solver; options NULL means the defaults. All memory for solve and differentiate is taken here. */
+MICROSLIP_API microslip_code microslip_fastsim2_create(const microslip_fastsim2_options* options,
+                                                       microslip_fastsim2** solver, microslip_error* error);
+/* NULL is allowed. */
+MICROSLIP_API void microslip_fastsim2_destroy(microslip_fastsim2* solver);
+/* Forces of `count` contacts. Real-time safe: no allocation, no lock, no input or output; the work is bounded by
+ * count mx my. MICROSLIP_INVALID_INPUT if any contact is out of range (microslip_contact_check tells why): it gets NaN
+ * and that status, the others are solved. A result does not depend on the other contacts. */
+MICROSLIP_API microslip_code microslip_fastsim2_solve(microslip_fastsim2* solver, size_t count,
+                                                      const microslip_contact* contacts, microslip_forces* forces);
+/* The same with derivatives, by forward differentiation of the same algorithm. Real-time safe as well. */
+MICROSLIP_API microslip_code microslip_fastsim2_differentiate(microslip_fastsim2* solver, size_t count,
+                                                              const microslip_contact* contacts,
+                                                              microslip_derivatives* derivatives);
+/* Solves one contact and keeps its fields, mx my cells, for microslip_fastsim2_get. Allocates. `forces` may be NULL. */
+MICROSLIP_API microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2* solver,
+                                                             const microslip_contact* contact, microslip_forces* forces,
+                                                             microslip_error* error);
+/* Copies a field of the contact last solved by microslip_fastsim2_solve_fields; `count` must be mx my. */
+MICROSLIP_API microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, microslip_field field,
+                                                    size_t count, double* values, microslip_error* error);
+
+/* ------------------------------------------------------------------------------------------------- exact theory ----
+ */
+
+typedef struct microslip_exact microslip_exact;
+
+typedef struct microslip_exact_options {
+  size_t struct_size;
+  int mx, my;         /* elements across the ellipse, 1 to 4,000; 24 and 24 */
+  int discretisation; /* a microslip_discretisation of steady rolling; second order */
+  int direction;      /* a microslip_direction; forward */
+  double tolerance;   /* of the residual; 1e-6 */
+  /* If not 0: steady rolling to this accuracy, a fraction of mu Fn in [1e-5, 0.1]. Grids are chosen, mx and my not
+   * used, and forces and creepages are extrapolated to the limit. */
+  double accuracy;
+  /* If not NULL: called now and then by long solves with the fraction done, 0 to 1; another return than 0 ends the
+   * solve with MICROSLIP_NOT_CONVERGED. It must not call the same handle. */
+  int (*progress)(double fraction, void* progress_data);
+  void* progress_data;
+} microslip_exact_options;
+
+/* How the bodies move over each other, beyond the creepages of the contact. */
+typedef struct microslip_exact_motion {
+  size_t struct_size;
+  int kind;          /* a microslip_motion; steady */
+  int force_x_given; /* 1: force_x is given and xi is found; 0 */
+  int force_y_given; /* 1: force_y is given and eta is found; 0 */
+  int steps;         /* of transient rolling, 1 to 1,000,000; 1 */
+  double force_x;    /* [N] on body 1 */
+  double force_y;    /* [N] on body 1 */
+  double step;       /* the way rolled in a step [m]; 0: an element's length */
+} microslip_exact_motion;
+
+typedef struct microslip_exact_result {
+  size_t struct_size;        /* set by the caller */
+  microslip_forces forces;   /* with an accuracy given: the limit */
+  double creep_longitudinal; /* xi as given, or as found where a force is given */
+  double creep_lateral;      /* eta, likewise */
+  double spin;               /* phi [1/m] */
+  double approach;           /* [m] */
+  double peak_pressure;      /* [Pa] */
+  double peak_traction;      /* [Pa] */
+  double frictional_power;   /* [W], >= 0; for a shift the work [J] */
+  double power_by_creepage;  /* -V (xi fx + eta fy + phi mz) [W] */
+  double elastic_energy;     /* of the tangential tractions [J] */
+  double residual;           /* relative, of the last Newton step */
+  double error;              /* estimated, fraction of mu Fn; 0 unless an accuracy was given */
+  int mx, my;                /* shape of the fields, margins outside the contact included */
+  int newton_steps;
+  long long products; /* with the matrix: what the solve cost */
+} microslip_exact_result;
+
+/* Write the defaults, and `struct_size`, into the first `size` bytes: pass sizeof *options or *motion. */
+MICROSLIP_API microslip_code microslip_exact_options_init(microslip_exact_options* options, size_t size);
+MICROSLIP_API microslip_code microslip_exact_motion_init(microslip_exact_motion* motion, size_t size);
+/* Makes a solver; options NULL means the defaults. Influence numbers are kept from one contact to the next if ellipse
+ * and material stay the same. */
+MICROSLIP_API microslip_code microslip_exact_create(const microslip_exact_options* options, microslip_exact** solver,
+                                                    microslip_error* error);
+/* NULL is allowed. */
+MICROSLIP_API void microslip_exact_destroy(microslip_exact* solver);
+/* Solves one contact and keeps its fields. motion NULL means steady rolling with the contact's creepages. Returns the
+ * contact's status, or why it was refused; with a status other than MICROSLIP_OK the result is filled in as well. */
+MICROSLIP_API microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_contact* contact,
+                                                   const microslip_exact_motion* motion, microslip_exact_result* result,
+                                                   microslip_error* error);
+/* Steady rolling at second order with derivatives: `jacobian` holds count = 9 numbers, row by row fx, fy, mz, by xi,
+ * eta, phi. Some four to six times the cost of a solve. Not with an accuracy given. `result` may be NULL. */
+MICROSLIP_API microslip_code microslip_exact_differentiate(microslip_exact* solver, const microslip_contact* contact,
+                                                           size_t count, double* jacobian,
+                                                           microslip_exact_result* result, microslip_error* error);
+/* Copies a field of the contact last solved; `count` must be mx my of its result. */
+MICROSLIP_API microslip_code microslip_exact_get(const microslip_exact* solver, microslip_field field, size_t count,
+                                                 double* values, microslip_error* error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,94 @@
+#include "c/tests/c_cases.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/version.hpp"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+TEST(CContact, CheckNamesTheFieldItsValueAndTheRange) {
+  microslip_error error;
+  microslip_contact good = some_contact();
+  EXPECT_EQ(microslip_contact_check(&good, &error), MICROSLIP_OK);
+  EXPECT_EQ(error.code, MICROSLIP_OK);
+  EXPECT_STREQ(error.text, "");
+  for (const auto& [name, field, value] : wrong_fields) {
+    microslip_contact contact = good;
+    contact.*field = value;
+    EXPECT_EQ(microslip_contact_check(&contact, &error), MICROSLIP_INVALID_INPUT) << name;
+    EXPECT_EQ(error.code, MICROSLIP_INVALID_INPUT);
+    const std::string text = error.text;
+    EXPECT_EQ(text.find(std::string(name) + " = "), 0U) << text;
+    EXPECT_NE(text.find("must be"), std::string::npos) << text;
+  }
+  EXPECT_EQ(microslip_contact_check(nullptr, &error), MICROSLIP_NULL_POINTER);
+  EXPECT_STREQ(error.text, "contact is NULL");
+  EXPECT_EQ(microslip_contact_check(nullptr, nullptr), MICROSLIP_NULL_POINTER);
+}
+
+TEST(CContact, CheckNamesTheTermOfAFallingLaw) {
+  microslip_error error;
+  microslip_contact contact = some_contact();
+  contact.friction_law = MICROSLIP_EXPONENTIAL;
+  EXPECT_EQ(microslip_contact_check(&contact, &error), MICROSLIP_OK) << error.text; // terms without effect
+  contact.friction_drop[1] = 0.2;
+  EXPECT_EQ(microslip_contact_check(&contact, &error), MICROSLIP_INVALID_INPUT);
+  EXPECT_NE(std::string(error.text).find("second.half_velocity = 0"), std::string::npos) << error.text;
+  contact.friction_half_velocity[1] = 1;
+  contact.friction_drop[1] = 9.9;
+  EXPECT_EQ(microslip_contact_check(&contact, &error), MICROSLIP_INVALID_INPUT);
+  contact.friction_law = 4;
+  EXPECT_EQ(microslip_contact_check(&contact, &error), MICROSLIP_INVALID_INPUT);
+  EXPECT_NE(std::string(error.text).find("friction_law = 4"), std::string::npos) << error.text;
+}
+
+TEST(CContact, HertzIsThatOfTheLibrary) {
+  const microslip_bodies bodies = {{0.46, infinite}, {infinite, 0.3}, {210e9, 205e9}, {0.28, 0.3}};
+  const CombinedMaterial pair = combine(Material::from_young(210e9, 0.28), Material::from_young(205e9, 0.3));
+  const HertzContact wanted = hertz_from_load(gap_curvatures({0.46, infinite, infinite, 0.3}), pair, 80e3);
+  microslip_hertz found;
+  ASSERT_EQ(microslip_hertz_from_load(&bodies, 80e3, &found, nullptr), MICROSLIP_OK);
+  EXPECT_TRUE(same(found.a, wanted.a) && same(found.b, wanted.b) && same(found.approach, wanted.approach));
+  EXPECT_TRUE(same(found.peak_pressure, wanted.peak_pressure) && same(found.stiffness, wanted.stiffness));
+  EXPECT_TRUE(same(found.shear_modulus, pair.shear_modulus) && same(found.poisson_ratio, pair.poisson_ratio));
+  EXPECT_TRUE(same(found.dissimilarity, pair.dissimilarity));
+}
+
+TEST(CContact, HertzRefusesWithWords) {
+  microslip_bodies bodies = {{0.46, infinite}, {infinite, 0.3}, {210e9, 205e9}, {0.28, 0.7}};
+  microslip_hertz hertz;
+  microslip_error error;
+  EXPECT_EQ(microslip_hertz_from_load(&bodies, 80e3, &hertz, &error), MICROSLIP_INVALID_OPTION);
+  EXPECT_NE(std::string(error.text).find("poisson_ratio = 0.7"), std::string::npos) << error.text;
+  bodies.poisson_ratio[1] = 0.3;
+  EXPECT_EQ(microslip_hertz_from_load(&bodies, -1, &hertz, &error), MICROSLIP_INVALID_OPTION);
+  EXPECT_EQ(microslip_hertz_from_load(&bodies, 1, nullptr, &error), MICROSLIP_NULL_POINTER);
+  EXPECT_EQ(microslip_hertz_from_load(nullptr, 1, &hertz, &error), MICROSLIP_NULL_POINTER);
+}
+
+TEST(CContact, VersionsOfHeaderAndLibraryAgree) {
+  const std::string header = std::to_string(MICROSLIP_VERSION_MAJOR) + "." + std::to_string(MICROSLIP_VERSION_MINOR) +
+                             "." + std::to_string(MICROSLIP_VERSION_PATCH);
+  EXPECT_EQ(microslip_version(), header);
+  const microslip_build build = microslip_build_info();
+  const BuildInfo wanted = build_info();
+  EXPECT_EQ(build.version, wanted.version);
+  EXPECT_EQ(build.commit, wanted.commit);
+  EXPECT_EQ(build.compiler, wanted.compiler);
+  EXPECT_EQ(build.build_type, wanted.build_type);
+}
+
+TEST(CContact, EveryCodeHasATextOfItsOwn) {
+  std::set<std::string> texts;
+  for (const int code : {0, 1, 2, 3, 4, 16, 17, 18, 19, 20, 21}) texts.insert(microslip_code_text(code));
+  EXPECT_EQ(texts.size(), 11U);
+  EXPECT_EQ(texts.count(microslip_code_text(-1)), 0U);
+  EXPECT_STREQ(microslip_code_text(-1), microslip_code_text(1000));
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,279 @@
+#include "c/tests/c_cases.hpp"
+#include "microslip/exact/accurate_contact.hpp"
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+using Solver = std::unique_ptr<microslip_exact, decltype(&microslip_exact_destroy)>;
+
+microslip_exact_options small_grid() {
+  microslip_exact_options options;
+  EXPECT_EQ(microslip_exact_options_init(&options, sizeof options), MICROSLIP_OK);
+  options.mx = options.my = 10;
+  return options;
+}
+
+microslip_exact_motion motion_of_kind(int kind) {
+  microslip_exact_motion motion;
+  EXPECT_EQ(microslip_exact_motion_init(&motion, sizeof motion), MICROSLIP_OK);
+  motion.kind = kind;
+  return motion;
+}
+
+Solver make(const microslip_exact_options& options) {
+  microslip_exact* solver = nullptr;
+  microslip_error error;
+  EXPECT_EQ(microslip_exact_create(&options, &solver, &error), MICROSLIP_OK) << error.text;
+  return {solver, &microslip_exact_destroy};
+}
+
+microslip_exact_result solve(const Solver& solver, const microslip_contact& contact,
+                             const microslip_exact_motion* motion = nullptr) {
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  microslip_error error;
+  EXPECT_EQ(microslip_exact_solve(solver.get(), &contact, motion, &result, &error), MICROSLIP_OK) << error.text;
+  return result;
+}
+
+EllipticContact cpp_form(const microslip_contact& c) {
+  return {.a = c.a,
+          .b = c.b,
+          .shear_modulus = c.shear_modulus,
+          .poisson_ratio = c.poisson_ratio,
+          .normal_force = c.normal_force,
+          .friction = FrictionLaw::coulomb(c.friction),
+          .creepage = {c.creep_longitudinal, c.creep_lateral, c.spin},
+          .rolling_speed = c.rolling_speed};
+}
+
+void expect_same(const microslip_exact_result& found, const ExactContact& wanted) {
+  EXPECT_TRUE(same(found.forces, wanted.fields.forces));
+  EXPECT_TRUE(same(found.creep_longitudinal, wanted.creepage.longitudinal));
+  EXPECT_TRUE(same(found.creep_lateral, wanted.creepage.lateral));
+  EXPECT_TRUE(same(found.spin, wanted.creepage.spin));
+  EXPECT_TRUE(same(found.approach, wanted.approach));
+  EXPECT_TRUE(same(found.peak_pressure, wanted.peak_pressure));
+  EXPECT_TRUE(same(found.peak_traction, wanted.peak_traction));
+  EXPECT_TRUE(same(found.frictional_power, wanted.fields.frictional_power));
+  EXPECT_TRUE(same(found.power_by_creepage, wanted.power_by_creepage));
+  EXPECT_TRUE(same(found.elastic_energy, wanted.elastic_energy));
+  EXPECT_TRUE(same(found.residual, wanted.residual));
+  EXPECT_EQ(found.newton_steps, wanted.newton_steps);
+  EXPECT_EQ(found.products, wanted.products);
+  EXPECT_EQ(found.error, 0);
+}
+
+TEST(CExact, MotionsAndOptionsReachTheSolver) {
+  const microslip_contact contact = some_contact();
+  for (const int discretisation : {MICROSLIP_SECOND_ORDER, MICROSLIP_CLASSICAL})
+    for (const int direction : {MICROSLIP_FORWARD, MICROSLIP_BACKWARD}) {
+      microslip_exact_options options = small_grid();
+      options.my = 8;
+      options.discretisation = discretisation;
+      options.direction = direction;
+      options.tolerance = 1e-8;
+      EllipticContactSolver wanted({.mx = 10,
+                                    .my = 8,
+                                    .discretisation = static_cast<Discretisation>(discretisation),
+                                    .direction = static_cast<RollingDirection>(direction),
+                                    .tolerance = 1e-8});
+      expect_same(solve(make(options), contact), wanted.solve(cpp_form(contact)));
+    }
+}
+
+TEST(CExact, MotionsReachTheSolver) {
+  microslip_contact contact = some_contact();
+  microslip_exact_motion transient = motion_of_kind(MICROSLIP_TRANSIENT);
+  transient.steps = 3;
+  transient.step = 1e-3;
+  EllipticContactSolver wanted({.mx = 10, .my = 10});
+  expect_same(solve(make(small_grid()), contact, &transient),
+              wanted.solve(cpp_form(contact), {.kind = ContactMotion::transient, .step = 1e-3, .steps = 3}));
+  microslip_exact_motion given = motion_of_kind(MICROSLIP_STEADY);
+  given.force_x_given = given.force_y_given = 1;
+  given.force_x = -9e3;
+  given.force_y = 4e3;
+  const microslip_exact_result found = solve(make(small_grid()), contact, &given);
+  expect_same(found,
+              EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(contact), {.force_x = -9e3, .force_y = 4e3}));
+  EXPECT_NEAR(found.forces.fx, -9e3, 1);
+  contact.creep_longitudinal = 4e-6, contact.creep_lateral = contact.spin = 0;
+  const microslip_exact_motion shift = motion_of_kind(MICROSLIP_SHIFT);
+  expect_same(solve(make(small_grid()), contact, &shift),
+              EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(contact), {.kind = ContactMotion::shift}));
+}
+
+TEST(CExact, AccuracyPicksTheGridAndExtrapolates) {
+  microslip_exact_options options = small_grid();
+  options.accuracy = 1e-2;
+  const microslip_exact_result found = solve(make(options), some_contact());
+  const AccurateContact wanted = AccurateContactSolver(1e-2).solve(cpp_form(some_contact()));
+  EXPECT_TRUE(same(found.forces, wanted.forces));
+  EXPECT_TRUE(same(found.error, wanted.error));
+  EXPECT_EQ(found.products, wanted.products);
+  EXPECT_EQ(found.mx, wanted.finest.fields.mx);
+  EXPECT_GT(found.error, 0);
+  EXPECT_LE(found.error, 1e-2);
+}
+
+TEST(CExact, FieldsAreThoseOfTheLibrary) {
+  const Solver solver = make(small_grid());
+  const microslip_exact_result result = solve(solver, some_contact());
+  const ExactContact wanted = EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(some_contact()));
+  const auto count = static_cast<std::size_t>(result.mx) * result.my;
+  ASSERT_EQ(count, wanted.pressure.size());
+  const ContactFields& f = wanted.fields;
+  std::vector<double> state(count), found(count);
+  for (std::size_t k = 0; k < count; ++k) state[k] = static_cast<double>(f.state[k]);
+  const std::vector<double>* fields[] = {&f.x,  &f.y,  &f.area, &f.bound,         &f.px,      &f.py,
+                                         &f.sx, &f.sy, &state,  &wanted.pressure, &wanted.ux, &wanted.uy};
+  for (int name = MICROSLIP_FIELD_X; name <= MICROSLIP_FIELD_UY; ++name) {
+    ASSERT_EQ(microslip_exact_get(solver.get(), static_cast<microslip_field>(name), count, found.data(), nullptr),
+              MICROSLIP_OK);
+    EXPECT_EQ(found, *fields[name]) << name;
+  }
+  microslip_error error;
+  EXPECT_EQ(microslip_exact_get(solver.get(), static_cast<microslip_field>(12), count, found.data(), &error),
+            MICROSLIP_NO_RESULT);
+  EXPECT_EQ(microslip_exact_get(solver.get(), MICROSLIP_FIELD_PRESSURE, count + 1, found.data(), &error),
+            MICROSLIP_WRONG_SIZE);
+}
+
+TEST(CExact, DerivativesAreThoseOfTheLibrary) {
+  const Solver solver = make(small_grid());
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  const microslip_contact contact = some_contact();
+  double jacobian[9];
+  ASSERT_EQ(microslip_exact_differentiate(solver.get(), &contact, 9, jacobian, &result, nullptr), MICROSLIP_OK);
+  const ExactDerivatives wanted = EllipticContactSolver({.mx = 10, .my = 10}).differentiate(cpp_form(contact));
+  expect_same(result, wanted.contact);
+  EXPECT_EQ(std::memcmp(jacobian, wanted.jacobian, sizeof jacobian), 0);
+  microslip_error error;
+  EXPECT_EQ(microslip_exact_differentiate(solver.get(), &contact, 8, jacobian, nullptr, &error), MICROSLIP_WRONG_SIZE);
+  microslip_exact_options accurate = small_grid();
+  accurate.accuracy = 1e-2;
+  EXPECT_EQ(microslip_exact_differentiate(make(accurate).get(), &contact, 9, jacobian, nullptr, &error),
+            MICROSLIP_INVALID_OPTION);
+}
+
+TEST(CExact, TellsWhyAContactIsInvalid) {
+  const Solver solver = make(small_grid());
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  microslip_error error;
+  double jacobian[9];
+  for (const auto& [name, field, value] : wrong_fields) {
+    microslip_contact contact = some_contact();
+    contact.*field = value;
+    EXPECT_EQ(microslip_exact_solve(solver.get(), &contact, nullptr, &result, &error), MICROSLIP_INVALID_INPUT);
+    EXPECT_EQ(std::string(error.text).find(std::string(name) + " = "), 0U) << error.text;
+    EXPECT_TRUE(std::isnan(result.forces.fx));
+    EXPECT_EQ(result.forces.status, MICROSLIP_INVALID_INPUT);
+    EXPECT_EQ(microslip_exact_differentiate(solver.get(), &contact, 9, jacobian, &result, &error),
+              MICROSLIP_INVALID_INPUT);
+    EXPECT_TRUE(std::isnan(jacobian[0]) && std::isnan(jacobian[8]));
+  }
+  microslip_contact falling = some_contact();
+  falling.friction_law = MICROSLIP_LINEAR;
+  EXPECT_EQ(microslip_exact_solve(solver.get(), &falling, nullptr, &result, &error), MICROSLIP_INVALID_INPUT);
+  EXPECT_EQ(std::string(error.text).find("friction_law"), 0U) << error.text;
+}
+
+TEST(CExact, AForceBeyondFrictionIsAStatus) {
+  const Solver solver = make(small_grid());
+  microslip_exact_motion motion = motion_of_kind(MICROSLIP_STEADY);
+  motion.force_x_given = 1;
+  motion.force_x = -30e3; // friction bears 24 kN
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  microslip_error error;
+  const microslip_contact contact = some_contact();
+  EXPECT_EQ(microslip_exact_solve(solver.get(), &contact, &motion, &result, &error), MICROSLIP_NO_SOLUTION);
+  EXPECT_STREQ(error.text, microslip_code_text(MICROSLIP_NO_SOLUTION));
+  EXPECT_EQ(result.forces.status, MICROSLIP_NO_SOLUTION);
+  EXPECT_NEAR(std::hypot(result.forces.fx, result.forces.fy), 24e3, 24e3 * 1e-3);
+}
+
+int stop_at_once(double fraction, void* data) {
+  *static_cast<double*>(data) = fraction;
+  return 1;
+}
+int throw_it(double, void*) {
+  throw std::runtime_error("thrown by the caller");
+}
+
+TEST(CExact, ProgressMayStopTheSolve) {
+  microslip_exact_options options = small_grid();
+  double fraction = -1;
+  options.progress = stop_at_once;
+  options.progress_data = &fraction;
+  microslip_exact_motion motion = motion_of_kind(MICROSLIP_TRANSIENT);
+  motion.steps = 100;
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  const microslip_contact contact = some_contact();
+  microslip_error error;
+  EXPECT_EQ(microslip_exact_solve(make(options).get(), &contact, &motion, &result, &error), MICROSLIP_NOT_CONVERGED);
+  EXPECT_STREQ(error.text, "ended by the caller's progress function");
+  EXPECT_EQ(result.forces.status, MICROSLIP_NOT_CONVERGED);
+  EXPECT_EQ(fraction, 0.01);
+  options.progress = throw_it;
+  EXPECT_EQ(microslip_exact_solve(make(options).get(), &contact, &motion, &result, &error), MICROSLIP_INTERNAL_ERROR);
+  EXPECT_STREQ(error.text, "thrown by the caller");
+}
+
+TEST(CExact, RefusesWithWords) {
+  microslip_error error;
+  microslip_exact* none = nullptr;
+  const auto refused = [&](auto change, microslip_code code, const char* words) {
+    microslip_exact_options options = small_grid();
+    change(options);
+    EXPECT_EQ(microslip_exact_create(&options, &none, &error), code);
+    EXPECT_NE(std::string(error.text).find(words), std::string::npos) << error.text;
+    EXPECT_EQ(none, nullptr);
+  };
+  refused([](auto& o) { o.mx = 4001; }, MICROSLIP_INVALID_OPTION, "mx = 4001");
+  refused([](auto& o) { o.discretisation = 2; }, MICROSLIP_INVALID_OPTION, "discretisation = 2");
+  refused([](auto& o) { o.direction = -1; }, MICROSLIP_INVALID_OPTION, "direction = -1");
+  refused([](auto& o) { o.tolerance = 0; }, MICROSLIP_INVALID_OPTION, "tolerance = 0");
+  refused([](auto& o) { o.accuracy = 1e-6; }, MICROSLIP_INVALID_OPTION, "accuracy = 1e-06");
+  refused([](auto& o) { o.struct_size = 1; }, MICROSLIP_WRONG_SIZE, "struct_size = 1");
+  EXPECT_EQ(microslip_exact_create(nullptr, nullptr, &error), MICROSLIP_NULL_POINTER);
+  microslip_exact_destroy(nullptr);
+
+  const Solver solver = make(small_grid());
+  const microslip_contact contact = some_contact();
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  const auto refused_motion = [&](auto change, const char* words) {
+    microslip_exact_motion motion = motion_of_kind(MICROSLIP_STEADY);
+    change(motion);
+    EXPECT_EQ(microslip_exact_solve(solver.get(), &contact, &motion, &result, &error), MICROSLIP_INVALID_OPTION);
+    EXPECT_NE(std::string(error.text).find(words), std::string::npos) << error.text;
+  };
+  refused_motion([](auto& m) { m.kind = 3; }, "kind = 3");
+  refused_motion([](auto& m) { m.steps = 0; }, "steps = 0");
+  refused_motion([](auto& m) { m.step = -1; }, "step = -1");
+  refused_motion([](auto& m) { m.force_x_given = 2; }, "force_x_given = 2");
+  refused_motion([](auto& m) { m.force_y_given = 1, m.force_y = not_a_number; }, "force_y");
+  double value;
+  EXPECT_EQ(microslip_exact_get(solver.get(), MICROSLIP_FIELD_X, 1, &value, &error), MICROSLIP_NO_RESULT);
+  EXPECT_EQ(microslip_exact_solve(solver.get(), nullptr, nullptr, &result, &error), MICROSLIP_NULL_POINTER);
+  EXPECT_EQ(microslip_exact_solve(solver.get(), &contact, nullptr, nullptr, &error), MICROSLIP_NULL_POINTER);
+  EXPECT_EQ(microslip_exact_solve(nullptr, &contact, nullptr, &result, &error), MICROSLIP_NULL_POINTER);
+  result.struct_size = 8;
+  EXPECT_EQ(microslip_exact_solve(solver.get(), &contact, nullptr, &result, &error), MICROSLIP_WRONG_SIZE);
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,31 @@
+# What other projects need: libraries, headers, the CMake package and pkg-config files. `cmake --install BUILD --component
+# libraries` installs just these.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS microslip EXPORT microslip_cxx COMPONENT libraries)
+install(TARGETS microslip_c EXPORT microslip_c
+  LIBRARY COMPONENT libraries NAMELINK_COMPONENT libraries PUBLIC_HEADER COMPONENT libraries)
+install(DIRECTORY microslip DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT libraries
+  FILES_MATCHING PATTERN "*.hpp" PATTERN kernel EXCLUDE)
+install(FILES c/fortran/microslip.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/fortran COMPONENT libraries)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/microslip)
+foreach(language cxx c)
+  install(EXPORT microslip_${language} NAMESPACE microslip:: DESTINATION ${package} FILE microslip-${language}.cmake
+    COMPONENT libraries)
+endforeach()
+configure_package_config_file(cmake/microslip-config.cmake.in ${CMAKE_BINARY_DIR}/package/microslip-config.cmake
+  INSTALL_DESTINATION ${package})
+# Versions 0.x change the C++ interface.
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/microslip-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/package/microslip-config.cmake
+  ${CMAKE_BINARY_DIR}/package/microslip-config-version.cmake DESTINATION ${package} COMPONENT libraries)
+
+file(RELATIVE_PATH microslip_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+foreach(name microslip microslip_c)
+  configure_file(cmake/${name}.pc.in ${CMAKE_BINARY_DIR}/package/${name}.pc @ONLY)
+  install(FILES ${CMAKE_BINARY_DIR}/package/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT libraries)
+endforeach()

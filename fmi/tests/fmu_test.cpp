@@ -1,0 +1,393 @@
+// Loads the unpacked unit as an importer would: names and value references come from modelDescription.xml, functions
+// from the binary.
+
+#include "fmi/fmi2.h"
+#include "fmi/tangential_law.hpp"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include <dlfcn.h>
+
+#include <gtest/gtest.h>
+
+namespace microslip::fmi {
+namespace {
+
+std::string attribute(const std::string& element, const std::string& name) {
+  std::smatch match;
+  return std::regex_search(element, match, std::regex("\\b" + name + "=\"([^\"]*)\"")) ? match[1].str() : "";
+}
+
+/// What the tests need of modelDescription.xml.
+struct Description {
+  std::string guid, identifier;
+  std::map<std::string, fmi2ValueReference> references;
+  std::map<std::string, double> starts;
+
+  Description() {
+    std::ifstream file(MICROSLIP_UNPACKED_FMU "/modelDescription.xml");
+    std::stringstream contents;
+    contents << file.rdbuf();
+    const std::string text = contents.str();
+    guid = attribute(text, "guid");
+    identifier = attribute(text, "modelIdentifier");
+    static const std::regex variable("<ScalarVariable[^]*?</ScalarVariable>");
+    for (std::sregex_iterator i(text.begin(), text.end(), variable), end; i != end; ++i) {
+      const std::string element = i->str(), name = attribute(element, "name"), start = attribute(element, "start");
+      references[name] = static_cast<fmi2ValueReference>(std::stoul(attribute(element, "valueReference")));
+      if (!start.empty()) starts[name] = std::stod(start);
+    }
+  }
+};
+
+const Description& description() {
+  static const Description read;
+  return read;
+}
+
+/// The binary; functions by name.
+class Binary {
+public:
+  Binary()
+      : handle_(dlopen((MICROSLIP_UNPACKED_FMU "/binaries/linux64/" + description().identifier + ".so").c_str(),
+                       RTLD_NOW | RTLD_LOCAL)) {}
+  bool loaded() const { return handle_ != nullptr; }
+  template <class Function> Function* find(const char* name) const {
+    return reinterpret_cast<Function*>(dlsym(handle_, name));
+  }
+
+private:
+  void* handle_; // stays loaded: sanitizers want its symbols at the end
+};
+
+const Binary& binary() {
+  static const Binary loaded;
+  return loaded;
+}
+
+#define FMI(name) (*binary().find<decltype(name)>(#name))
+
+struct Messages {
+  int count = 0;
+  std::string last, instance;
+  std::string category;
+};
+
+void log_message(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status, fmi2String category,
+                 fmi2String message, ...) {
+  auto& messages = *static_cast<Messages*>(environment);
+  ++messages.count;
+  messages.instance = instance;
+  messages.category = category;
+  va_list arguments;
+  va_start(arguments, message);
+  char text[256];
+  std::vsnprintf(text, sizeof text, message, arguments);
+  va_end(arguments);
+  messages.last = text;
+}
+
+/// An instance as an importer holds it.
+class Instance {
+public:
+  explicit Instance(const std::string& name = "law", const std::string& guid = description().guid,
+                    fmi2Type type = fmi2CoSimulation)
+      : functions_{log_message, nullptr, nullptr, nullptr, &messages},
+        unit(FMI(fmi2Instantiate)(name.c_str(), type, guid.c_str(), "", &functions_, fmi2False, fmi2True)) {}
+  ~Instance() { FMI(fmi2FreeInstance)(unit); }
+  Instance(const Instance&) = delete;
+
+  Messages messages;
+
+private:
+  fmi2CallbackFunctions functions_;
+
+public:
+  fmi2Component unit;
+
+  fmi2Status set(const std::string& name, double value) {
+    const fmi2ValueReference vr = description().references.at(name);
+    return FMI(fmi2SetReal)(unit, &vr, 1, &value);
+  }
+  fmi2Status set_integer(const std::string& name, int value) {
+    const fmi2ValueReference vr = description().references.at(name);
+    return FMI(fmi2SetInteger)(unit, &vr, 1, &value);
+  }
+  double get(const std::string& name) {
+    const fmi2ValueReference vr = description().references.at(name);
+    double value = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(FMI(fmi2GetReal)(unit, &vr, 1, &value), fmi2OK) << name << ": " << messages.last;
+    return value;
+  }
+  int get_integer(const std::string& name) {
+    const fmi2ValueReference vr = description().references.at(name);
+    int value = -1;
+    EXPECT_EQ(FMI(fmi2GetInteger)(unit, &vr, 1, &value), fmi2OK);
+    return value;
+  }
+  void set_input(const LawInput& input) {
+    EXPECT_EQ(set("creepage_longitudinal", input.creepage.longitudinal), fmi2OK);
+    EXPECT_EQ(set("creepage_lateral", input.creepage.lateral), fmi2OK);
+    EXPECT_EQ(set("spin", input.creepage.spin), fmi2OK);
+    EXPECT_EQ(set("normal_force", input.normal_force), fmi2OK);
+    EXPECT_EQ(set("friction", input.friction), fmi2OK);
+  }
+  void initialize() {
+    EXPECT_EQ(FMI(fmi2SetupExperiment)(unit, fmi2False, 0, 0, fmi2False, 0), fmi2OK);
+    EXPECT_EQ(FMI(fmi2EnterInitializationMode)(unit), fmi2OK);
+    EXPECT_EQ(FMI(fmi2ExitInitializationMode)(unit), fmi2OK);
+  }
+  fmi2Status step(double time, double length = 1e-3) { return FMI(fmi2DoStep)(unit, time, length, fmi2True); }
+  void expect_forces(const ContactForces& wanted) {
+    EXPECT_EQ(get("fx"), wanted.fx);
+    EXPECT_EQ(get("fy"), wanted.fy);
+    EXPECT_EQ(get("mz"), wanted.mz);
+    EXPECT_EQ(get("adhesion_area"), wanted.adhesion_area);
+    EXPECT_EQ(get("slip_area"), wanted.slip_area);
+    EXPECT_EQ(get_integer("status"), static_cast<int>(wanted.status));
+  }
+};
+
+LawInput input_at(double time) {
+  return {.creepage = {0.002 * std::sin(40 * time), 0.001 * std::cos(30 * time), 0.3},
+          .normal_force = 80e3 * (1 - 1.2 * std::sin(9 * time)), // lifts for a while
+          .friction = 0.3 - time};
+}
+
+TEST(Fmu, LoadsAndNamesItsVersion) {
+  ASSERT_TRUE(binary().loaded()) << dlerror();
+  EXPECT_STREQ(FMI(fmi2GetVersion)(), "2.0");
+  EXPECT_STREQ(FMI(fmi2GetTypesPlatform)(), "default");
+}
+
+TEST(Fmu, IsMadeOnlyAsDescribed) {
+  EXPECT_NE(Instance().unit, nullptr);
+  EXPECT_EQ(Instance("").unit, nullptr);
+  EXPECT_EQ(Instance("law", "another guid").unit, nullptr);
+  EXPECT_EQ(Instance("law", description().guid, fmi2ModelExchange).unit, nullptr);
+  Instance wrong("law", "another guid");
+  EXPECT_EQ(wrong.messages.count, 1);
+  EXPECT_EQ(wrong.messages.category, "logStatusError");
+}
+
+TEST(Fmu, StartsWithTheValuesOfTheDescription) {
+  Instance instance;
+  instance.initialize();
+  EXPECT_GE(description().starts.size(), 12U);
+  for (const auto& [name, start] : description().starts) {
+    if (name == "mx" || name == "my")
+      EXPECT_EQ(instance.get_integer(name), start) << name;
+    else
+      EXPECT_EQ(instance.get(name), start) << name;
+  }
+}
+
+TEST(Fmu, StepsAsTheLawDoes) {
+  Instance instance;
+  instance.initialize();
+  TangentialLaw law({});
+  int lifted = 0;
+  for (int k = 0; k < 250; ++k) {
+    const double time = k * 1e-3;
+    const LawInput input = input_at(time);
+    instance.set_input(input);
+    ASSERT_EQ(instance.step(time), fmi2OK) << instance.messages.last;
+    const ContactForces wanted = law.evaluate(input);
+    lifted += wanted.status == Status::no_contact;
+    instance.expect_forces(wanted);
+    double reached = 0;
+    EXPECT_EQ(FMI(fmi2GetRealStatus)(instance.unit, fmi2LastSuccessfulTime, &reached), fmi2OK);
+    EXPECT_EQ(reached, time + 1e-3);
+  }
+  EXPECT_GT(lifted, 10);
+  EXPECT_EQ(instance.messages.count, 0);
+  EXPECT_EQ(FMI(fmi2Terminate)(instance.unit), fmi2OK);
+}
+
+TEST(Fmu, ParametersReachTheLaw) {
+  Instance instance;
+  const LawParameters p{.semi_axis_x = 4e-3,
+                        .semi_axis_y = 8e-3,
+                        .reference_force = 50e3,
+                        .shear_modulus = 70e9,
+                        .poisson_ratio = 0.25,
+                        .mx = 8,
+                        .my = 12};
+  EXPECT_EQ(instance.set("semi_axis_x", p.semi_axis_x), fmi2OK);
+  EXPECT_EQ(instance.set("semi_axis_y", p.semi_axis_y), fmi2OK);
+  EXPECT_EQ(instance.set("reference_force", p.reference_force), fmi2OK);
+  EXPECT_EQ(instance.set("shear_modulus", p.shear_modulus), fmi2OK);
+  EXPECT_EQ(FMI(fmi2EnterInitializationMode)(instance.unit), fmi2OK);
+  EXPECT_EQ(instance.set("poisson_ratio", p.poisson_ratio), fmi2OK);
+  EXPECT_EQ(instance.set_integer("mx", p.mx), fmi2OK);
+  EXPECT_EQ(instance.set_integer("my", p.my), fmi2OK);
+  const LawInput input = input_at(0.01);
+  instance.set_input(input);
+  instance.expect_forces(TangentialLaw(p).evaluate(input)); // follows the inputs already during initialization
+  EXPECT_EQ(FMI(fmi2ExitInitializationMode)(instance.unit), fmi2OK);
+  instance.expect_forces(TangentialLaw(p).evaluate(input));
+}
+
+TEST(Fmu, ResultsStandUntilTheNextStep) {
+  Instance instance;
+  instance.set_input(input_at(0.01));
+  instance.initialize();
+  const double before = instance.get("fx");
+  EXPECT_EQ(instance.set("creepage_longitudinal", -0.001), fmi2OK);
+  EXPECT_EQ(instance.get("fx"), before);
+  EXPECT_EQ(instance.step(0), fmi2OK);
+  EXPECT_GT(instance.get("fx"), 0);
+}
+
+TEST(Fmu, DirectionalDerivatives) {
+  Instance instance;
+  const LawInput input = input_at(0.013);
+  instance.set_input(input);
+  instance.initialize();
+  const auto by = TangentialLaw({}).differentiate(input);
+  const auto& r = description().references;
+  const fmi2ValueReference unknowns[] = {r.at("mz"), r.at("fx")};
+  const fmi2ValueReference knowns[] = {r.at("spin"), r.at("normal_force"), r.at("friction"),
+                                       r.at("creepage_longitudinal"), r.at("creepage_lateral")};
+  const double seed[] = {0.1, 100, 0.01, 1e-4, -1e-4};
+  const int columns[] = {2, 3, 4, 0, 1};
+  double found[2];
+  ASSERT_EQ(FMI(fmi2GetDirectionalDerivative)(instance.unit, unknowns, 2, knowns, 5, seed, found), fmi2OK);
+  for (int i = 0; i < 2; ++i) {
+    double wanted = 0;
+    for (int k = 0; k < 5; ++k) wanted += by[i == 0 ? 2 : 0][columns[k]] * seed[k];
+    EXPECT_NEAR(found[i], wanted, 1e-12 * std::abs(wanted));
+  }
+  const fmi2ValueReference no_output = r.at("slip_area");
+  EXPECT_EQ(FMI(fmi2GetDirectionalDerivative)(instance.unit, &no_output, 1, knowns, 1, seed, found), fmi2Error);
+}
+
+TEST(Fmu, TwoInstancesAtOnceAreIndependent) {
+  Instance one("one"), two("two");
+  EXPECT_EQ(two.set("semi_axis_x", 9e-3), fmi2OK);
+  one.initialize();
+  two.initialize();
+  TangentialLaw law_one({}), law_two({.semi_axis_x = 9e-3});
+  for (int k = 0; k < 50; ++k) {
+    const LawInput input_one = input_at(k * 1e-3), input_two = input_at(k * 2e-3);
+    one.set_input(input_one);
+    two.set_input(input_two);
+    ASSERT_EQ(one.step(k * 1e-3), fmi2OK);
+    ASSERT_EQ(two.step(k * 1e-3), fmi2OK);
+    one.expect_forces(law_one.evaluate(input_one));
+    two.expect_forces(law_two.evaluate(input_two));
+  }
+  EXPECT_EQ(two.set("spin", std::numeric_limits<double>::quiet_NaN()), fmi2OK);
+  EXPECT_EQ(two.step(0.05), fmi2Error);
+  EXPECT_EQ(two.messages.instance, "two");
+  EXPECT_EQ(one.step(0.05), fmi2OK);
+  EXPECT_EQ(one.messages.count, 0);
+}
+
+TEST(Fmu, AnErrorNamesTheVariableAndLastsUntilReset) {
+  Instance instance;
+  instance.initialize();
+  EXPECT_EQ(instance.set("friction", -1), fmi2OK);
+  EXPECT_EQ(instance.step(0), fmi2Error);
+  EXPECT_EQ(instance.messages.last, "friction = -1 [-]: must be in [0, 10]");
+  EXPECT_EQ(instance.set("friction", 0.3), fmi2Error);
+  EXPECT_EQ(instance.step(0), fmi2Error);
+  EXPECT_EQ(FMI(fmi2Reset)(instance.unit), fmi2OK);
+  instance.initialize();
+  EXPECT_EQ(instance.step(0), fmi2OK);
+  EXPECT_EQ(instance.get("friction"), 0.3);
+}
+
+TEST(Fmu, AWrongParameterFailsTheInitialization) {
+  Instance instance;
+  EXPECT_EQ(instance.set_integer("mx", 0), fmi2OK);
+  EXPECT_EQ(FMI(fmi2EnterInitializationMode)(instance.unit), fmi2OK);
+  EXPECT_EQ(FMI(fmi2ExitInitializationMode)(instance.unit), fmi2Error);
+  EXPECT_EQ(instance.messages.last.find("mx = 0"), 0U) << instance.messages.last;
+}
+
+TEST(Fmu, CallsOutOfOrderAreErrors) {
+  const auto refused = [](auto prepare, auto call) {
+    Instance instance;
+    prepare(instance);
+    EXPECT_EQ(instance.messages.count, 0);
+    EXPECT_EQ(call(instance), fmi2Error);
+    EXPECT_EQ(instance.messages.count, 1);
+    EXPECT_EQ(instance.step(0), fmi2Error); // stays so
+  };
+  const auto nothing = [](Instance&) {};
+  const auto initialized = [](Instance& i) { i.initialize(); };
+  const auto get_fx = [](Instance& i) {
+    const fmi2ValueReference vr = description().references.at("fx");
+    double value;
+    return FMI(fmi2GetReal)(i.unit, &vr, 1, &value);
+  };
+  refused(nothing, [](Instance& i) { return i.step(0); });
+  refused(nothing, get_fx);
+  refused(nothing, [](Instance& i) { return FMI(fmi2ExitInitializationMode)(i.unit); });
+  refused(nothing, [](Instance& i) { return FMI(fmi2Terminate)(i.unit); });
+  refused(nothing, [](Instance& i) { return i.set("fx", 1); });
+  refused(nothing, [](Instance& i) { return i.set_integer("status", 1); });
+  refused(initialized, [](Instance& i) { return i.set("semi_axis_x", 1e-3); });
+  refused(initialized, [](Instance& i) { return i.set_integer("my", 3); });
+  refused(initialized, [](Instance& i) { return FMI(fmi2EnterInitializationMode)(i.unit); });
+  refused(initialized, [](Instance& i) { return i.step(0, -1); });
+  refused(initialized, [](Instance& i) { return FMI(fmi2CancelStep)(i.unit); });
+  refused(initialized, [](Instance& i) {
+    const fmi2ValueReference vr = 4711;
+    double value;
+    return FMI(fmi2GetReal)(i.unit, &vr, 1, &value);
+  });
+  refused(initialized, [](Instance& i) {
+    const fmi2ValueReference vr = 0;
+    int value;
+    return FMI(fmi2GetBoolean)(i.unit, &vr, 1, &value);
+  });
+  refused(initialized, [](Instance& i) {
+    const fmi2ValueReference vr = 0;
+    const int order = 1;
+    const double value = 0;
+    return FMI(fmi2SetRealInputDerivatives)(i.unit, &vr, 1, &order, &value);
+  });
+  EXPECT_EQ(FMI(fmi2DoStep)(nullptr, 0, 1, fmi2True), fmi2Error);
+  EXPECT_EQ(FMI(fmi2GetBoolean)(nullptr, nullptr, 0, nullptr), fmi2Error);
+}
+
+TEST(Fmu, StatesAreSavedAndRestored) {
+  Instance instance;
+  instance.initialize();
+  instance.set_input(input_at(0.02));
+  ASSERT_EQ(instance.step(0), fmi2OK);
+  const double fx = instance.get("fx"), spin = instance.get("spin");
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(FMI(fmi2GetFMUstate)(instance.unit, &state), fmi2OK);
+  instance.set_input(input_at(0.05));
+  ASSERT_EQ(instance.step(1e-3), fmi2OK);
+  EXPECT_NE(instance.get("fx"), fx);
+  ASSERT_EQ(FMI(fmi2SetFMUstate)(instance.unit, state), fmi2OK);
+  EXPECT_EQ(instance.get("fx"), fx);
+  EXPECT_EQ(instance.get("spin"), spin);
+  ASSERT_EQ(instance.step(1e-3), fmi2OK);
+  EXPECT_EQ(instance.get("fx"), fx);
+  EXPECT_EQ(FMI(fmi2GetFMUstate)(instance.unit, &state), fmi2OK); // into the same memory
+  EXPECT_EQ(FMI(fmi2FreeFMUstate)(instance.unit, &state), fmi2OK);
+  EXPECT_EQ(state, nullptr);
+}
+
+TEST(Fmu, SaysNothingUnlessAsked) {
+  Instance instance;
+  EXPECT_EQ(FMI(fmi2SetDebugLogging)(instance.unit, fmi2False, 0, nullptr), fmi2OK);
+  EXPECT_EQ(instance.step(0), fmi2Error);
+  EXPECT_EQ(instance.messages.count, 0);
+}
+
+} // namespace
+} // namespace microslip::fmi
