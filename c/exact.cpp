@@ -125,7 +125,7 @@ std::string reason(const microslip_contact& contact) {
     return refusal.what();
   }
   return contact.friction_law == MICROSLIP_COULOMB ? "numbers overflow on the way"
-                                                   : "friction_law: the exact theory takes Coulomb's only";
+                                                   : "friction_law: the exact theory has derivatives for Coulomb's only";
 }
 
 microslip_code report_status(microslip_error* error, int status, const microslip_contact& contact, bool stopped) {

@@ -101,7 +101,7 @@ typedef struct microslip_contact {
   double creep_lateral;             /* eta [-] */
   double spin;                      /* phi [1/m] */
   double friction;                  /* mu, or mu_k of a falling law [-], in [0, 10], as is mu_k + d_1 + d_2 */
-  int friction_law;                 /* a microslip_friction_law; the exact theory takes Coulomb's only */
+  int friction_law;                 /* a microslip_friction_law; derivatives of the exact theory take Coulomb's only */
   double friction_drop[2];          /* d_i [-], >= 0; not used by Coulomb's law */
   double friction_half_velocity[2]; /* v_i [m/s], > 0 where d_i > 0 */
 } microslip_contact;
