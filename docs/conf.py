@@ -1,0 +1,38 @@
+"""The documentation as a site: `tools/docs` builds it. Pages are the Markdown files of this folder."""
+
+import pathlib
+import re
+import shutil
+
+folder = pathlib.Path(__file__).parent
+project = "microslip"
+author = "the microslip authors"
+copyright = author  # noqa: A001 (Sphinx's name)
+release = re.search(r"VERSION (\d+\.\d+\.\d+)", (folder.parent / "CMakeLists.txt").read_text()).group(1)
+
+extensions = ["myst_parser", "sphinx.ext.mathjax"]
+myst_enable_extensions = ["dollarmath", "amsmath"]
+myst_heading_anchors = 4
+myst_dmath_double_inline = True
+source_suffix = [".md"]
+exclude_patterns = ["drawings"]
+
+html_theme = "furo"
+html_title = f"microslip {release}"
+html_show_sphinx = False
+
+# Formulas are drawn by Debian's MathJax 2, copied into the site: it needs no network.
+mathjax = pathlib.Path("/usr/share/javascript/mathjax")
+mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML-full"
+mathjax2_config = {"tex2jax": {"processClass": "math"}, "messageStyle": "none"}
+myst_update_mathjax = False  # which is for MathJax 3
+
+
+def copy_mathjax(app, exception):
+    if exception is None and app.builder.format == "html":
+        unneeded = shutil.ignore_patterns("unpacked", "test", "localization", "docs")
+        shutil.copytree(mathjax, pathlib.Path(app.outdir) / "_static" / "mathjax", ignore=unneeded, dirs_exist_ok=True)
+
+
+def setup(app):
+    app.connect("build-finished", copy_mathjax)
