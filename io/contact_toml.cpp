@@ -110,7 +110,8 @@ std::string solution(const ContactCase& c, const HertzContact& hertz) {
   const ElementGrid grid = contact_step(c).grid;
   std::string text = quoted_line("theory", is_fastsim(c) ? "fastsim" : "exact") +
                      fmt::format("grid = [{}, {}]\n", across(hertz.a, grid.dx), across(hertz.b, grid.dy));
-  if (!is_fastsim(c)) return text + quoted_line("discretisation", "classical");
+  if (!is_fastsim(c))
+    return text + quoted_line("discretisation", "classical") + quoted_line("elements", to_word(grid.shape));
   const auto& data = c.material->model_data;
   text += quoted_line("bound", c.digits.bound == 3 ? "parabolic" : "elliptic") + quoted_line("flexibility", "blended");
   if (data[0] == 1 && data[1] == 1) return text;

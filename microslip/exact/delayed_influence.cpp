@@ -45,7 +45,7 @@ public:
     const auto add_break = [&](double q) {
       if (q > 0 && q < end) breaks.push_back(q);
     };
-    for (const double edge : {-dx_ / 2, dx_ / 2}) add_break(way_ * (edge - x));
+    for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(way_ * (edge - x));
     for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
     std::sort(breaks.begin(), breaks.end());
     Influence sum = {};

@@ -99,6 +99,8 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
                              const SurfaceTractions& tractions)
     : material_(material), body_(body), grid_(grid) {
   check(grid);
+  if (grid.shape != ElementShape::constant)
+    throw Error("grid.shape: the interior field is that of elements with constant tractions");
   if (!(material.shear_modulus > 0))
     throw Error("shear_modulus", material.shear_modulus, "Pa", "positive, or infinite for a rigid body");
   require_between("poisson_ratio", material.poisson_ratio, "-", 0, 0.5);

@@ -28,8 +28,8 @@ struct InteriorPoint {
 /// docs/theory-interior.md, section 6. Const calls may be made from several threads.
 class InteriorField {
 public:
-  /// Copies the tractions. Throws Error for a material or grid out of range, and for tractions whose number is not that
-  /// of the elements or which are not finite.
+  /// Copies the tractions. Throws Error for a material or grid out of range, for bilinear elements, and for tractions
+  /// whose number is not that of the elements or which are not finite.
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions);
 
   /// Cost: .3 us for every element with tractions. Throws Error unless depth >= 0 and all is finite.
