@@ -162,8 +162,9 @@ TEST(BilinearInfluence, TheSumOfTentsIsConstant) {
     Kernels sum{};
     for (int j = 0; j < m; ++j)
       for (int i = 0; i < n; ++i)
-        sum = combine(sum, 1, as_kernels(bilinear_influence(material, dx, dy, x - (i - (n - 1) / 2.0) * dx,
-                                                            y - (j - (m - 1) / 2.0) * dy)));
+        sum = combine(sum, 1,
+                      as_kernels(bilinear_influence(material, dx, dy, x - (i - (n - 1) / 2.0) * dx,
+                                                    y - (j - (m - 1) / 2.0) * dy)));
     const Kernels mean =
         mean_over(dx, dy, x, y, [](double px, double py) { return influence(material, n * dx, m * dy, px, py); });
     EXPECT_LT(error(sum, mean, scales(material, mean)), 2e-12) << text(p);
@@ -217,8 +218,8 @@ TEST(BilinearInfluence, ScalesWithLengthAndModulus) {
     }
 }
 
-/// A hat is the mean of constant strips whose middles lie within dx/2. Panels that shrink towards the strips' edges, where
-/// their influence has kinks.
+/// A hat is the mean of constant strips whose middles lie within dx/2. Panels that shrink towards the strips' edges,
+/// where their influence has kinks.
 TEST(BilinearLineInfluence, IsTheMeanOfConstantStrips) {
   static const GaussRule rule = gauss_rule(20);
   for (const double far : {10 * dx, 1.0})

@@ -41,9 +41,10 @@ TEST(ElementShape, TransformsSumTentsPairByPair) {
   }
 }
 
-/// CONTACT's figures for a ball of steel, pressed by an approach and shifted: constant elements 821.0 N/mm2; bilinear ones
-/// 821.8 N/mm2, FN = 1722 N, FX = -451.9 N. With that FN given and FX = -.875 mu FN, constant ones: approach .01132 mm,
-/// shift 3.042e-3 mm. The radius 88.4 mm, the approach .01131 mm and the shift 3.04e-3 mm are those that go with all six.
+/// CONTACT's figures for a ball of steel, pressed by an approach and shifted: constant elements 821.0 N/mm2; bilinear
+/// ones 821.8 N/mm2, FN = 1722 N, FX = -451.9 N. With that FN given and FX = -.875 mu FN, constant ones: approach
+/// .01132 mm, shift 3.042e-3 mm. The radius 88.4 mm, the approach .01131 mm and the shift 3.04e-3 mm are those that go
+/// with all six.
 TEST(ElementShape, FiguresOfContact) {
   const double radius = 88.4e-3, friction = 0.3;
   const GapCurvatures gap = {0.5 / radius, 0.5 / radius};
@@ -69,7 +70,8 @@ TEST(ElementShape, FiguresOfContact) {
   EXPECT_NEAR(shift(bilinear(constant), tents.pressure, 3.04e-6, {}).forces.fx, -451.9, 0.05);
   const NormalSolution loaded = press(constant, {NormalLoad::Given::force, 1722});
   EXPECT_NEAR(loaded.approach * 1e3, 0.01132, 5e-6);
-  EXPECT_NEAR(shift(constant, loaded.pressure, 0, -0.875 * friction * 1722).creepage.longitudinal * 1e3, 3.042e-3, 5e-7);
+  EXPECT_NEAR(shift(constant, loaded.pressure, 0, -0.875 * friction * 1722).creepage.longitudinal * 1e3, 3.042e-3,
+              5e-7);
 }
 
 /// CONTACT's figure for a single bilinear element of 1 mm under 1 N/mm2, G = 200 and 1 N/mm2: .342408 mm.
@@ -107,8 +109,8 @@ TEST(ElementShape, CarterIsMet) {
   double before = 0;
   for (const int across : {32, 128}) {
     const ElementGrid grid = bilinear(ElementGrid::across_line(hertz.half_width, across, 2));
-    const NormalSolution normal = NormalProblem(steel, grid).solve(hertzian_gap({0.5 / radius, 0}, grid),
-                                                                   {NormalLoad::Given::force, 1e5});
+    const NormalSolution normal =
+        NormalProblem(steel, grid).solve(hertzian_gap({0.5 / radius, 0}, grid), {NormalLoad::Given::force, 1e5});
     Field bound = normal.pressure;
     for (double& g : bound) g *= friction;
     TangentialInput input;
@@ -207,7 +209,8 @@ TEST(ElementShape, DelayedDeformationOfTents) {
     const CoupledKernel all = CoupledKernel::displacement(late, grid, shift);
     const CoupledKernel elastic = CoupledKernel::displacement(material, grid, shift);
     const auto of = [](const CoupledKernel& k, int i, int j) {
-      return std::vector<double>{k.slip.xx.at(i, j), k.slip.xy.at(i, j), k.slip.yy.at(i, j), k.xz.at(i, j), k.zz.at(i, j)};
+      return std::vector<double>{k.slip.xx.at(i, j), k.slip.xy.at(i, j), k.slip.yy.at(i, j), k.xz.at(i, j),
+                                 k.zz.at(i, j)};
     };
     std::vector<double> values;
     for (const int i : {-2, 0, 1})
@@ -220,7 +223,8 @@ TEST(ElementShape, DelayedDeformationOfTents) {
   for (const double shift : {0.0, 0.3, 0.7}) {
     const std::vector<double> here = delayed_at(shift), ahead = delayed_at(shift + h), behind = delayed_at(shift - h);
     for (std::size_t k = 0; k < here.size(); k += 2)
-      EXPECT_NEAR(distance * (ahead[k] - behind[k]) / (2 * h), here[k] - ratio * here[k + 1], 3e-5) << k << ", " << shift;
+      EXPECT_NEAR(distance * (ahead[k] - behind[k]) / (2 * h), here[k] - ratio * here[k + 1], 3e-5)
+          << k << ", " << shift;
   }
 }
 

@@ -68,9 +68,7 @@ KernelIntegrals by_points(double dx, double dy, double x, double y) {
 double hat_log(double dx, double x, double far) {
   double sum = 0;
   if (std::abs(x) < far_away * dx) { // second differences of x^2 (ln|x/far| - 3/2)/2
-    const auto primitive = [far](double t) {
-      return t == 0 ? 0 : t * t * (std::log(std::abs(t) / far) - 1.5) / 2;
-    };
+    const auto primitive = [far](double t) { return t == 0 ? 0 : t * t * (std::log(std::abs(t) / far) - 1.5) / 2; };
     return (primitive(x - dx) - 2 * primitive(x) + primitive(x + dx)) / dx;
   }
   for (int i = 0; i < rule_size; ++i) sum += weights[i] * dx * std::log(std::abs(x - nodes[i] * dx) / far);
