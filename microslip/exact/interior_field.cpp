@@ -1,5 +1,6 @@
 #include "microslip/exact/interior_field.hpp"
 
+#include "microslip/elasticity/bilinear_interior_influence.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/memory_need.hpp"
 
@@ -99,8 +100,6 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
                              const SurfaceTractions& tractions)
     : material_(material), body_(body), grid_(grid) {
   check(grid);
-  if (grid.shape != ElementShape::constant)
-    throw Error("grid.shape: the interior field is that of elements with constant tractions");
   if (!(material.shear_modulus > 0))
     throw Error("shear_modulus", material.shear_modulus, "Pa", "positive, or infinite for a rigid body");
   require_between("poisson_ratio", material.poisson_ratio, "-", 0, 0.5);
@@ -115,7 +114,11 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
 }
 
 InteriorInfluence InteriorField::influence(double x, double y, double depth) const {
-  if (grid_.line) return line_interior_influence(material_, body_, grid_.dx, x, depth, grid_.mx * grid_.dx);
+  const double far = grid_.mx * grid_.dx;
+  if (grid_.shape == ElementShape::bilinear)
+    return grid_.line ? bilinear_line_interior_influence(material_, body_, grid_.dx, x, depth, far)
+                      : bilinear_interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
+  if (grid_.line) return line_interior_influence(material_, body_, grid_.dx, x, depth, far);
   return interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
 }
 
