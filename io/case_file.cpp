@@ -155,6 +155,9 @@ void check_exact(const TomlSection& motion, const TomlSection& solution, Rolling
             is_classical && solution.has("discretisation") && input.discretisation == Discretisation::second_order,
             "must be classical for bodies of different materials, viscoelastic ones, a layer and falling friction");
   if (is_classical) input.discretisation = Discretisation::classical;
+  refuse_at(solution, "solution", "elements",
+            input.elements == ElementShape::bilinear && input.discretisation != Discretisation::classical,
+            "bilinear ones need solution.discretisation = \"classical\"");
   const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
                          input.discretisation == Discretisation::second_order;
   refuse_at(solution, "solution", "accuracy", input.accuracy && !has_limit,
@@ -183,7 +186,7 @@ void check_simplified(const TomlSection& root, const RollingCase& input) {
     refuse_at(friction, "friction", "law", input.friction_law != "coulomb", "must be coulomb with solution.theory = \"fastrip\"");
     check_fastrip(solution, input);
   }
-  for (const auto* key : {"accuracy", "coupling", "slip_start"})
+  for (const auto* key : {"accuracy", "elements", "coupling", "slip_start"})
     refuse_at(solution, "solution", key, solution.has(key), exact);
   refuse_at(motion, "motion", "kind", input.motion.kind != ContactMotion::steady, exact);
   for (const auto* key : {"force_longitudinal", "force_lateral", "step"})
@@ -197,11 +200,12 @@ void check_simplified(const TomlSection& root, const RollingCase& input) {
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
-  solution.allow({"theory", "grid", "accuracy", "discretisation", "tolerance", "coupling", "slip_start", "bound",
-                  "flexibility", "coefficients", "slope_reduction"});
+  solution.allow({"theory", "grid", "accuracy", "discretisation", "elements", "tolerance", "coupling", "slip_start",
+                  "bound", "flexibility", "coefficients", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
+  input.elements = solution.option("elements", input.elements);
   if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);
   input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
   input.coupling = solution.option("coupling", input.coupling);
@@ -280,6 +284,7 @@ ExactOptions exact_options(const RollingCase& input) {
   return {.mx = input.options.mx,
           .my = input.options.my,
           .discretisation = input.discretisation,
+          .elements = input.elements,
           .direction = input.options.direction,
           .tolerance = input.tolerance,
           .bodies = bodies_of(input),

@@ -38,6 +38,7 @@ struct RollingCase {
   Theory theory = Theory::fastsim2;
   SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
   Discretisation discretisation = Discretisation::second_order; ///< of the exact theory
+  ElementShape elements = ElementShape::constant;               ///< of its classical discretisation
   double tolerance = 1e-6;                                      ///< of its residual
   Coupling coupling = Coupling::newton;                         ///< of its problems for bodies of different materials
   SlipStart slip_start = SlipStart::below;                      ///< of its friction that depends on the slip

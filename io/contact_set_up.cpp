@@ -339,6 +339,7 @@ ContactStep contact_step(const ContactCase& c) {
     step.grid = require_memory(ContactProblem::normal, given_grid(*c.potential));
     set_given_geometry(c.geometry, step);
   }
+  if (c.material->coefficients == 3) step.grid.shape = ElementShape::bilinear;
   if (c.digits.bound == 1) step.given = sheet_pressure(c, step);
   if (c.digits.bound == 2 || c.digits.bound == 3) step.given = hertzian_pressure(c, step);
   step.frictionless = c.digits.tang == 0;

@@ -29,7 +29,6 @@ constexpr Refusal refusals[] = {
     {"B = 6", "approximate normal problem, ANALYN", [](const ContactCase& c) { return c.digits.bound == 6; }},
     {"L = 6", "friction that depends on the temperature",
      [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 6; }},
-    {"C = 3", "bilinear elements", [](const ContactCase& c) { return c.material->coefficients == 3; }},
     {"C = 4", "half-space coefficients corrected for conformal contact",
      [](const ContactCase& c) { return c.material->coefficients == 4; }},
     {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},

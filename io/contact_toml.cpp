@@ -133,7 +133,8 @@ std::string solution(const ContactCase& c, const HertzContact& hertz) {
                      fmt::format("grid = [{}, {}]\n", across(hertz.a, grid.dx), across(hertz.b, grid.dy));
   const bool above = !is_simplified(c) && contact_step(c).slip_start == SlipStart::above;
   if (above) text += quoted_line("slip_start", "above");
-  if (!is_simplified(c)) return text + quoted_line("discretisation", "classical");
+  if (!is_simplified(c))
+    return text + quoted_line("discretisation", "classical") + quoted_line("elements", to_word(grid.shape));
   const auto& data = c.material->model_data;
   text += quoted_line("bound", c.digits.bound == 3 ? "parabolic" : "elliptic") + quoted_line("flexibility", "blended");
   if (data[0] == 1 && data[1] == 1) return text;

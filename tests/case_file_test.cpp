@@ -177,6 +177,22 @@ theory = "exact")"),
   EXPECT_EQ(shift.motion.force_y, 10);
 }
 
+TEST(CaseFile, BilinearElementsNeedTheClassicalDiscretisation) {
+  const std::string elements = "[solution]\nelements = \"bilinear\"\n";
+  const std::string similar = with("shear_modulus = 82e9\npoisson_ratio = 0.3", "young_modulus = 210e9\npoisson_ratio = 0.28");
+  EXPECT_EQ(parse_case(good, "w.toml").elements, ElementShape::constant);
+  const auto input =
+      parse_case(similar + elements + "theory = \"exact\"\ndiscretisation = \"classical\"\n", "w.toml");
+  EXPECT_EQ(exact_options(input).elements, ElementShape::bilinear);
+  const auto dissimilar = parse_case(good + elements + "theory = \"exact\"\n", "w.toml"); // always classical
+  EXPECT_EQ(exact_options(dissimilar).elements, ElementShape::bilinear);
+  EXPECT_EQ(message_of(similar + elements + "theory = \"exact\"\n"),
+            "w.toml:19: solution.elements: bilinear ones need solution.discretisation = \"classical\"");
+  EXPECT_EQ(message_of(similar + elements), "w.toml:19: solution.elements: needs solution.theory = \"exact\"");
+  EXPECT_NE(message_of(similar + "[solution]\nelements = \"linear\"\n").find("did you mean bilinear?"),
+            std::string::npos);
+}
+
 TEST(CaseFile, RefusesWhatATheoryCannotDo) {
   const auto exact = [](const std::string& motion) {
     return with("rolling_speed = 30", motion + "[solution]\ntheory = \"exact\"");

@@ -98,22 +98,38 @@ TEST(ContactRun, SequencesGoOnFromTheirOwn) {
   EXPECT_EQ(mixed.at(2).outcome.totals.x, alone.at(1).outcome.totals.x);
 }
 
+/// C = 3, by itself and kept; a shift takes a little more or less force than with constant elements.
+TEST(ContactRun, BilinearElements) {
+  const std::string tents = with(first_shift, "022020", "023020");
+  const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
+  const auto constant = run_cases(first_shift + next), bilinear = run_cases(tents + next);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ASSERT_EQ(bilinear.at(k).outcome.kind, Kind::solved);
+    EXPECT_EQ(bilinear[k].outcome.step.grid.shape, ElementShape::bilinear);
+    const ContactTotals &a = constant.at(k).outcome.totals, &b = bilinear[k].outcome.totals;
+    EXPECT_NEAR(b.fx, a.fx, 1e-6);
+    EXPECT_NE(b.x, a.x);
+    EXPECT_NEAR(b.x, a.x, 2e-3 * std::abs(a.x));
+    EXPECT_NEAR(b.peak_pressure, a.peak_pressure, 2e-3 * a.peak_pressure);
+  }
+}
+
 TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string approximate = with(steady_rolling(".05 1d-3 0 0"), "203100", "253000");
-  const std::string bonded = with(with(first_shift, "022020", "023020"), "-.5", "-.1");
-  const auto cases = run_cases(first_shift + bonded + next + approximate + first_shift + next);
+  const std::string from_file = with_coefficients_from_a_file(first_shift);
+  const auto cases = run_cases(first_shift + from_file + next + approximate + first_shift + next);
   ASSERT_EQ(cases.size(), 6u);
   const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
-  EXPECT_EQ(cases[1].outcome.reasons, std::vector<std::string>{"C = 3 (bilinear elements)"});
+  EXPECT_EQ(cases[1].outcome.reasons, std::vector<std::string>{"C = 9 (influence coefficients from a file)"});
   EXPECT_EQ(cases[3].outcome.reasons, std::vector<std::string>{"B = 5 (approximate normal problem, KPEC)"});
 }
 
 TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
-  const std::string bonded = with(with(first_shift, "022020", "023020"), "-.5", "-.1");
+  const std::string from_file = with_coefficients_from_a_file(first_shift);
   const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";
-  const auto cases = run_cases(bonded + next + with(next, "001110", "000100") + next);
+  const auto cases = run_cases(from_file + next + with(next, "001110", "000100") + next);
   ASSERT_EQ(cases.size(), 4u);
   EXPECT_EQ(cases[1].outcome.reasons,
             std::vector<std::string>{"P = 0 (it goes on from case 1, which has left no tractions)"});

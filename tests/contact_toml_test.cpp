@@ -70,6 +70,11 @@ TEST(ContactToml, ForcesAndShifts) {
   EXPECT_EQ(converted(with(first_shift, "201110", "200100")).friction.static_coefficient(), 0);
 }
 
+TEST(ContactToml, BilinearElements) {
+  EXPECT_EQ(converted(first_shift).elements, ElementShape::constant);
+  EXPECT_EQ(converted(with(first_shift, "022020", "023020")).elements, ElementShape::bilinear);
+}
+
 TEST(ContactToml, FastsimWithAFallingLaw) {
   std::string text = with(steady_rolling("100. 2d-4 0 0", "0 .1 30000.", "233100"), "022020", "422320");
   text = with(with(text, ".3 .3", ".2 .1 500. 0 0\n .003 10"), "82000. 82000.", "82000. 82000.\n .5 .1 .6");
@@ -97,7 +102,7 @@ TEST(ContactToml, FaStrip) {
 TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
   expect_refused(with(first_shift, ".01 0 .01", ".01 0 0"), "a contact that is not an ellipse");
   expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");
-  expect_refused(with(first_shift, "022020", "023020"), "C = 3 (bilinear elements)");
+  expect_refused(with_coefficients_from_a_file(first_shift), "C = 9 (influence coefficients from a file)");
   expect_refused(" 1 MODULE\n", "MODULE = 1 (wheel on rail)");
   ContactCase next = first_case(first_shift);
   next.digits.pvtime = 0;

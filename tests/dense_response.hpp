@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/elasticity/influence.hpp"
+#include "microslip/elasticity/bilinear_influence.hpp"
 #include "microslip/exact/element_grid.hpp"
 
 #include <vector>
@@ -16,8 +16,11 @@ struct PlaneFields {
 
 /// Of an element of the grid on the point (x, y) from its centre.
 inline Influence element_influence(const CombinedMaterial& material, const ElementGrid& grid, double x, double y) {
-  return grid.line ? line_influence(material, grid.dx, x, grid.mx * grid.dx)
-                   : influence(material, grid.dx, grid.dy, x, y);
+  const double far = grid.mx * grid.dx;
+  if (grid.shape == ElementShape::bilinear)
+    return grid.line ? bilinear_line_influence(material, grid.dx, x, far)
+                     : bilinear_influence(material, grid.dx, grid.dy, x, y);
+  return grid.line ? line_influence(material, grid.dx, x, far) : influence(material, grid.dx, grid.dy, x, y);
 }
 
 /// Calls add(I, J, influence of element J on the centre of element I moved by `shift` along x) for all pairs.

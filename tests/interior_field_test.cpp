@@ -173,6 +173,33 @@ TEST(InteriorField, SurfaceDisplacementsAreThoseOfTheContactProblem) {
 }
 
 /// Far below, only forces and moments count: the stresses are those of the resultant at the centre of each load.
+/// Bilinear elements: tractions between the centres at the surface, the tents' displacements, and layers that are sums.
+TEST(InteriorField, BilinearElements) {
+  for (ElementGrid grid : {rectangles(5, 4), strips(6)}) {
+    SCOPED_TRACE(text(grid));
+    grid.shape = ElementShape::bilinear;
+    const Load load = random_load(grid, 5);
+    const InteriorField field(steel, Body::first, grid, load.tractions());
+    const double y = grid.line ? 0 : grid.y(1);
+    for (const double share : {0.0, 0.25, 0.7}) {
+      const std::size_t k = (grid.line ? 0 : static_cast<std::size_t>(grid.mx)) + 2;
+      const InteriorState s = field.at({grid.x(2) + share * grid.dx, y, 0});
+      const auto between = [&](const std::vector<double>& p) { return (1 - share) * p[k] + share * p[k + 1]; };
+      EXPECT_NEAR(s.stress.xz, -between(load.px), 1);
+      EXPECT_NEAR(s.stress.yz, -between(load.py), 1);
+      EXPECT_NEAR(s.stress.zz, -between(load.pn), 1);
+    }
+    InteriorLayers layers(field);
+    const double depth = 0.6 * grid.dx;
+    const std::vector<InteriorState> states = layers.at_depth(depth);
+    for (const int i : {0, 3}) {
+      const InteriorState one = field.at({grid.x(i), grid.line ? 0 : grid.y(0), depth});
+      EXPECT_LT(difference(nine(states[static_cast<std::size_t>(i)]), nine(one), 1e6 * grid.dx / steel.shear_modulus, 1e6),
+                1e-12);
+    }
+  }
+}
+
 TEST(InteriorField, FarBelowOnlyTheResultantCounts) {
   const ElementGrid grid = rectangles(12, 10);
   const Load load = random_load(grid, 7);

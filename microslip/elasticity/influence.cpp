@@ -33,22 +33,26 @@ struct Corner {
 
 } // namespace
 
+Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& i) {
+  const double nu = material.poisson_ratio, k = material.dissimilarity;
+  const double f = 1 / (std::numbers::pi * material.shear_modulus);
+  return {f * (i.xx + (1 - nu) * i.yy), f * nu * i.xy, f * (i.yy + (1 - nu) * i.xx),
+          f * (1 - nu) * (i.xx + i.yy), -f * k * i.x, -f * k * i.y};
+}
+
 Influence influence(const CombinedMaterial& material, double dx, double dy, double x, double y) {
-  double j1 = 0, j2 = 0, r = 0, k1 = 0, k2 = 0;
+  KernelIntegrals sum;
   for (const int sx : {-1, 1})
     for (const int sy : {-1, 1}) {
       const Corner c(x + sx * dx / 2, y + sy * dy / 2);
       const double sign = sx * sy;
-      j1 += sign * c.j1;
-      j2 += sign * c.j2;
-      r += sign * c.r;
-      k1 += sign * c.k1;
-      k2 += sign * c.k2;
+      sum.xx += sign * c.j1;
+      sum.yy += sign * c.j2;
+      sum.xy -= sign * c.r;
+      sum.x += sign * c.k1;
+      sum.y += sign * c.k2;
     }
-  const double nu = material.poisson_ratio, k = material.dissimilarity;
-  const double f = 1 / (std::numbers::pi * material.shear_modulus);
-  return {f * (j1 + (1 - nu) * j2), -f * nu * r, f * (j2 + (1 - nu) * j1),
-          f * (1 - nu) * (j1 + j2), -f * k * k1, -f * k * k2};
+  return influence_of(material, sum);
 }
 
 Influence line_influence(const CombinedMaterial& material, double dx, double x, double far) {

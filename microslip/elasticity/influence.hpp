@@ -12,6 +12,16 @@ struct Influence {
   double xz, yz;         ///< [m/Pa]; proportional to K: 0 for similar bodies
 };
 
+/// Integrals [m] of the kernels of Boussinesq's and Cerruti's point forces, times the tractions, over where these act.
+struct KernelIntegrals {
+  double xx = 0, xy = 0, yy = 0; ///< of x^2/r^3, x y/r^3, y^2/r^3
+  double x = 0, y = 0;           ///< of x/r^2, y/r^2
+};
+
+/// With 1/r = x^2/r^3 + y^2/r^3: pi G Axx = xx + (1 - nu) yy, pi G Ayy = yy + (1 - nu) xx, pi G Axy = nu xy, pi G Azz =
+/// (1 - nu) (xx + yy), pi G Axz = -K x, pi G Ayz = -K y.
+Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& integrals);
+
 /// Rectangle of sides dx, dy centred at the origin, point (x, y): Boussinesq's and Cerruti's solutions integrated in
 /// closed form (Kalker 1990, appendix C). With J1 = y ln(x + r), J2 = x ln(y + r) and [[f]] the difference over the
 /// corners, pi G Axx = [[J1 + (1 - nu) J2]], pi G Ayy = [[J2 + (1 - nu) J1]], pi G Axy = -nu [[r]], pi G Azz = (1 - nu)

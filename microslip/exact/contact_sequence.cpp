@@ -13,7 +13,7 @@ using Field = std::vector<double>;
 
 bool same(const ElementGrid& a, const ElementGrid& b) {
   return a.mx == b.mx && a.my == b.my && a.x0 == b.x0 && a.y0 == b.y0 && a.dx == b.dx && a.dy == b.dy &&
-         a.line == b.line;
+         a.line == b.line && a.shape == b.shape;
 }
 
 bool same(const CombinedMaterial& a, const CombinedMaterial& b) {

@@ -1,8 +1,9 @@
 #include "microslip/exact/delayed_influence.hpp"
 
+#include "microslip/numerics/tanh_sinh.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace microslip {
 namespace {
@@ -15,22 +16,6 @@ void add(Influence& to, double factor, const Influence& a) {
   to.xz += factor * a.xz;
   to.yz += factor * a.yz;
 }
-
-/// Tanh-sinh quadrature (Takahasi & Mori 1974) on [-1, 1]: indifferent to singularities at the ends.
-struct Quadrature {
-  static constexpr int count = 37;
-  double distance[count]; ///< of a node from the nearer end, in units of the half interval
-  double weight[count];
-
-  Quadrature() {
-    constexpr double spacing = 3.4 / (count / 2); // NOLINT: whole number of nodes on each side
-    for (int k = 0; k < count; ++k) {
-      const double t = (k - count / 2) * spacing, reach = std::numbers::pi / 2 * std::sinh(t);
-      distance[k] = 2 / (1 + std::exp(2 * std::abs(reach)));
-      weight[k] = spacing * std::numbers::pi / 2 * std::cosh(t) / std::pow(std::cosh(reach), 2);
-    }
-  }
-};
 
 /// Integrals of exp(-q/l)/l A(x + way q) over q, way = +-1, l > 0.
 class DelayIntegral {
@@ -45,7 +30,7 @@ public:
     const auto add_break = [&](double q) {
       if (q > 0 && q < end) breaks.push_back(q);
     };
-    for (const double edge : {-dx_ / 2, dx_ / 2}) add_break(way_ * (edge - x));
+    for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(way_ * (edge - x));
     for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
     std::sort(breaks.begin(), breaks.end());
     Influence sum = {};
@@ -58,12 +43,10 @@ private:
   static constexpr double farthest = 40; // exp(-40) is below rounding
 
   void add_interval(double x, double from, double to, Influence& sum) const {
-    static const Quadrature rule;
-    const double half = (to - from) / 2;
-    for (int k = 0; k < Quadrature::count; ++k) {
-      const double inside = half * rule.distance[k];
-      const double q = k < Quadrature::count / 2 ? from + inside : to - inside;
-      add(sum, half * rule.weight[k] * std::exp(-q / length_) / length_, influence_(x + way_ * q));
+    static const TanhSinh rule;
+    for (int k = 0; k < TanhSinh::count; ++k) {
+      const double q = rule.node(k, from, to);
+      add(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + way_ * q));
     }
   }
 

@@ -4,6 +4,13 @@
 
 namespace microslip {
 
+/// What tractions and pressures do between the elements' centres.
+enum class ElementShape {
+  constant, ///< the same all over an element
+  bilinear, ///< from a centre's value linearly to zero at the next centres along x and y; so they reach half an element
+            ///< beyond the outermost elements
+};
+
 /// The potential contact: mx x my equal rectangles. Element (i, j) has index j mx + i, x and y ascending.
 struct ElementGrid {
   int mx = 0, my = 0;
@@ -11,6 +18,7 @@ struct ElementGrid {
   double dx = 0, dy = 0; ///< sides of an element [m]
 
   bool line = false; ///< line contact: one row, endless in y; dy is the length that forces are counted for
+  ElementShape shape = ElementShape::constant;
 
   std::size_t count() const { return static_cast<std::size_t>(mx) * my; }
   double x(int i) const { return x0 + i * dx; }

@@ -49,6 +49,8 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
   require_count("mx", options.mx, 1, 4000);
   require_count("my", options.my, 1, 4000);
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
+  if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
+    throw Error("elements: bilinear ones need the classical discretisation");
   require_memory_for(options.discretisation == Discretisation::second_order ? ContactProblem::second_order
                                                                             : ContactProblem::tangential);
 }
@@ -86,6 +88,7 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
   if (is_prepared_for(contact, false)) return;
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
+  grid_.shape = options_.elements;
   normal_ = unit_load(contact, grid_);
   tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
 }
@@ -196,6 +199,7 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   const double growth = std::cbrt(softest) - 1;
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
   step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin + wider);
+  step.grid.shape = options_.elements;
   const GapCurvatures gap =
       hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;
   step.gap = hertzian_gap(gap, step.grid);

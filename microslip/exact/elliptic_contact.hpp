@@ -24,6 +24,7 @@ struct ExactOptions {
   int mx = 24; ///< elements across the ellipse along x, 1 to 4,000
   int my = 24; ///< and along y
   Discretisation discretisation = Discretisation::second_order;
+  ElementShape elements = ElementShape::constant; ///< bilinear needs Discretisation::classical
   RollingDirection direction = RollingDirection::forward;
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
   /// Bodies of different materials, viscoelastic ones, or with a layer between them, which are solved classically; none: similar elastic bodies with

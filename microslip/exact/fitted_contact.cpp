@@ -106,6 +106,8 @@ namespace {
 
 void check_pressure(const ElementGrid& grid, std::span<const double> pressure) {
   check(grid);
+  if (grid.shape != ElementShape::constant)
+    throw Error("grid.shape: elements that are fitted to the edges are constant ones");
   if (pressure.size() != grid.count())
     throw Error("pressure: must have mx times my = " + std::to_string(grid.count()) + " values");
   bool contact = false;

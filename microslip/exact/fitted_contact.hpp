@@ -43,7 +43,7 @@ FittedContact fit_ellipse(double a, double b, int n, int m);
 /// the leading element of a run behind is left out and its load counts for the next one: across a gap shorter than an
 /// element or two the bodies are discretised, but not at second order.
 ///
-/// Throws Error for pressures below zero or not finite, without any contact, and unless the grid has three columns to
+/// Throws Error for pressures below zero or not finite, without any contact, for bilinear elements, and unless the grid has three columns to
 /// spare ahead of the contact and one behind.
 FittedContact fit_contact(const ElementGrid& grid, std::span<const double> pressure);
 

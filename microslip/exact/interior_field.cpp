@@ -1,5 +1,6 @@
 #include "microslip/exact/interior_field.hpp"
 
+#include "microslip/elasticity/bilinear_interior_influence.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/memory_need.hpp"
 
@@ -113,7 +114,11 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
 }
 
 InteriorInfluence InteriorField::influence(double x, double y, double depth) const {
-  if (grid_.line) return line_interior_influence(material_, body_, grid_.dx, x, depth, grid_.mx * grid_.dx);
+  const double far = grid_.mx * grid_.dx;
+  if (grid_.shape == ElementShape::bilinear)
+    return grid_.line ? bilinear_line_interior_influence(material_, body_, grid_.dx, x, depth, far)
+                      : bilinear_interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
+  if (grid_.line) return line_interior_influence(material_, body_, grid_.dx, x, depth, far);
   return interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
 }
 

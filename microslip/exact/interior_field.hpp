@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// Constant tractions of the elements, **on body 1**, index j mx + i [Pa]; what is empty is zero.
+/// Tractions of the elements, **on body 1**, index j mx + i [Pa]; what is empty is zero.
 struct SurfaceTractions {
   std::span<const double> px, py, pn;
 };
@@ -25,14 +25,16 @@ struct InteriorPoint {
 ///
 /// The sums are exact for tractions that are constant in each element, at every depth. Those of a contact are not:
 /// nearer to the surface than about an element the steps between elements are felt. How much, and where less:
-/// docs/theory-interior.md, section 6. Const calls may be made from several threads.
+/// docs/theory-interior.md, section 6. Bilinear elements have no steps; their sums have the errors of
+/// bilinear_interior_influence. Const calls may be made from several threads.
 class InteriorField {
 public:
   /// Copies the tractions. Throws Error for a material or grid out of range, and for tractions whose number is not that
   /// of the elements or which are not finite.
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions);
 
-  /// Cost: .3 us for every element with tractions. Throws Error unless depth >= 0 and all is finite.
+  /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near the
+  /// surface. Throws Error unless depth >= 0 and all is finite.
   InteriorState at(const InteriorPoint& point) const;
   /// The same at many points, which OpenMP's threads share out.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points) const;

@@ -45,7 +45,7 @@ struct NormalSolution {
   Status status = Status::ok;
 };
 
-/// The normal contact problem on a grid of elements with constant pressure (R2), (R4), (R5): p_n >= 0, e = h - delta +
+/// The normal contact problem on a grid of elements (R2), (R4), (R5): p_n >= 0, e = h - delta +
 /// u_n >= 0, p_n e = 0. For elastically similar bodies. Conjugate gradients with an active set (after Polonsky & Keer
 /// 1999), one product with A_zz per iteration and one with its circulant inverse as preconditioner (after Vollebregt
 /// 2014), started from the solution on elements twice as large. Hertzian contacts take 17 to 41

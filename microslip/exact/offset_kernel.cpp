@@ -1,6 +1,6 @@
 #include "microslip/exact/offset_kernel.hpp"
 
-#include "microslip/elasticity/influence.hpp"
+#include "microslip/elasticity/bilinear_influence.hpp"
 #include "microslip/exact/delayed_influence.hpp"
 
 #include <cmath>
@@ -11,8 +11,11 @@ namespace {
 
 /// The influence of an element on a point at an offset, of endless strips for a line contact.
 Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid, double x, double y) {
-  if (!grid.line) return influence(material, grid.dx, grid.dy, x, y);
-  return line_influence(material, grid.dx, x, grid.mx * grid.dx);
+  const double far = grid.mx * grid.dx;
+  if (grid.shape == ElementShape::bilinear)
+    return grid.line ? bilinear_line_influence(material, grid.dx, x, far)
+                     : bilinear_influence(material, grid.dx, grid.dy, x, y);
+  return grid.line ? line_influence(material, grid.dx, x, far) : influence(material, grid.dx, grid.dy, x, y);
 }
 
 /// A layer is sheared where the traction is: on the element itself, and half on its edges.

@@ -13,7 +13,7 @@ namespace microslip {
 struct CoupledKernel;
 struct TangentialKernel;
 
-/// Normal displacement difference u_z = A_zz p_n on a grid of elements with constant pressure, for elastically similar
+/// Normal displacement difference u_z = A_zz p_n on a grid of elements, for elastically similar
 /// bodies.
 class NormalResponse {
 public:
@@ -51,7 +51,7 @@ protected:
   SlipResponse& operator=(SlipResponse&&) = default;
 };
 
-/// What the tangential displacement difference u = A p on a grid of elements with constant tractions contributes to the
+/// What the tangential displacement difference u = A p on a grid of elements contributes to the
 /// slip, D p.
 class TangentialResponse : public SlipResponse {
 public:
@@ -74,7 +74,7 @@ private:
   double diagonal_;
 };
 
-/// What tractions and pressure on a grid of elements, constant on each, make of slip and of the normal displacement
+/// What tractions and pressure on a grid of elements make of slip and of the normal displacement
 /// difference. For any two bodies.
 class CoupledResponse {
 public:

@@ -48,7 +48,7 @@ FrictionNewton::Tractions tractions_of(const TangentialState* state) {
 } // namespace
 
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
-  if (input.motion != ContactMotion::steady) return true;
+  if (input.motion != ContactMotion::steady || grid.shape == ElementShape::bilinear) return true;
   constexpr double rounding = 1e-9;
   const double step = input.step > 0 ? input.step : grid.dx;
   return step >= 0.55 * grid.dx * (1 - rounding) || grid.dx <= grid.dy * (1 + rounding);

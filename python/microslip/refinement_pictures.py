@@ -134,6 +134,8 @@ def draw_convergence(result):
     for group, label, colour, marker in (("tight", "tight grid", BLUE, "o"),
                                          ("shifted", "shifted by half an element", VERMILION, "^")):
         load.loglog(grids, result.array(f"/load/{group}"), color=colour, marker=marker, markersize=5, label=label)
+        load.loglog(grids, result.array(f"/load/bilinear_{group}"), color=colour, marker=marker, markersize=5,
+                    linestyle=":", fillstyle="none", label=f"{label}, bilinear")
     draw_order(load, grids, 2, 0.3 * result.array("/load/shifted")[0])
     load.set_title("Figure 7: normal force, approach given")
     load.set_ylabel(r"$|\Delta F_n|\,/\,F_n$ [-]")
@@ -142,8 +144,10 @@ def draw_convergence(result):
     size = 1 / result.array("/edge/grids")
     for (group, (label, colour)), marker in zip(EDGES.items(), MARKERS):
         force.plot(size, result.array(f"/edge/{group}"), color=colour, marker=marker, markersize=5, label=label)
+        force.plot(size, result.array(f"/edge/bilinear_{group}"), color=colour, marker=marker, markersize=5,
+                   linestyle=":", fillstyle="none")
     force.axhline(result.number("/limit"), color=GREY, linestyle="--", linewidth=1.2, label="limit")
-    force.set_title(r"Figure 8: longitudinal force, $\delta q = \delta x$")
+    force.set_title(r"Figure 8: longitudinal force, $\delta q = \delta x$; dotted: bilinear elements")
     force.set_ylabel(FORCE)
     force.set_xlabel("1 / elements across [-]")
     force.set_xlim(0)

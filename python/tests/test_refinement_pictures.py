@@ -39,8 +39,10 @@ def write_refinement(path):
         file["load/grids"], file["edge/grids"] = grids, grids
         for group in ("tight", "shifted"):
             file[f"load/{group}"] = grids**-2.0
+            file[f"load/bilinear_{group}"] = 1.8 * grids**-2.0
         for number, group in enumerate(EDGES):
             file[f"edge/{group}"] = LIMIT + 0.1 * (number - 3) / grids
+            file[f"edge/bilinear_{group}"] = LIMIT + 0.12 * (number - 3) / grids
 
 
 class RefinementPicturesTest(unittest.TestCase):

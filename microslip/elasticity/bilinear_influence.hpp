@@ -1,0 +1,24 @@
+#pragma once
+
+#include "microslip/elasticity/influence.hpp"
+
+namespace microslip {
+
+/// The influence of a bilinear element: tractions that are 1 at the origin and fall linearly to 0 at the distance dx
+/// along x and dy along y, (1 - |x|/dx)(1 - |y|/dy), a tent on 2 dx x 2 dy. Its force is that of a constant element of
+/// the sides dx, dy, and its influence is the mean of that one's over a rectangle of these sides around the point.
+///
+/// Near the element in closed form: with Q such that its second derivative along x and y is a kernel, the integral is
+/// dxx dyy Q/(dx dy), the second differences being f(x - dx) - 2 f(x) + f(x + dx). Formulas (E..) of
+/// docs/theory-exact.md, section 3. From five times the longer side on, where the differences cancel, by Gauss's rule
+/// for the tent as weight. Errors relative to the integral of 1/r are below 3e-12 for equal sides, and grow near the
+/// element like the square of the sides' ratio, to 1e-10 at 10.
+///
+/// Cost: .3 us far away, .7 us nearby. No check of the arguments: sides positive, everything finite.
+Influence bilinear_influence(const CombinedMaterial& material, double dx, double dy, double x, double y);
+
+/// The same for tractions 1 - |x|/dx on a strip of width 2 dx, endless in y. As line_influence with L the integral of
+/// the tent times ln|x/far|, and G Axz = -K times that of the tent times the sign of x.
+Influence bilinear_line_influence(const CombinedMaterial& material, double dx, double x, double far);
+
+} // namespace microslip
