@@ -15,25 +15,22 @@ struct Node {
 };
 using Rule = std::vector<Node>; ///< of a mean: weights with the sum 1
 
-struct HalfNode {
-  double at, weight;
-};
 // Gauss-Legendre rules on [-1, 1], the positive nodes.
-constexpr std::array<HalfNode, 2> gauss4 = {
+constexpr std::array<Node, 2> gauss4 = {
     {{0.33998104358485626480, 0.65214515486254614263}, {0.86113631159405257522, 0.34785484513745385737}}};
-constexpr std::array<HalfNode, 3> gauss6 = {{{0.23861918608319690863, 0.46791393457269104739},
-                                             {0.66120938646626451366, 0.36076157304813860757},
-                                             {0.93246951420315202781, 0.17132449237917034504}}};
-constexpr std::array<HalfNode, 6> gauss12 = {{{0.12523340851146891547, 0.24914704581340278500},
-                                              {0.36783149899818019375, 0.23349253653835480876},
-                                              {0.58731795428661744730, 0.20316742672306592175},
-                                              {0.76990267419430468704, 0.16007832854334622633},
-                                              {0.90411725637047485668, 0.10693932599531843096},
-                                              {0.98156063424671925069, 0.04717533638651182719}}};
+constexpr std::array<Node, 3> gauss6 = {{{0.23861918608319690863, 0.46791393457269104739},
+                                         {0.66120938646626451366, 0.36076157304813860757},
+                                         {0.93246951420315202781, 0.17132449237917034504}}};
+constexpr std::array<Node, 6> gauss12 = {{{0.12523340851146891547, 0.24914704581340278500},
+                                          {0.36783149899818019375, 0.23349253653835480876},
+                                          {0.58731795428661744730, 0.20316742672306592175},
+                                          {0.76990267419430468704, 0.16007832854334622633},
+                                          {0.90411725637047485668, 0.10693932599531843096},
+                                          {0.98156063424671925069, 0.04717533638651182719}}};
 
-template <std::size_t N> Rule gauss(const std::array<HalfNode, N>& nodes, double x, double side) {
+template <std::size_t N> Rule gauss(const std::array<Node, N>& nodes, double x, double side) {
   Rule rule;
-  for (const HalfNode& n : nodes)
+  for (const Node& n : nodes)
     for (const int sign : {-1, 1}) rule.push_back({x + sign * n.at * side / 2, n.weight / 2});
   return rule;
 }
