@@ -57,16 +57,16 @@ PatchRolling rolling(const Gap& gap, const ElementGrid& grid, double force = loa
   return {steel, grid, sampled(gap, grid), {NormalLoad::Given::force, force}, direction};
 }
 
-PatchMotion motion(double xi, double eta, double phi) {
+PatchRollingMotion motion(double xi, double eta, double phi) {
   const double unit = friction * hertz().gap.x;
   return {.friction = friction, .creepage = {xi * unit * radius, eta * unit * radius, phi * unit}};
 }
-const PatchMotion lengthwise = motion(1, 0, 0), mixed = motion(0.4, 0.6, 0.5);
+const PatchRollingMotion lengthwise = motion(1, 0, 0), mixed = motion(0.4, 0.6, 0.5);
 
 constexpr std::pair<double, double> positions[] = {{0, 0}, {0.3, 0.2}, {0.6, 0.65}};
 
 /// The root of the mean square, over positions of the patch on the grid, of the force's error over mu Fn.
-double rms_error(const Gap& gap, double half_x, double half_y, double force, int n, const PatchMotion& m, Vec2 exact) {
+double rms_error(const Gap& gap, double half_x, double half_y, double force, int n, const PatchRollingMotion& m, Vec2 exact) {
   double sum = 0;
   for (const auto& [x, y] : positions) {
     const PatchSolution s = rolling(gap, grid_over(half_x, half_y, n, x, y), force).solve(m);
@@ -76,13 +76,13 @@ double rms_error(const Gap& gap, double half_x, double half_y, double force, int
   return std::sqrt(sum) / (friction * force);
 }
 
-Vec2 fine_forces(const Gap& gap, double half_x, double half_y, double force, const PatchMotion& m) {
+Vec2 fine_forces(const Gap& gap, double half_x, double half_y, double force, const PatchRollingMotion& m) {
   const PatchSolution s = rolling(gap, grid_over(half_x, half_y, 72, 0.3, 0.2), force).solve(m);
   return {s.forces.fx, s.forces.fy};
 }
 
 TEST(PatchRolling, IsOfSecondOrderForHertz) {
-  for (const PatchMotion& m : {lengthwise, mixed}) {
+  for (const PatchRollingMotion& m : {lengthwise, mixed}) {
     SecondOrderRolling exact_edges(steel, fit_ellipse(radius, radius, 96, 96));
     Field bound = exact_edges.contact().load_share;
     for (double& g : bound) g *= capacity;
@@ -108,7 +108,7 @@ TEST(PatchRolling, IsOfSecondOrderForOtherShapesAndForTwoPatches) {
   };
   for (const Case& c : {Case{egg, 1.5 * radius, 1.2 * radius, load}, Case{side_by_side, radius, 2.7 * radius, 2 * load},
                         Case{one_behind_the_other, 2.7 * radius, radius, 2 * load}})
-    for (const PatchMotion& m : {lengthwise, mixed}) {
+    for (const PatchRollingMotion& m : {lengthwise, mixed}) {
       const Vec2 exact = fine_forces(c.gap, c.half_x, c.half_y, c.force, m);
       const double coarse = rms_error(c.gap, c.half_x, c.half_y, c.force, 8, m, exact);
       const double fine = rms_error(c.gap, c.half_x, c.half_y, c.force, 32, m, exact);
@@ -120,7 +120,7 @@ TEST(PatchRolling, IsOfSecondOrderForOtherShapesAndForTwoPatches) {
 TEST(PatchRolling, AlongMinusXIsTheMirrorImage) {
   const Gap image = [](double x, double y) { return egg(-x, y); };
   const ElementGrid grid = grid_over(1.5 * radius, 1.2 * radius, 16, 0, 0.3);
-  PatchMotion m = mixed;
+  PatchRollingMotion m = mixed;
   const PatchSolution forward = rolling(egg, grid).solve(m);
   m.creepage.longitudinal *= -1;
   m.creepage.spin *= -1;
@@ -148,7 +148,7 @@ TEST(PatchRolling, FullSlidingGivesFrictionTimesTheLoad) {
 TEST(PatchRolling, ForcesGiveTheCreepagesBack) {
   PatchRolling contact = rolling(egg, grid_over(1.5 * radius, 1.2 * radius, 16, 0.2, 0.3));
   const PatchSolution given = contact.solve(mixed);
-  PatchMotion m = mixed;
+  PatchRollingMotion m = mixed;
   m.creepage.longitudinal = m.creepage.lateral = 0;
   m.force_x = given.forces.fx, m.force_y = given.forces.fy;
   const PatchSolution found = contact.solve(m);

@@ -20,7 +20,7 @@ std::vector<double> mirrored(const ElementGrid& grid, const std::vector<double>&
   return image;
 }
 
-void check(const PatchMotion& motion) {
+void check(const PatchRollingMotion& motion) {
   require_positive("friction", motion.friction, "-");
   require_finite("creepage.longitudinal", motion.creepage.longitudinal, "-");
   require_finite("creepage.lateral", motion.creepage.lateral, "-");
@@ -42,7 +42,7 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
                                        : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)));
 }
 
-PatchSolution PatchRolling::solve(const PatchMotion& motion) {
+PatchSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   check(motion);
   PatchSolution out;
   out.creepage = motion.creepage;

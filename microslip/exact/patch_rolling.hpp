@@ -11,7 +11,7 @@
 namespace microslip {
 
 /// How a contact rolls: creepages and spin about the origin of the grid's coordinates, or forces in their place.
-struct PatchMotion {
+struct PatchRollingMotion {
   double friction = 0; ///< mu [-], > 0
   Creepage creepage = {};
   std::optional<double> force_x = {},
@@ -52,7 +52,7 @@ public:
 
   /// Throws Error for input out of range. Not converging, of the normal problem too, no contact and a force beyond
   /// friction are statuses.
-  PatchSolution solve(const PatchMotion& motion);
+  PatchSolution solve(const PatchRollingMotion& motion);
 
 private:
   double side_; ///< 1 forward, -1 backward
