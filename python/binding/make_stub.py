@@ -1,4 +1,7 @@
-"""Prints the types of the compiled module as the stub microslip/_core.pyi: PYTHONPATH=build/release/share/microslip/python python3 python/binding/make_stub.py."""
+"""Prints the types of the compiled module, the stub microslip/_core.pyi, from the module's own signatures.
+
+PYTHONPATH=build/release/share/microslip/python python3 python/binding/make_stub.py > python/microslip/_core.pyi
+"""
 
 import enum
 import re

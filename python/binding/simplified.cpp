@@ -127,8 +127,7 @@ constexpr const char* batch_text =
     "arrays\n"
     "that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
 
-template <class Class, class... Extra>
-void def_batch(Class& solver, const char* name, const auto& method, const std::string& text) {
+void def_batch(py::class_<RowSolver>& solver, const char* name, const auto& method, const std::string& text) {
   const auto none = py::none();
   solver.def(name, batch_method(method), "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
              py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,

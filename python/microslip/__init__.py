@@ -14,7 +14,10 @@ def __getattr__(name):
     """Loads the compiled module on the first use of a name that is not here."""
     if name.startswith("_"):
         raise AttributeError(f"module 'microslip' has no attribute '{name}'")
-    from microslip import _core
+    try:
+        from microslip import _core
+    except ImportError as error:
+        raise AttributeError(f"microslip.{name} needs the compiled module, which is missing: {error}") from error
     names = [public for public in vars(_core) if not public.startswith("_")]
     globals().update({public: getattr(_core, public) for public in names}, __all__=names)
     if name not in names:
@@ -26,6 +29,6 @@ def __dir__():
     """All public names."""
     try:
         __getattr__("Error")
-    except ImportError:
+    except AttributeError:
         pass
     return sorted(name for name in globals() if not name.startswith("_"))

@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
-from mpl_toolkits.mplot3d import Axes3D  # noqa: F401, makes the projection 3d known
 
 from microslip.contact_cells import EXTERIOR, MOST_CELLS
 from microslip.picture_style import THEORIES, new_figure

@@ -7,6 +7,7 @@ import sys
 
 import matplotlib
 
+from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.contact_cells import read_cells
 from microslip.cut_picture import cut_picture
@@ -63,10 +64,11 @@ def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, conver
 def computed(name, *arguments):
     """A picture that the compiled module computes for."""
     try:
-        from microslip import computed_pictures
-        return getattr(computed_pictures, f"{name}_picture")(*arguments)
+        import microslip._core  # noqa: F401, computed_pictures uses it
     except ImportError as error:
         raise ResultError(f"{name}.png needs the compiled module of microslip: {error}") from None
+    try:
+        return getattr(computed_pictures, f"{name}_picture")(*arguments)
     except ValueError as error:
         raise ResultError(f"{name}.png: {error}") from None
 

@@ -1,5 +1,8 @@
 """Pictures that are asked for: maps, surfaces, cuts, comparisons show the file's numbers; wishes that cannot be met are named."""
 
+import os
+import subprocess
+import sys
 import unittest
 
 import h5py
@@ -11,7 +14,7 @@ from microslip import plot
 from microslip.field_picture import FIELDS
 from microslip.result_file import ResultError
 from tests.synthetic_results import write_rolling_contact
-from tests.test_plot import FolderTest
+from tests.test_plot import PYTHON_FOLDER, FolderTest
 
 
 class ChosenPicturesTest(FolderTest):
@@ -88,6 +91,20 @@ class ChosenPicturesTest(FolderTest):
                 self.chosen(**wanted)
         code, out, err = self.run_plot(self.path, "--field", "heat")
         self.assertEqual((code, out, len(err)), (2, [], 1))
+
+    def test_without_the_compiled_module(self):
+        # The source folder does not have it, even where the tests' package does.
+        def python(code):
+            done = subprocess.run([sys.executable, "-c", code], cwd=self.folder, text=True, capture_output=True, check=False,
+                                  env={**os.environ, "PYTHONPATH": str(PYTHON_FOLDER)})
+            return done.returncode, done.stderr
+
+        self.assertEqual(python("from microslip import plot; plot.main(['result.h5', '--cut=0'])"), (0, ""))
+        self.assertTrue((self.folder / "cut.png").is_file())
+        code, text = python("import sys; from microslip import plot; sys.exit(plot.main(['result.h5', '--convergence']))")
+        self.assertEqual((code, len(text.splitlines())), (2, 1))
+        self.assertIn("convergence.png needs the compiled module", text)
+        self.assertIn("microslip.Fastsim2 needs the compiled module", python("import microslip; microslip.Fastsim2")[1])
 
     def test_other_kinds_are_refused(self):
         with h5py.File(self.path, "a") as file:
