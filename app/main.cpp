@@ -3,6 +3,7 @@
 #include "app/hertz.hpp"
 #include "app/init.hpp"
 #include "app/interrupt.hpp"
+#include "app/plot.hpp"
 #include "app/run.hpp"
 #include "app/solve.hpp"
 #include "app/usage_error.hpp"
@@ -33,6 +34,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_batch_command(program, exit_code);
   add_init_command(program);
   add_run_command(program, exit_code);
+  add_plot_command(program, exit_code);
   add_convert_command(program, exit_code);
   add_validate_command(program, exit_code);
   program.require_subcommand(1);

@@ -67,9 +67,11 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// Runs a program with its output and errors in files. Returns its exit code, or the negative error number if it
+/// Runs microslip.plot with its output and errors in files. Returns its exit code, or the negative error number if it
 /// cannot be started.
-int run(std::vector<std::string> arguments, std::FILE* output, std::FILE* errors) {
+int run(const std::vector<std::string>& plot_arguments, std::FILE* output, std::FILE* errors) {
+  std::vector<std::string> arguments = {python(), "-m", "microslip.plot"};
+  arguments.insert(arguments.end(), plot_arguments.begin(), plot_arguments.end());
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -107,14 +109,17 @@ std::string problem(int code, const std::vector<std::string>& messages) {
 
 } // namespace
 
-Pictures draw_pictures(const fs::path& result_file, const fs::path& folder) {
+Pictures draw_pictures(const std::vector<std::string>& arguments) {
   const File output(std::tmpfile()), errors(std::tmpfile());
   if (!output || !errors) return {.problem = "pictures are missing: temporary files cannot be made"};
-  const auto code =
-      run({python(), "-m", "microslip.plot", result_file.string(), "-o", folder.string()}, output.get(), errors.get());
+  const auto code = run(arguments, output.get(), errors.get());
   Pictures pictures = {.files = lines_of(contents(output.get()))};
   if (code != 0) pictures.problem = problem(code, lines_of(contents(errors.get())));
   return pictures;
+}
+
+Pictures draw_pictures(const fs::path& result_file, const fs::path& folder) {
+  return draw_pictures({result_file.string(), "-o", folder.string()});
 }
 
 } // namespace microslip

@@ -1,9 +1,9 @@
 #include "app/run.hpp"
 
 #include "app/command_line.hpp"
-#include "app/contact_run_file.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress_bar.hpp"
+#include "cases/contact_run_file.hpp"
 #include "io/contact_mat.hpp"
 #include "io/contact_run.hpp"
 #include "io/output_file.hpp"

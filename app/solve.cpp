@@ -6,7 +6,7 @@
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
-#include "app/rolling_contact_result.hpp"
+#include "cases/rolling_contact_result.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 

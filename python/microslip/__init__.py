@@ -1,1 +1,34 @@
-"""microslip: frictional rolling contact. `python3 -m microslip.plot RESULT.h5` draws the pictures of a result file."""
+"""microslip: frictional rolling contact of two bodies. All in SI units, all forces on body 1 (the wheel).
+
+The names of the compiled module (`help(microslip.Fastsim2)`) are loaded when the first of them is used, so that the pictures
+(`microslip.plot`) work without it.
+"""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from microslip._core import *
+
+
+def __getattr__(name):
+    """Loads the compiled module on the first use of a name that is not here."""
+    if name.startswith("_"):
+        raise AttributeError(f"module 'microslip' has no attribute '{name}'")
+    try:
+        from microslip import _core
+    except ImportError as error:
+        raise AttributeError(f"microslip.{name} needs the compiled module, which is missing: {error}") from error
+    names = [public for public in vars(_core) if not public.startswith("_")]
+    globals().update({public: getattr(_core, public) for public in names}, __all__=names)
+    if name not in names:
+        raise AttributeError(f"module 'microslip' has no attribute '{name}'")
+    return getattr(_core, name)
+
+
+def __dir__():
+    """All public names."""
+    try:
+        __getattr__("Error")
+    except AttributeError:
+        pass
+    return sorted(name for name in globals() if not name.startswith("_"))

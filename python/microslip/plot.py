@@ -1,15 +1,21 @@
-"""Draws the pictures of a result file and prints their names: python3 -m microslip.plot RESULT.h5 [-o DIR]."""
+"""Draws the pictures of a result file and prints their names: microslip plot RESULT.h5, or python3 -m microslip.plot RESULT.h5."""
 
 import argparse
+import contextlib
 import os
 import sys
 
 import matplotlib
 
+from microslip import computed_pictures
+from microslip.comparison_picture import comparison_picture
+from microslip.contact_cells import read_cells
+from microslip.cut_picture import cut_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
 from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
+from microslip.field_picture import FIELDS, field_map, field_surface
 from microslip.model_problem_picture import model_problem_pictures
-from microslip.picture_style import SETTINGS
+from microslip.picture_style import SETTINGS, THEORIES
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
@@ -33,6 +39,50 @@ def pictures(result):
     return PICTURES_OF_KIND[kind](result)
 
 
+def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
+    """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], creep curves for
+    spins [1/m] (empty: chosen from the contact), a comparison with another open result file."""
+    for one in (result, other):
+        if one and one.attribute("kind") != "rolling_contact":
+            raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': such pictures need rolling_contact")
+    cells = {theory: read_cells(result, theory) for theory in THEORIES if theory in result}
+    figures = {f"field_{name}.png": field_map(result, cells, name) for name in fields}
+    figures.update({f"surface_{name}.png": field_surface(result, cells, name) for name in surfaces})
+    if cut is not None:
+        figures["cut.png"] = cut_picture(result, cells, cut)
+    if other is not None:
+        figures["comparison.png"] = comparison_picture(result, other)
+    if spins is not None:
+        figures["creep_curves.png"] = computed("creep_curves", result, spins)
+    if convergence:
+        figures["convergence.png"] = computed("convergence", result)
+    if stresses is not None:
+        figures["stresses.png"] = computed("stresses", result, stresses)
+    return figures
+
+
+def computed(name, *arguments):
+    """A picture that the compiled module computes for."""
+    try:
+        import microslip._core  # noqa: F401, computed_pictures uses it
+    except ImportError as error:
+        raise ResultError(f"{name}.png needs the compiled module of microslip: {error}") from None
+    try:
+        return getattr(computed_pictures, f"{name}_picture")(*arguments)
+    except ValueError as error:
+        raise ResultError(f"{name}.png: {error}") from None
+
+
+def figures(path, **chosen):
+    """The figures of a result file by file name: all of its kind, or those that are asked for, see chosen_pictures; `other`
+    is a path too. For notebooks: figures("result.h5", fields=["pressure"])["field_pressure.png"]."""
+    with contextlib.ExitStack() as files, matplotlib.rc_context(SETTINGS):
+        result = files.enter_context(ResultFile(path))
+        if chosen.get("other"):
+            chosen["other"] = files.enter_context(ResultFile(chosen["other"]))
+        return chosen_pictures(result, **chosen) if chosen else pictures(result)
+
+
 def save(figure, path, metadata):
     """Writes a picture under another name first, so that a file with the final name is always whole."""
     unfinished = f"{path}.{os.getpid()}.unfinished"
@@ -45,28 +95,54 @@ def save(figure, path, metadata):
         raise
 
 
-def draw(path, folder):
-    """Draws all pictures of a result file into a folder and prints their paths."""
-    with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-        figures = pictures(result)
+def draw(path, folder, chosen):
+    """Draws all pictures of a result file, or those that are asked for, into a folder and prints their paths."""
+    with ResultFile(path) as result:
         source = f"microslip {result.attribute('version', '')} ({result.attribute('commit', '')})"
         metadata = {"Title": result.attribute("title", ""), "Software": source}
-        os.makedirs(folder, exist_ok=True)
-        for name, figure in figures.items():
+    drawn = figures(path, **chosen)
+    os.makedirs(folder, exist_ok=True)
+    with matplotlib.rc_context(SETTINGS):
+        for name, figure in drawn.items():
             target = os.path.join(folder, name)
             save(figure, target, metadata)
             print(target, flush=True)
 
 
+def numbers(text):
+    """Numbers between commas."""
+    return [float(part) for part in text.split(",")]
+
+
+def parse(arguments):
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="microslip plot", description="Draws the pictures of a result file, or the pictures "
+                                     "of a rolling contact that the options ask for.")
+    parser.add_argument("result", metavar="RESULT.h5", help="a file written by microslip")
+    parser.add_argument("-o", "--output", metavar="DIR", help="folder for the pictures (default: beside RESULT.h5)")
+    parser.add_argument("--field", metavar="NAME", action="append", default=[], help=f"a field as a map: {', '.join(FIELDS)}")
+    parser.add_argument("--surface", metavar="NAME", action="append", default=[], help="a field as a surface")
+    parser.add_argument("--cut", metavar="Y", type=float, help="tractions with their bound and slip along the row at y [mm]")
+    parser.add_argument("--creep-curves", metavar="SPINS", type=numbers,
+                        help="Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
+    parser.add_argument("--convergence", action="store_true", help="errors of the exact theory over the number of elements")
+    parser.add_argument("--stresses", metavar="Y", type=float, help="stresses inside both bodies in the plane of y [mm]")
+    parser.add_argument("--compare", metavar="OTHER.h5", help="this result beside another")
+    return parser.parse_args(arguments)
+
+
+def choice(options):
+    """The pictures that the command line asks for, as arguments of chosen_pictures; none: all of the file's kind."""
+    asked = {"fields": options.field, "surfaces": options.surface, "cut": options.cut, "spins": options.creep_curves,
+             "convergence": options.convergence, "stresses": options.stresses, "other": options.compare}
+    return {name: value for name, value in asked.items() if value is not None and value is not False and value != []}
+
+
 def main(arguments=None):
     """The command line; returns the exit code: 0, or 2 for a file that cannot be drawn."""
-    parser = argparse.ArgumentParser(prog="python3 -m microslip.plot",
-                                     description="Draws the pictures of a result file.")
-    parser.add_argument("result", metavar="RESULT.h5", help="a file written by microslip")
-    parser.add_argument("-o", metavar="DIR", dest="folder", help="folder for the pictures (default: beside RESULT.h5)")
-    options = parser.parse_args(arguments)
+    options = parse(arguments)
     try:
-        draw(options.result, options.folder or os.path.dirname(options.result) or ".")
+        draw(options.result, options.output or os.path.dirname(options.result) or ".", choice(options))
     except (ResultError, OSError) as error:
         print(f"microslip.plot: {error}", file=sys.stderr)
         return 2

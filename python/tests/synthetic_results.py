@@ -3,6 +3,7 @@
 import h5py
 import numpy as np
 
+SPEED = 2.0
 G, CIRCLE_COEFFICIENTS = 82e9, (4.12, 3.67, 1.47)
 
 
@@ -39,7 +40,8 @@ def totals(fields):
     area, slipping = fields["area"], fields["state"] == 2
     return {"fx": np.sum(area * fields["px"]), "fy": np.sum(area * fields["py"]),
             "mz": np.sum(area * (fields["x"] * fields["py"] - fields["y"] * fields["px"])),
-            "adhesion_area": np.sum(area[~slipping]), "slip_area": np.sum(area[slipping])}
+            "adhesion_area": np.sum(area[~slipping]), "slip_area": np.sum(area[slipping]),
+            "frictional_power": -SPEED * np.sum(area * (fields["px"] * fields["sx"] + fields["py"] * fields["sy"]))}
 
 
 def write_rolling_contact(path, a=6e-3, b=4e-3, mx=10, my=10, creepage=(0.001, 0.0005, 0.2), theories=("fastsim2",),
@@ -50,7 +52,7 @@ def write_rolling_contact(path, a=6e-3, b=4e-3, mx=10, my=10, creepage=(0.001, 0
     with h5py.File(path, "w") as file:
         file.attrs.update({"kind": "rolling_contact", "title": "wheel on rail", "version": "0.1.0", "commit": "abc"})
         inputs = {"normal_force": load, "friction_coefficient": friction, **dict(zip(names, creepage)),
-                  "direction": "backward" if backward else "forward", "theory": theories[0]}
+                  "direction": "backward" if backward else "forward", "theory": theories[0], "rolling_speed": SPEED}
         for name, value in inputs.items():
             file[f"/inputs/{name}"] = value
         file["/hertz/a"], file["/hertz/b"] = a, b

@@ -15,7 +15,7 @@ from tests.synthetic_results import fastsim
 def cells_of(mx, my, a=6.0, b=4.0, backward=False, creepage=(0.001, 0.0005, 0.2)):
     """Cells of a synthetic case, lengths in mm."""
     fields = fastsim(1e-3 * a, 1e-3 * b, mx, my, creepage, 24e3, backward)
-    names = ("bound", "px", "py", "sx", "sy", "state")
+    names = ("area", "bound", "px", "py", "sx", "sy", "state")
     return ContactCells(1e3 * fields["x"], 1e3 * fields["y"], *(fields[name] for name in names), (a, b))
 
 
@@ -83,7 +83,17 @@ class ContactCellsTest(unittest.TestCase):
         if not 0 <= row < len(cells.row_y):
             return EXTERIOR
         i = np.argmin(np.abs(cells.x[row] - point[0]))
-        return int(cells.state[row, i]) if abs(cells.x[row, i] - point[0]) <= cells.widths[row] / 2 else EXTERIOR
+        return int(cells.state[row, i]) if abs(cells.x[row, i] - point[0]) <= cells.widths[row, i] / 2 else EXTERIOR
+
+    def test_fitted_leading_cells_have_their_own_length(self):
+        # A regular row of cells 1 long; the leading one begins at its neighbour's end and is .6 long.
+        x, y = np.array([[4.5, 3.3, 2.5, 1.5, 0.5]] * 2), np.array([[0.0] * 5, [1.0] * 5])
+        area, state = np.array([[1, 0.6, 1, 1, 1]] * 2), np.array([[EXTERIOR, SLIP, SLIP, ADHESION, SLIP]] * 2)
+        cells = ContactCells(x, y, area, *([np.zeros((2, 5))] * 5), state, (2, 1))
+        corners, index = cells.rectangles()
+        np.testing.assert_allclose(corners[0, :2, 0], (3, 3.6))
+        np.testing.assert_allclose(area_of(cells.strips(SLIP)), 2 * (1.6 + 1))
+        self.assertEqual(sorted({segment[0][0] for segment in cells.boundary()}), [1, 2])
 
     def test_no_boundary_where_all_slides_or_all_sticks(self):
         self.assertEqual(cells_of(10, 10, creepage=(0.5, 0, 0)).boundary(), [])

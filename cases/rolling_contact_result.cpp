@@ -1,4 +1,4 @@
-#include "app/rolling_contact_result.hpp"
+#include "cases/rolling_contact_result.hpp"
 
 #include "io/option_words.hpp"
 #include "microslip/simplified/fastrip.hpp"

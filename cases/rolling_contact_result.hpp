@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/creep_curve.hpp"
+#include "cases/creep_curve.hpp"
 #include "io/case_file.hpp"
 #include "io/result_file.hpp"
 #include "microslip/exact/accurate_contact.hpp"

@@ -1,4 +1,4 @@
-#include "app/creep_curve.hpp"
+#include "cases/creep_curve.hpp"
 
 #include "microslip/simplified/creepage_coefficients.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/contact_run_file.hpp"
+#include "cases/contact_run_file.hpp"
 
 #include <limits>
 #include <span>

@@ -1,0 +1,73 @@
+#include "app/plot.hpp"
+
+#include "app/pictures.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+struct PlotArguments {
+  std::string result, folder, other, spins;
+  std::vector<std::string> fields, surfaces;
+  std::vector<double> cut, stresses; ///< one value, if given
+  bool convergence = false;
+};
+
+/// As microslip.plot takes them.
+std::vector<std::string> python_arguments(const PlotArguments& given) {
+  std::vector<std::string> arguments = {given.result};
+  const auto add = [&](const std::string& name, const std::string& value) {
+    if (!value.empty()) arguments.push_back("--" + name + "=" + value);
+  };
+  add("output", given.folder);
+  for (const auto& name : given.fields) add("field", name);
+  for (const auto& name : given.surfaces) add("surface", name);
+  for (const double y : given.cut) add("cut", fmt::format("{}", y));
+  for (const double y : given.stresses) add("stresses", fmt::format("{}", y));
+  add("creep-curves", given.spins);
+  add("compare", given.other);
+  if (given.convergence) arguments.emplace_back("--convergence");
+  return arguments;
+}
+
+int plot(const PlotArguments& arguments) {
+  const auto pictures = draw_pictures(python_arguments(arguments));
+  for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
+  if (pictures.problem.empty()) return 0;
+  fmt::print(stderr, "microslip: {}\n", pictures.problem);
+  return 2;
+}
+
+} // namespace
+
+void add_plot_command(CLI::App& program, int& exit_code) {
+  auto* command = program.add_subcommand("plot", "Draw the pictures of a result file");
+  const auto arguments = std::make_shared<PlotArguments>();
+  command->add_option("RESULT.h5", arguments->result, "a file written by solve or validate")->required();
+  command->add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5");
+  const char* names = "pressure, bound, traction, px, py, slip, sx, sy, power, gap, ux or uy";
+  command->add_option("--field", arguments->fields, std::string("a field as a map: ") + names)->expected(1)->take_all();
+  command->add_option("--surface", arguments->surfaces, "a field as a surface")->expected(1)->take_all();
+  command->add_option("--cut", arguments->cut, "tractions with their bound and slip along the row at y [mm]")
+      ->expected(1)
+      ->type_name("Y");
+  command->add_option("--stresses", arguments->stresses, "stresses inside both bodies in the plane of y [mm]")
+      ->expected(1)
+      ->type_name("Y");
+  command->add_option("--creep-curves", arguments->spins,
+                      "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4");
+  command->add_flag("--convergence", arguments->convergence, "errors of the exact theory over the number of elements");
+  command->add_option("--compare", arguments->other, "another result file, side by side with this one");
+  command->footer(
+      "Draws all pictures of the file's kind, or of a rolling contact those that the options ask for. Creep curves,\n"
+      "convergence and stresses are computed by the Python module. Prints the names of the PNG files.\n\n"
+      "Example:\n  microslip plot results/wheel_on_rail/result.h5 --field pressure --cut 0 --stresses 0");
+  command->callback([arguments, &exit_code] { exit_code = plot(*arguments); });
+}
+
+} // namespace microslip

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "microslip/simplified/contact.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace microslip::python {
+
+using Shape = std::vector<pybind11::ssize_t>;
+using RealArray = pybind11::array_t<double, pybind11::array::c_style>;
+
+/// Numbers as float64 in C order. Throws Error that names the field for what is not real numbers: text, complex
+/// numbers, objects, booleans, ragged lists.
+RealArray real_array(const char* field, const pybind11::object& values);
+/// The same with a shape that it must have, row by row (my, mx); the flat array with the same number of values is the
+/// same.
+RealArray real_array(const char* field, const pybind11::object& values, const Shape& shape);
+std::span<const double> span_of(const RealArray& array);
+
+/// `(3, 4)`, for messages.
+std::string to_text(const Shape& shape);
+
+/// A view of a result's values that keeps the result alive and cannot be written to.
+pybind11::array view(const std::vector<double>& values, const Shape& shape, const pybind11::object& owner);
+pybind11::array view(const std::vector<CellState>& values, const Shape& shape, const pybind11::object& owner);
+pybind11::array view(const std::vector<unsigned char>& values, const Shape& shape, const pybind11::object& owner);
+pybind11::array view(const std::vector<int>& values, const Shape& shape, const pybind11::object& owner);
+
+/// One shape for all by numpy's rules of broadcasting. Throws Error with both shapes for one that does not fit.
+void broadcast(Shape& shape, const char* field, const RealArray& array);
+/// The array spread over a shape that broadcast() has found.
+RealArray spread(const RealArray& array, const Shape& shape);
+
+/// Values of a function at arrays of arguments that broadcast; a number for numbers.
+template <class Function>
+pybind11::object mapped(const char* name_x, const pybind11::object& x, const char* name_y, const pybind11::object& y,
+                        const Function& function) {
+  auto a = real_array(name_x, x), b = real_array(name_y, y);
+  Shape shape;
+  broadcast(shape, name_x, a);
+  broadcast(shape, name_y, b);
+  a = spread(a, shape);
+  b = spread(b, shape);
+  RealArray out(shape);
+  for (pybind11::ssize_t i = 0; i < out.size(); ++i) out.mutable_data()[i] = function(a.data()[i], b.data()[i]);
+  return shape.empty() ? pybind11::object(pybind11::float_(*out.data())) : pybind11::object(std::move(out));
+}
+
+/// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`.
+template <class Class> void add_text(Class& of, std::initializer_list<const char*> fields) {
+  const std::vector<std::string> names(fields.begin(), fields.end());
+  of.def("__repr__", [names](const pybind11::object& self) {
+    auto text = self.attr("__class__").attr("__name__").template cast<std::string>() + "(";
+    for (const auto& name : names) {
+      const pybind11::object value = self.attr(name.c_str());
+      const bool is_code = pybind11::hasattr(value, "name") && pybind11::hasattr(value, "_member_map_");
+      text += (text.back() == '(' ? "" : ", ") + name + "=" +
+              (is_code ? value.attr("name").template cast<std::string>()
+                       : pybind11::repr(value).template cast<std::string>());
+    }
+    return text + ")";
+  });
+}
+
+} // namespace microslip::python

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace microslip::python {
+
+// Each adds the classes and functions of a part to the module, in this order: later ones use the types of earlier ones.
+void bind_elasticity(pybind11::module_& module);
+void bind_friction(pybind11::module_& module);
+void bind_contact(pybind11::module_& module);
+void bind_simplified(pybind11::module_& module);
+void bind_grid_problems(pybind11::module_& module);
+void bind_exact(pybind11::module_& module);
+void bind_interior(pybind11::module_& module);
+void bind_case_files(pybind11::module_& module);
+void bind_contact_input(pybind11::module_& module);
+
+} // namespace microslip::python

@@ -1,0 +1,183 @@
+#include "binding/arrays.hpp"
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/long_work.hpp"
+#include "binding/words.hpp"
+#include "cases/rolling_contact_result.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// A case with the text that it was read from.
+struct Case {
+  RollingCase input;
+  std::string name, text;
+};
+
+struct SolvedCase {
+  std::shared_ptr<const Case> of;
+  RollingContactResult result;
+};
+
+std::string path_from(const py::object& path) {
+  return py::module_::import("os").attr("fspath")(path).cast<std::string>();
+}
+
+std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
+  return std::make_shared<Case>(Case{parse_case(text, name), name, text});
+}
+
+SolvedCase solve(const std::shared_ptr<Case>& given) {
+  const py::gil_scoped_release release;
+  SignalCheck signals;
+  return {given, solve_case(given->input, signals.progress())};
+}
+
+/// Holds Python's lock throughout: the HDF5 library keeps global state, which other modules may share.
+void write(const SolvedCase& self, const py::object& path) {
+  const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
+  write_result(self.of->input, self.result,
+               {.kind = "rolling_contact",
+                .title = self.of->input.title,
+                .command_line = arguments.cast<std::string>(),
+                .case_file = self.of->name,
+                .case_text = self.of->text},
+               path_from(path));
+}
+
+template <class T> auto of_input(T RollingCase::*member) {
+  return [member](const Case& self) { return self.input.*member; };
+}
+
+void bind_case(py::module_& module) {
+  auto body = py::class_<BodyInput>(module, "Body", "One of the two bodies of a case file.");
+  body.def_readonly("rolling_radius", &BodyInput::rolling_radius, "Radius in the plane of rolling [m].")
+      .def_readonly("transverse_radius", &BodyInput::transverse_radius, "Radius in the lateral plane [m].")
+      .def_readonly("material", &BodyInput::material, "Its Material.");
+  add_text(body, {"rolling_radius", "transverse_radius", "material"});
+
+  auto rolling_case = py::class_<Case, std::shared_ptr<Case>>(
+      module, "RollingCase", "What a case file says; read_case and parse_case make them.");
+  rolling_case.def_property_readonly("title", of_input(&RollingCase::title), "Its title.")
+      .def_property_readonly("body1", of_input(&RollingCase::body1), "The body that forces act on, e.g. the wheel.")
+      .def_property_readonly("body2", of_input(&RollingCase::body2), "The other body, e.g. the rail.")
+      .def_property_readonly("friction", of_input(&RollingCase::friction), "The FrictionLaw, mu [-].")
+      .def_property_readonly("theory", of_input(&RollingCase::theory), "fastsim, fastsim_half_step, fastsim2 or exact.")
+      .def_property_readonly(
+          "hertz", [](const Case& self) { return hertz_contact(self.input); }, "The HertzContact.")
+      .def_property_readonly(
+          "contact", [](const Case& self) { return elliptic_contact(self.input, hertz_contact(self.input)); },
+          "The EllipticContact for the solvers of either theory.")
+      .def_property_readonly(
+          "text", [](const Case& self) { return self.text; }, "The text of the file.");
+  add_text(rolling_case, {"title", "theory", "contact"});
+
+  module.def(
+      "read_case",
+      [](const py::object& path) {
+        const auto name = path_from(path);
+        return parse(read_case_text(name), name);
+      },
+      "path"_a,
+      "Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with file, line, key, "
+      "value and\n"
+      "allowed range for what is wrong, and with the nearest key for unknown ones [-].");
+  module.def("parse_case", &parse, "text"_a, "name"_a = "case",
+             "The same from TOML text, SI units; `name` is the file's name for messages [-].");
+}
+
+template <class Value> auto along(const Value& value) {
+  return [value](const CreepCurve& self) {
+    RealArray out(static_cast<py::ssize_t>(self.forces.size()));
+    std::transform(self.forces.begin(), self.forces.end(), out.mutable_data(), value);
+    return out;
+  };
+}
+
+void bind_curve(py::module_& module) {
+  py::class_<CreepCurve>(module, "CreepCurve", "Forces along one creepage while the other two are held.")
+      .def_readonly("variable", &CreepCurve::variable, "creepage_longitudinal, creepage_lateral or spin.")
+      .def_readonly("unit", &CreepCurve::unit, "Unit of the variable.")
+      .def_property_readonly(
+          "value",
+          [](const py::object& self) {
+            const auto& values = self.cast<const CreepCurve&>().value;
+            return view(values, {static_cast<py::ssize_t>(values.size())}, self);
+          },
+          "Of the variable, shape (n), [-] or [1/m].")
+      .def_property_readonly("fx", along([](const ContactForces& f) { return f.fx; }), "Shape (n) [N].")
+      .def_property_readonly("fy", along([](const ContactForces& f) { return f.fy; }), "Shape (n) [N].")
+      .def_property_readonly("mz", along([](const ContactForces& f) { return f.mz; }), "Shape (n) [N m].");
+}
+
+void bind_theories(py::module_& module) {
+  auto error = py::class_<GridError>(module, "GridError", "How far totals are from those on another grid.");
+  error.def_readonly("fx", &GridError::fx, "In units of mu Fn [-].")
+      .def_readonly("fy", &GridError::fy, "In units of mu Fn [-].")
+      .def_readonly("mz", &GridError::mz, "In units of mu Fn sqrt(a b) [-].");
+  add_text(error, {"fx", "fy", "mz"});
+
+  py::class_<SimplifiedResult>(module, "SimplifiedResult", "What the simplified theory makes of a case.")
+      .def_readonly("fields", &SimplifiedResult::fields, "Tractions, slip and states, as ContactFields.")
+      .def_property_readonly(
+          "forces", [](const SimplifiedResult& self) -> const ContactForces& { return self.fields.forces; },
+          "The totals, as ContactForces.")
+      .def_readonly("grid_error", &SimplifiedResult::grid_error, "To the grid with twice the cells [-].")
+      .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
+
+  py::class_<ExactResult>(module, "ExactResult", "What the exact theory makes of a case.")
+      .def_readonly("contact", &ExactResult::contact, "The solution, as ExactContact.")
+      .def_property_readonly(
+          "forces", [](const ExactResult& self) -> const ContactForces& { return self.contact.fields.forces; },
+          "The totals, as ContactForces.")
+      .def_property_readonly(
+          "gap",
+          [](const py::object& self) {
+            const auto& exact = self.cast<const ExactResult&>();
+            return view(exact.gap, {exact.contact.fields.my, exact.contact.fields.mx}, self);
+          },
+          "Deformed distance of the bodies, shape (my, mx) [m].")
+      .def_readonly("grid_error", &ExactResult::grid_error, "To the grid with half the elements [-].")
+      .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
+      .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
+}
+
+} // namespace
+
+void bind_case_files(py::module_& module) {
+  bind_case(module);
+  bind_curve(module);
+  bind_theories(module);
+  const auto result = [](auto member) {
+    return [member](const SolvedCase& self) -> const auto& {
+      return self.result.*member;
+    };
+  };
+  py::class_<SolvedCase>(module, "RollingContactResult", "All that `microslip solve` computes of a case.")
+      .def_property_readonly(
+          "case", [](const SolvedCase& self) { return std::const_pointer_cast<Case>(self.of); }, "The RollingCase.")
+      .def_property_readonly("hertz", result(&RollingContactResult::hertz), "The HertzContact.")
+      .def_property_readonly("contact", result(&RollingContactResult::contact),
+                             "The EllipticContact, with creepages as found where a force is given.")
+      .def_property_readonly("exact", result(&RollingContactResult::exact),
+                             "ExactResult, None if the case does not ask for it.")
+      .def_property_readonly("simplified", result(&RollingContactResult::simplified),
+                             "SimplifiedResult, also beside the exact theory in steady rolling; else None.")
+      .def_property_readonly("status", result(&RollingContactResult::status),
+                             "Of the theory that the case asks for, a Status [-].")
+      .def("write", &write, "path"_a,
+           "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
+           "be written.");
+  module.def("solve_case", &solve, "case"_a,
+             "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI units [-]. "
+             "Ctrl-C ends it.\n"
+             "Returns RollingContactResult; not converging is a status.");
+}
+
+} // namespace microslip::python

@@ -1,0 +1,49 @@
+#include "binding/codes.hpp"
+
+#include <string>
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+
+// It lives as long as the interpreter.
+PyObject* status_class = nullptr;
+
+py::object make_class(py::module_& module, const char* name, const py::list& members, const char* text) {
+  auto made = py::module_::import("enum").attr("IntEnum")(name, members, py::arg("module") = "microslip");
+  made.attr("__doc__") = text;
+  module.attr(name) = made;
+  return made;
+}
+
+template <class Code> void add(py::list& members, const char* name, Code code) {
+  members.append(py::make_tuple(name, static_cast<int>(code)));
+}
+
+} // namespace
+
+void bind_codes(py::module_& module) {
+  py::list statuses, states;
+  for (const auto status :
+       {Status::ok, Status::invalid_input, Status::not_converged, Status::no_contact, Status::no_solution})
+    add(statuses, std::string(to_string(status)).c_str(), status);
+  const char* text = "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are "
+                     "NaN; not_converged, the\n"
+                     "result is the best one found; no_contact, the bodies do not touch; no_solution, the force given "
+                     "is beyond friction\n"
+                     "and the result slides fully. An IntEnum: arrays of codes compare with it.";
+  status_class = make_class(module, "Status", statuses, text).release().ptr();
+  add(states, "exterior", CellState::exterior);
+  add(states, "adhesion", CellState::adhesion);
+  add(states, "slip", CellState::slip);
+  make_class(module, "CellState", states,
+             "What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays of codes "
+             "compare with it.");
+}
+
+py::object to_python(Status status) {
+  return py::handle(status_class)(static_cast<int>(status));
+}
+
+} // namespace microslip::python

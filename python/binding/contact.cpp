@@ -1,0 +1,181 @@
+#include "binding/contact.hpp"
+
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/contact_batch.hpp"
+#include "binding/words.hpp"
+#include "microslip/simplified/creepage_coefficients.hpp"
+
+namespace microslip::python {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+FrictionLaw friction_from(const py::object& friction) {
+  if (py::isinstance<FrictionLaw>(friction)) return friction.cast<FrictionLaw>();
+  try {
+    return FrictionLaw::coulomb(friction.cast<double>());
+  } catch (const py::cast_error&) {
+    throw py::type_error("friction: must be a FrictionLaw or a coefficient, not " +
+                         py::repr(friction).cast<std::string>());
+  }
+}
+
+Creepage creepage_from(const py::object& creepage) {
+  if (py::isinstance<Creepage>(creepage)) return creepage.cast<Creepage>();
+  try {
+    const auto [xi, eta, phi] = creepage.cast<std::tuple<double, double, double>>();
+    return {xi, eta, phi};
+  } catch (const py::cast_error&) {
+    throw py::type_error("creepage: must be a Creepage or three numbers, not " +
+                         py::repr(creepage).cast<std::string>());
+  }
+}
+
+namespace {
+
+void bind_creepage(py::module_& module) {
+  auto creepage = py::class_<Creepage>(
+      module, "Creepage",
+      "Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x).");
+  creepage
+      .def(py::init([](double longitudinal, double lateral, double spin) {
+             return Creepage{longitudinal, lateral, spin};
+           }),
+           "longitudinal"_a = 0.0, "lateral"_a = 0.0, "spin"_a = 0.0, "From xi [-], eta [-] and phi [1/m].")
+      .def_readwrite("longitudinal", &Creepage::longitudinal, "xi [-]; of a braked wheel positive. For a shift [m].")
+      .def_readwrite("lateral", &Creepage::lateral, "eta [-]. For a shift [m].")
+      .def_readwrite("spin", &Creepage::spin, "phi [1/m]. For a shift [rad].")
+      .def("__iter__",
+           [](const Creepage& self) { return py::iter(py::make_tuple(self.longitudinal, self.lateral, self.spin)); });
+  add_text(creepage, {"longitudinal", "lateral", "spin"});
+
+  auto coefficients = py::class_<CreepageCoefficients>(
+      module, "CreepageCoefficients",
+      "Kalker's creepage coefficients: for vanishing creepages, with c = sqrt(a b), Fx = -G c^2 C11 xi,\n"
+      "Fy = -G c^2 (C22 eta + c C23 phi), Mz = -G c^3 (C32 eta + c C33 phi), C32 = -C23.");
+  coefficients.def_readonly("c11", &CreepageCoefficients::c11, "C11 [-].")
+      .def_readonly("c22", &CreepageCoefficients::c22, "C22 [-].")
+      .def_readonly("c23", &CreepageCoefficients::c23, "C23 [-].")
+      .def_readonly("c33", &CreepageCoefficients::c33, "C33 [-].");
+  add_text(coefficients, {"c11", "c22", "c23", "c33"});
+  module.def("creepage_coefficients", &creepage_coefficients, "a_over_b"_a, "poisson_ratio"_a,
+             "coefficients"_a = CreepageTable::kalker,
+             "The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker' (Kalker "
+             "1990, table E.3)\n"
+             "or 'computed' (right to 1e-4 from a/b = .05 to 20). Beyond a table they tend to the limits of slender "
+             "ellipses.");
+}
+
+EllipticContact make_contact(double a, double b, double shear_modulus, double poisson_ratio, double normal_force,
+                             const py::object& friction, const py::object& creepage, double rolling_speed) {
+  return {.a = a,
+          .b = b,
+          .shear_modulus = shear_modulus,
+          .poisson_ratio = poisson_ratio,
+          .normal_force = normal_force,
+          .friction = friction_from(friction),
+          .creepage = creepage_from(creepage),
+          .rolling_speed = rolling_speed};
+}
+
+void bind_elliptic_contact(py::module_& module) {
+  auto contact = py::class_<EllipticContact>(
+      module, "EllipticContact",
+      "A Hertzian ellipse with material, load, friction and creepages: what the solvers of either theory take. Fields "
+      "may be\n"
+      "changed between calls; solvers check them, and what is out of range gives Status.invalid_input and NaN.");
+  contact
+      .def(py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
+           "creepage"_a = Creepage{}, "rolling_speed"_a = 1.0,
+           "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], "
+           "the normal\n"
+           "force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), and the "
+           "speed V [m/s].")
+      .def_readwrite("a", &EllipticContact::a, "Semi-axis along the rolling direction [m], > 0.")
+      .def_readwrite("b", &EllipticContact::b, "Lateral semi-axis [m], > 0.")
+      .def_readwrite("shear_modulus", &EllipticContact::shear_modulus, "Combined G [Pa], > 0.")
+      .def_readwrite("poisson_ratio", &EllipticContact::poisson_ratio, "Combined nu [-], in [0, 0.5].")
+      .def_readwrite("normal_force", &EllipticContact::normal_force, "Fn [N], > 0.")
+      .def_property(
+          "friction", [](EllipticContact& self) -> FrictionLaw& { return self.friction; },
+          [](EllipticContact& self, const py::object& value) { self.friction = friction_from(value); },
+          "The friction law, mu [-] of the slip velocity [m/s]; a number is taken for Coulomb's.")
+      .def_property(
+          "creepage", [](EllipticContact& self) -> Creepage& { return self.creepage; },
+          [](EllipticContact& self, const py::object& value) { self.creepage = creepage_from(value); },
+          "Creepages [-], [-] and spin [1/m]; three numbers may be assigned.")
+      .def_readwrite("rolling_speed", &EllipticContact::rolling_speed,
+                     "V [m/s], > 0; matters for falling friction and for the frictional power.");
+  add_text(contact,
+           {"a", "b", "shear_modulus", "poisson_ratio", "normal_force", "friction", "creepage", "rolling_speed"});
+}
+
+void bind_forces(py::module_& module) {
+  auto forces = py::class_<ContactForces>(
+      module, "ContactForces", "Totals, acting on body 1, the wheel. Positive creepage gives negative force.");
+  forces.def_readonly("fx", &ContactForces::fx, "Longitudinal force on body 1 [N].")
+      .def_readonly("fy", &ContactForces::fy, "Lateral force on body 1 [N].")
+      .def_readonly("mz", &ContactForces::mz, "Moment about z on body 1, integral of x py - y px [N m].")
+      .def_readonly("adhesion_area", &ContactForces::adhesion_area, "Area in adhesion [m^2].")
+      .def_readonly("slip_area", &ContactForces::slip_area, "Area in slip [m^2].")
+      .def_readonly("status", &ContactForces::status, "How the calculation ended, a Status [-].");
+  add_text(forces, {"fx", "fy", "mz", "adhesion_area", "slip_area", "status"});
+
+  py::class_<ContactDerivatives>(module, "ContactDerivatives", "Totals and their derivatives.")
+      .def_readonly("forces", &ContactDerivatives::forces, "The totals, as ContactForces.")
+      .def_property_readonly(
+          "jacobian",
+          [](const py::object& self) {
+            auto array = py::array_t<double>({3, 4}, &self.cast<const ContactDerivatives&>().jacobian[0][0], self);
+            array.attr("flags").attr("writeable") = false;
+            return array;
+          },
+          "Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-], phi [1/m] and Fn [N], shape (3, 4); that to Fn "
+          "keeps the\n"
+          "ellipse as it is.");
+}
+
+template <class T> auto field(std::vector<T> ContactFields::*member) {
+  return [member](const py::object& self) {
+    const auto& fields = self.cast<const ContactFields&>();
+    return view(fields.*member, {fields.my, fields.mx}, self);
+  };
+}
+
+void bind_fields(py::module_& module) {
+  py::class_<ContactFields>(module, "ContactFields",
+                            "Fields over the cells of a grid: my rows, y ascending, of mx cells, from the leading to "
+                            "the trailing edge. Arrays are\n"
+                            "read-only views of shape (my, mx).")
+      .def_readonly("mx", &ContactFields::mx, "Cells of a row [-].")
+      .def_readonly("my", &ContactFields::my, "Rows [-].")
+      .def_property_readonly("x", field(&ContactFields::x), "Centres of the cells, shape (my, mx) [m].")
+      .def_property_readonly("y", field(&ContactFields::y), "Centres of the cells, shape (my, mx) [m].")
+      .def_property_readonly("area", field(&ContactFields::area),
+                             "Weights: the sum of area px is fx, shape (my, mx) [m^2].")
+      .def_property_readonly("bound", field(&ContactFields::bound), "Traction bound g, shape (my, mx) [Pa].")
+      .def_property_readonly("px", field(&ContactFields::px), "Longitudinal tractions on body 1, shape (my, mx) [Pa].")
+      .def_property_readonly("py", field(&ContactFields::py), "Lateral tractions on body 1, shape (my, mx) [Pa].")
+      .def_property_readonly("sx", field(&ContactFields::sx),
+                             "Relative slip of body 1 over body 2, shape (my, mx) [-]; for a shift [m].")
+      .def_property_readonly("sy", field(&ContactFields::sy),
+                             "Lateral relative slip, shape (my, mx) [-]; for a shift [m].")
+      .def_property_readonly("state", field(&ContactFields::state), "Codes of CellState as uint8, shape (my, mx) [-].")
+      .def_readonly("forces", &ContactFields::forces, "The totals, as ContactForces.")
+      .def_readonly("frictional_power", &ContactFields::frictional_power,
+                    "-V times the sum of area (px sx + py sy) [W], >= 0; for a shift the work [J].");
+}
+
+} // namespace
+
+void bind_contact(py::module_& module) {
+  bind_codes(module);
+  bind_creepage(module);
+  bind_elliptic_contact(module);
+  bind_forces(module);
+  bind_fields(module);
+  bind_contact_batch(module);
+}
+
+} // namespace microslip::python

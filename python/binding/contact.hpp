@@ -1,0 +1,15 @@
+#pragma once
+
+#include "binding/arrays.hpp"
+#include "microslip/simplified/contact.hpp"
+
+#include <optional>
+
+namespace microslip::python {
+
+/// A FrictionLaw, or a number for Coulomb's. Throws TypeError otherwise.
+FrictionLaw friction_from(const pybind11::object& friction);
+/// A Creepage, or three numbers. Throws TypeError otherwise.
+Creepage creepage_from(const pybind11::object& creepage);
+
+} // namespace microslip::python

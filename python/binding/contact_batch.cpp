@@ -1,0 +1,125 @@
+#include "binding/contact_batch.hpp"
+
+#include "microslip/error.hpp"
+
+namespace microslip::python {
+
+namespace py = pybind11;
+
+ContactBatch::ContactBatch(const EllipticContact& like, const ContactArrays& arrays) : like_(like) {
+  const std::pair<const char*, const py::object*> given[] = {{"longitudinal", &arrays.longitudinal},
+                                                             {"lateral", &arrays.lateral},
+                                                             {"spin", &arrays.spin},
+                                                             {"a", &arrays.a},
+                                                             {"b", &arrays.b},
+                                                             {"shear_modulus", &arrays.shear_modulus},
+                                                             {"poisson_ratio", &arrays.poisson_ratio},
+                                                             {"normal_force", &arrays.normal_force},
+                                                             {"friction", &arrays.friction},
+                                                             {"rolling_speed", &arrays.rolling_speed}};
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (given[k].second->is_none()) continue;
+    columns_[k] = real_array(given[k].first, *given[k].second);
+    broadcast(shape_, given[k].first, columns_[k]);
+  }
+  for (const auto extent : shape_) count_ *= static_cast<std::size_t>(extent);
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (given[k].second->is_none()) continue;
+    constant_[k] = columns_[k].size() == 1;
+    if (!constant_[k]) columns_[k] = spread(columns_[k], shape_);
+    values_[k] = columns_[k].data();
+  }
+  if (values_[8] != nullptr)
+    for (const double mu : span_of(columns_[8]))
+      require_between("friction", mu, "-", 0, FrictionLaw::largest_coefficient);
+}
+
+EllipticContact ContactBatch::operator[](std::size_t i) const {
+  EllipticContact contact = like_;
+  double* const places[] = {
+      &contact.creepage.longitudinal, &contact.creepage.lateral, &contact.creepage.spin, &contact.a, &contact.b,
+      &contact.shear_modulus,         &contact.poisson_ratio,    &contact.normal_force};
+  for (std::size_t k = 0; k < std::size(places); ++k)
+    if (values_[k] != nullptr) *places[k] = values_[k][constant_[k] ? 0 : i];
+  if (values_[8] != nullptr) contact.friction = FrictionLaw::coulomb(values_[8][constant_[8] ? 0 : i]);
+  if (values_[9] != nullptr) contact.rolling_speed = values_[9][constant_[9] ? 0 : i];
+  return contact;
+}
+
+ForceArrays::ForceArrays(const ContactBatch& batch)
+    : shape(batch.shape()), fx(batch.count()), fy(fx), mz(fx), adhesion_area(fx), slip_area(fx), status(fx.size()) {}
+
+void ForceArrays::put(std::size_t i, const ContactForces& forces) {
+  fx[i] = forces.fx;
+  fy[i] = forces.fy;
+  mz[i] = forces.mz;
+  adhesion_area[i] = forces.adhesion_area;
+  slip_area[i] = forces.slip_area;
+  status[i] = static_cast<unsigned char>(forces.status);
+}
+
+DerivativeArrays::DerivativeArrays(const ContactBatch& batch) : forces(batch), jacobian(12 * batch.count()) {}
+
+ExactForceArrays::ExactForceArrays(const ContactBatch& batch)
+    : forces(batch), residual(batch.count()), newton_steps(batch.count()) {}
+
+namespace {
+
+template <class T> auto column(std::vector<T> ForceArrays::*member) {
+  return [member](const py::object& self) {
+    const auto& forces = self.cast<const ForceArrays&>();
+    return view(forces.*member, forces.shape, self);
+  };
+}
+
+} // namespace
+
+void bind_contact_batch(py::module_& module) {
+  py::class_<ForceArrays>(
+      module, "ForceArrays",
+      "Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views.")
+      .def_property_readonly("fx", column(&ForceArrays::fx), "Longitudinal forces on body 1, shape (...) [N].")
+      .def_property_readonly("fy", column(&ForceArrays::fy), "Lateral forces on body 1, shape (...) [N].")
+      .def_property_readonly("mz", column(&ForceArrays::mz), "Moments about z on body 1, shape (...) [N m].")
+      .def_property_readonly("adhesion_area", column(&ForceArrays::adhesion_area),
+                             "Areas in adhesion, shape (...) [m^2].")
+      .def_property_readonly("slip_area", column(&ForceArrays::slip_area), "Areas in slip, shape (...) [m^2].")
+      .def_property_readonly("status", column(&ForceArrays::status),
+                             "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
+      .def("__len__", [](const ForceArrays& self) { return self.fx.size(); });
+
+  py::class_<DerivativeArrays>(module, "DerivativeArrays", "Forces of many contacts and their derivatives.")
+      .def_property_readonly(
+          "forces", [](const DerivativeArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
+      .def_property_readonly(
+          "jacobian",
+          [](const py::object& self) {
+            const auto& derivatives = self.cast<const DerivativeArrays&>();
+            auto shape = derivatives.forces.shape;
+            shape.insert(shape.end(), {3, 4});
+            return view(derivatives.jacobian, shape, self);
+          },
+          "Derivatives of fx [N], fy [N], mz [N m] to longitudinal and lateral creepage [-], spin [1/m] and normal "
+          "force [N],\n"
+          "shape (..., 3, 4); that to the normal force keeps the ellipse as it is.");
+
+  py::class_<ExactForceArrays>(module, "ExactForceArrays", "Forces of many contacts by the exact theory.")
+      .def_property_readonly(
+          "forces", [](const ExactForceArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
+      .def_property_readonly(
+          "residual",
+          [](const py::object& self) {
+            const auto& result = self.cast<const ExactForceArrays&>();
+            return view(result.residual, result.forces.shape, self);
+          },
+          "Relative residuals at the end of the iteration, shape (...) [-].")
+      .def_property_readonly(
+          "newton_steps",
+          [](const py::object& self) {
+            const auto& result = self.cast<const ExactForceArrays&>();
+            return view(result.newton_steps, result.forces.shape, self);
+          },
+          "Steps of Newton's method, shape (...) [-].");
+}
+
+} // namespace microslip::python

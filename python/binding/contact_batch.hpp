@@ -1,0 +1,68 @@
+#pragma once
+
+#include "binding/arrays.hpp"
+#include "microslip/simplified/contact.hpp"
+
+#include <array>
+#include <vector>
+
+namespace microslip::python {
+
+/// What may be given as an array in the place of the contact's own value: keyword arguments of the batches.
+struct ContactArrays {
+  pybind11::object longitudinal, lateral, spin; ///< [-], [-], [1/m]
+  pybind11::object a, b;                        ///< [m]
+  pybind11::object shear_modulus, poisson_ratio, normal_force, friction, rolling_speed;
+};
+
+/// Many contacts: one that the others are like, and arrays that broadcast by numpy's rules. None: as in that one.
+class ContactBatch {
+public:
+  /// Throws Error for arrays that are no real numbers or do not go together, and for friction coefficients out of
+  /// range.
+  ContactBatch(const EllipticContact& like, const ContactArrays& arrays);
+
+  const Shape& shape() const { return shape_; }
+  std::size_t count() const { return count_; }
+  /// Needs no Python.
+  EllipticContact operator[](std::size_t i) const;
+
+private:
+  EllipticContact like_;
+  Shape shape_;
+  std::size_t count_ = 1;
+  std::array<RealArray, 10> columns_;
+  std::array<const double*, 10> values_ = {}; ///< null where the contact's own value holds
+  std::array<bool, 10> constant_ = {};
+};
+
+/// Forces of many contacts.
+struct ForceArrays {
+  explicit ForceArrays(const ContactBatch& batch);
+  void put(std::size_t i, const ContactForces& forces);
+
+  Shape shape;
+  std::vector<double> fx, fy, mz, adhesion_area, slip_area;
+  std::vector<unsigned char> status;
+};
+
+/// Forces of many contacts with their derivatives, 3 x 4 for each.
+struct DerivativeArrays {
+  explicit DerivativeArrays(const ContactBatch& batch);
+
+  ForceArrays forces;
+  std::vector<double> jacobian;
+};
+
+/// Forces of many contacts by the exact theory.
+struct ExactForceArrays {
+  explicit ExactForceArrays(const ContactBatch& batch);
+
+  ForceArrays forces;
+  std::vector<double> residual;
+  std::vector<int> newton_steps;
+};
+
+void bind_contact_batch(pybind11::module_& module);
+
+} // namespace microslip::python

@@ -1,0 +1,157 @@
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/grid.hpp"
+#include "binding/long_work.hpp"
+#include "io/contact_run.hpp"
+#include "microslip/error.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <memory>
+#include <system_error>
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// A case of a CONTACT file and what became of it.
+struct RunCase {
+  int number = 0;
+  std::size_t line = 0;
+  ContactOutcome outcome = {};
+};
+
+/// Reads and runs the cases of a file one after the other, in constant memory.
+class Run {
+public:
+  explicit Run(const std::string& path) : file_(path, std::ios::binary), reader_(file_, path) {
+    if (!file_) throw Error(path + ": cannot be read: " + std::generic_category().message(errno));
+  }
+
+  /// Throws py::stop_iteration at the end.
+  RunCase next() {
+    RunCase out;
+    const bool found = [&] {
+      const py::gil_scoped_release release;
+      const std::scoped_lock lock(busy_);
+      const ContactCase* c = reader_.next();
+      if (c == nullptr) return false;
+      out = {c->number, c->line, run_.run(*c)};
+      return true;
+    }();
+    if (!found) throw py::stop_iteration();
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return out;
+  }
+
+private:
+  std::ifstream file_;
+  ContactInputReader reader_;
+  ContactRun run_;
+  std::mutex busy_;
+};
+
+const char* name_of(ContactOutcome::Kind kind) {
+  constexpr const char* names[] = {"solved", "skipped", "refused"};
+  return names[static_cast<int>(kind)];
+}
+
+bool is_solved(const RunCase& self) {
+  return self.outcome.kind == ContactOutcome::Kind::solved;
+}
+
+void bind_totals(py::module_& module) {
+  py::class_<ContactTotals>(
+      module, "ContactTotals",
+      "The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1.")
+      .def_readonly("fn", &ContactTotals::fn, "FN [N].")
+      .def_readonly("fx", &ContactTotals::fx, "FX [N].")
+      .def_readonly("fy", &ContactTotals::fy, "FY [N].")
+      .def_readonly("mz", &ContactTotals::mz, "MZ [N mm].")
+      .def_readonly("elastic_energy", &ContactTotals::elastic_energy, "ELAST.EN. [J].")
+      .def_readonly("friction", &ContactTotals::friction,
+                    "FRIC.POWER [W], for shifts FRIC.WORK [J]; negative where energy is lost.")
+      .def_readonly("fn_over_g", &ContactTotals::fn_over_g, "FN/G [mm^2].")
+      .def_readonly("x_name", &ContactTotals::x_name,
+                    "What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is given.")
+      .def_readonly("x", &ContactTotals::x, "[-], for a shift [mm].")
+      .def_readonly("y_name", &ContactTotals::y_name,
+                    "What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is given.")
+      .def_readonly("y", &ContactTotals::y, "[-], for a shift [mm].")
+      .def_readonly("approach", &ContactTotals::approach, "APPROACH [mm].")
+      .def_readonly("peak_pressure", &ContactTotals::peak_pressure, "PMAX [N/mm^2].")
+      .def_readonly("potential", &ContactTotals::potential, "NPOT, elements of the potential contact [-].")
+      .def_readonly("contact", &ContactTotals::contact, "NCON, elements in contact [-].")
+      .def_readonly("adhesion", &ContactTotals::adhesion, "NADH, elements in adhesion [-].")
+      .def_readonly("slip", &ContactTotals::slip, "NSLIP, elements in slip [-].");
+}
+
+void bind_case(py::module_& module) {
+  py::class_<RunCase>(module, "ContactCase", "A case of a CONTACT input file and what became of it.")
+      .def_readonly("number", &RunCase::number, "In the file, from 1 [-].")
+      .def_readonly("line", &RunCase::line, "Where it begins in the file, from 1 [-].")
+      .def_property_readonly(
+          "outcome", [](const RunCase& self) { return name_of(self.outcome.kind); },
+          "solved, skipped (as the file says) or refused.")
+      .def_property_readonly(
+          "reasons", [](const RunCase& self) { return self.outcome.reasons; }, "Why it was refused.")
+      .def_property_readonly(
+          "notes", [](const RunCase& self) { return self.outcome.notes; }, "What was left out or done in another way.")
+      .def_property_readonly(
+          "status", [](const RunCase& self) { return self.outcome.solution.status; },
+          "How the calculation ended, a Status [-].")
+      .def_property_readonly(
+          "totals",
+          [](const RunCase& self) -> std::optional<ContactTotals> {
+            return is_solved(self) ? std::optional(self.outcome.totals) : std::nullopt;
+          },
+          "ContactTotals, CONTACT's units [N], [mm]; None unless solved.")
+      .def_property_readonly(
+          "grid",
+          [](const RunCase& self) -> std::optional<ElementGrid> {
+            return is_solved(self) ? std::optional(self.outcome.step.grid) : std::nullopt;
+          },
+          "The ElementGrid, SI units; None unless solved.")
+      .def_property_readonly(
+          "normal",
+          [](const RunCase& self) -> std::optional<NormalResult> {
+            if (!is_solved(self)) return std::nullopt;
+            return NormalResult{self.outcome.solution.normal, shape_of(self.outcome.step.grid)};
+          },
+          "The NormalSolution, SI units; None unless solved.")
+      .def_property_readonly(
+          "tangential",
+          [](const RunCase& self) -> std::optional<TangentialResult> {
+            if (!is_solved(self)) return std::nullopt;
+            return TangentialResult{self.outcome.solution.tangential, shape_of(self.outcome.step.grid)};
+          },
+          "The TangentialSolution, SI units; None unless solved.");
+}
+
+} // namespace
+
+void bind_contact_input(py::module_& module) {
+  bind_totals(module);
+  bind_case(module);
+  py::class_<Run>(module, "ContactRun",
+                  "The cases of a CONTACT input file, solved one after the other as they are iterated over.")
+      .def("__iter__", [](Run& self) -> Run& { return self; })
+      .def("__next__", &Run::next);
+  module.def(
+      "run_contact_input",
+      [](const py::object& path) {
+        return std::make_unique<Run>(py::module_::import("os").attr("fspath")(path).cast<std::string>());
+      },
+      "path"_a,
+      "Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what the ones "
+      "before it have\n"
+      "left: `for case in run_contact_input(path)` gives ContactCase, totals in CONTACT's units [N], [mm], fields in "
+      "SI units.\n"
+      "Memory does not grow with the number of cases. A case that asks for something unsupported is refused with its "
+      "reasons,\n"
+      "and the others run. Error with file, line and field for what is against the grammar, when the case is reached.");
+}
+
+} // namespace microslip::python

@@ -1,0 +1,136 @@
+#include "binding/bindings.hpp"
+
+#include "binding/arrays.hpp"
+#include "microslip/elasticity/hertz.hpp"
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+void bind_materials(py::module_& module) {
+  auto material = py::class_<Material>(module, "Material", "A linearly elastic, isotropic body.");
+  material
+      .def(py::init([](double shear_modulus, double poisson_ratio) {
+             return Material{shear_modulus, poisson_ratio};
+           }),
+           "shear_modulus"_a, "poisson_ratio"_a,
+           "From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-], in [0, 0.5]. "
+           "Values are\n"
+           "checked where they are used.")
+      .def_static(
+          "from_young", &Material::from_young, "young_modulus"_a, "poisson_ratio"_a,
+          "From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's ratio [-] in\n"
+          "[0, 0.5]. Error if out of range.")
+      .def_readonly("shear_modulus", &Material::shear_modulus, "Shear modulus G [Pa].")
+      .def_readonly("poisson_ratio", &Material::poisson_ratio, "Poisson's ratio nu [-].");
+  add_text(material, {"shear_modulus", "poisson_ratio"});
+
+  auto combined = py::class_<CombinedMaterial>(
+      module, "CombinedMaterial",
+      "The constants of two bodies in contact, as half-space theory needs them; combine() makes them.");
+  combined
+      .def(py::init([](double shear_modulus, double poisson_ratio, double dissimilarity) {
+             return CombinedMaterial{shear_modulus, poisson_ratio, dissimilarity};
+           }),
+           "shear_modulus"_a, "poisson_ratio"_a, "dissimilarity"_a = 0.0,
+           "From combined constants: G [Pa], nu [-], K [-].")
+      .def_readonly("shear_modulus", &CombinedMaterial::shear_modulus, "Combined shear modulus G [Pa].")
+      .def_readonly("poisson_ratio", &CombinedMaterial::poisson_ratio, "Combined Poisson's ratio nu [-].")
+      .def_readonly("dissimilarity", &CombinedMaterial::dissimilarity, "K [-]; 0 for elastically similar bodies.")
+      .def_property_readonly("contact_modulus", &CombinedMaterial::contact_modulus, "E* = G/(1 - nu) [Pa].");
+  add_text(combined, {"shear_modulus", "poisson_ratio", "dissimilarity"});
+
+  module.def("combine", &combine, "body1"_a, "body2"_a,
+             "Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa],\n"
+             "K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or "
+             "Poisson's ratio\n"
+             "is out of range or both bodies are rigid.");
+}
+
+void bind_hertz(py::module_& module) {
+  auto gap = py::class_<GapCurvatures>(
+      module, "GapCurvatures", "Shape of the gap between two bodies in first contact: h(x, y) = A x^2 + B y^2.");
+  gap.def(py::init([](double x, double y) {
+            return GapCurvatures{x, y};
+          }),
+          "x"_a, "y"_a, "From A and B [1/m].")
+      .def_readonly("x", &GapCurvatures::x, "A [1/m], along the rolling direction.")
+      .def_readonly("y", &GapCurvatures::y, "B [1/m], lateral.");
+  add_text(gap, {"x", "y"});
+
+  module.def(
+      "gap_curvatures",
+      [](double rolling1, double rolling2, double transverse1, double transverse2) {
+        return gap_curvatures({rolling1, rolling2, transverse1, transverse2});
+      },
+      "rolling1"_a, "rolling2"_a, "transverse1"_a, "transverse2"_a,
+      "A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m] of bodies 1 and "
+      "2 in\n"
+      "the plane of rolling and in the lateral plane: positive convex, negative concave, math.inf flat. Error for a "
+      "radius\n"
+      "that is zero or not a number, and unless A and B are positive.");
+
+  auto hertz = py::class_<HertzContact>(module, "HertzContact",
+                                        "A Hertzian contact: what follows from shape, material and load.");
+  hertz.def_readonly("a", &HertzContact::a, "Semi-axis along x, the rolling direction [m].")
+      .def_readonly("b", &HertzContact::b, "Semi-axis along y [m].")
+      .def_readonly("normal_force", &HertzContact::normal_force, "Fn [N].")
+      .def_readonly("approach", &HertzContact::approach, "delta [m], by which distant points come nearer.")
+      .def_readonly("peak_pressure", &HertzContact::peak_pressure, "p0 = 3 Fn/(2 pi a b) [Pa].")
+      .def_readonly("stiffness", &HertzContact::stiffness, "dFn/d(approach) = 3 Fn/(2 delta) [N/m].")
+      .def_readonly("gap", &HertzContact::gap, "Curvatures of the gap [1/m].")
+      .def(
+          "pressure",
+          [](const HertzContact& self, const py::object& x, const py::object& y) {
+            return mapped("x", x, "y", y, [&](double at_x, double at_y) { return self.pressure(at_x, at_y); });
+          },
+          "x"_a, "y"_a,
+          "p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or arrays "
+          "that\n"
+          "broadcast, shape (...).");
+  add_text(hertz, {"a", "b", "normal_force", "approach", "peak_pressure", "stiffness"});
+
+  module.def(
+      "hertz_from_load", &hertz_from_load, "gap"_a, "material"_a, "normal_force"_a,
+      "Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2). Relative error "
+      "below\n"
+      "1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and for A/B outside [1e-9, 1e9].");
+  module.def("hertz_from_approach", &hertz_from_approach, "gap"_a, "material"_a, "approach"_a,
+             "The same from the approach [m] in the place of the load.");
+  module.def(
+      "hertz_from_ellipse", &hertz_from_ellipse, "a"_a, "b"_a, "material"_a, "normal_force"_a,
+      "The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5].");
+}
+
+void bind_line_contact(py::module_& module) {
+  auto line = py::class_<LineContact>(module, "LineContact", "Two cylinders with parallel axes, per unit length.");
+  line.def_readonly("half_width", &LineContact::half_width, "a [m], along the rolling direction.")
+      .def_readonly("force_per_length", &LineContact::force_per_length, "fn [N/m].")
+      .def_readonly("peak_pressure", &LineContact::peak_pressure, "p0 = 2 fn/(pi a) [Pa].")
+      .def_readonly("curvature", &LineContact::curvature, "A = 1/(2R) of the gap h = A x^2 [1/m].")
+      .def(
+          "pressure",
+          [](const LineContact& self, const py::object& x) {
+            return mapped("x", x, "x", py::float_(0.0), [&](double at, double) { return self.pressure(at); });
+          },
+          "x"_a, "p_n(x) = p0 sqrt(1 - (x/a)^2), 0 outside [Pa]; x [m] is a number or an array, shape (...).");
+  add_text(line, {"half_width", "force_per_length", "peak_pressure", "curvature"});
+
+  module.def(
+      "line_contact_from_load", &line_contact_from_load, "curvature"_a, "material"_a, "force_per_length"_a,
+      "a = sqrt(4 R fn/(pi E*)), R = 1/(2A), from the curvature A [1/m] and fn [N/m] (Johnson 1985, section 4.2c).");
+  module.def("line_contact_from_half_width", &line_contact_from_half_width, "curvature"_a, "material"_a, "half_width"_a,
+             "The same from the half-width a [m].");
+}
+
+} // namespace
+
+void bind_elasticity(py::module_& module) {
+  bind_materials(module);
+  bind_hertz(module);
+  bind_line_contact(module);
+}
+
+} // namespace microslip::python

@@ -1,0 +1,209 @@
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/contact.hpp"
+#include "binding/contact_batch.hpp"
+#include "binding/long_work.hpp"
+#include "binding/words.hpp"
+#include "microslip/exact/accurate_contact.hpp"
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+using Solver = OneAtATime<EllipticContactSolver>;
+using AccurateSolver = OneAtATime<AccurateContactSolver>;
+using Force = std::optional<double>;
+
+ExactContact solve(Solver& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
+                   double step, int steps) {
+  return self.run([&, contact](EllipticContactSolver& solver) {
+    SignalCheck signals;
+    return solver.solve(contact, {motion, force_x, force_y, step, steps}, signals.progress());
+  });
+}
+
+py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMotion motion) {
+  const auto gap =
+      self.run([&, contact](EllipticContactSolver& solver) { return solver.deformed_gap(contact, {.kind = motion}); });
+  const ExactOptions& options = self.object.options();
+  const bool fitted = options.discretisation == Discretisation::second_order && motion == ContactMotion::steady;
+  const std::size_t to_spare = fitted ? 0 : 4; // rows of the classical grid beside the ellipse
+  const auto rows = static_cast<std::size_t>(options.my) + to_spare;
+  py::array_t<double> out({rows, gap.size() / rows});
+  std::copy(gap.begin(), gap.end(), out.mutable_data());
+  return out;
+}
+
+ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, const py::object& longitudinal,
+                             const py::object& lateral, const py::object& spin, const py::object& a,
+                             const py::object& b, const py::object& shear_modulus, const py::object& poisson_ratio,
+                             const py::object& normal_force, const py::object& friction,
+                             const py::object& rolling_speed, int threads) {
+  const ContactBatch batch(
+      like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force, friction, rolling_speed});
+  ExactForceArrays out(batch);
+  const ExactOptions options = self.object.options();
+  const int count = thread_count(threads);
+  const py::gil_scoped_release release;
+  share_out(batch.count(), 1, count, [&]() -> Worker {
+    return [&, solver = std::make_shared<EllipticContactSolver>(options)](std::size_t i, std::size_t,
+                                                                          const Progress& progress) {
+      const ExactContact solved = solver->solve(batch[i], {}, progress);
+      out.forces.put(i, solved.fields.forces);
+      out.residual[i] = solved.residual;
+      out.newton_steps[i] = solved.newton_steps;
+    };
+  });
+  return out;
+}
+
+template <class T> auto field(std::vector<T> ExactContact::*member) {
+  return [member](const py::object& self) {
+    const auto& contact = self.cast<const ExactContact&>();
+    return view(contact.*member, {contact.fields.my, contact.fields.mx}, self);
+  };
+}
+
+void bind_results(py::module_& module) {
+  py::class_<ExactStep>(module, "ExactStep", "One of the steps of transient rolling.")
+      .def_readonly("creepage", &ExactStep::creepage, "Given, or found where a force is given [-], [-], [1/m].")
+      .def_readonly("forces", &ExactStep::forces, "The totals, as ContactForces.")
+      .def_readonly("residual", &ExactStep::residual, "Relative residual [-].")
+      .def_readonly("newton_steps", &ExactStep::newton_steps, "Steps of Newton's method [-].")
+      .def_readonly("products", &ExactStep::products, "Products with the matrix [-].");
+
+  py::class_<ExactContact>(module, "ExactContact",
+                           "What the exact theory finds for a Hertzian contact; in transient rolling after the last "
+                           "step. Arrays are read-only views\n"
+                           "of shape (my, mx), with margins outside the contact; rows with y ascending, from the "
+                           "leading to the trailing edge.")
+      .def_readonly("fields", &ExactContact::fields, "Tractions, slip and states, as ContactFields.")
+      .def_property_readonly(
+          "forces", [](const ExactContact& self) -> const ContactForces& { return self.fields.forces; },
+          "The totals, as ContactForces.")
+      .def_property_readonly("pressure", field(&ExactContact::pressure), "p_n at the cells, shape (my, mx) [Pa].")
+      .def_property_readonly("ux", field(&ExactContact::ux), "Displacement difference u1 - u2, shape (my, mx) [m].")
+      .def_property_readonly("uy", field(&ExactContact::uy), "Displacement difference u1 - u2, shape (my, mx) [m].")
+      .def_readonly("creepage", &ExactContact::creepage,
+                    "As given, or as found where a force is given [-], [-], [1/m].")
+      .def_readonly("approach", &ExactContact::approach,
+                    "Approach [m]: Hertz's at second order, else of the discrete problem.")
+      .def_readonly("peak_pressure", &ExactContact::peak_pressure, "Largest pressure of an element [Pa].")
+      .def_readonly("peak_traction", &ExactContact::peak_traction, "Largest traction of an element [Pa].")
+      .def_readonly("power_by_creepage", &ExactContact::power_by_creepage,
+                    "-V (xi fx + eta fy + phi mz) [W]; for a shift the work [J].")
+      .def_readonly("elastic_energy", &ExactContact::elastic_energy, "Of the tangential tractions [J].")
+      .def_readonly("residual", &ExactContact::residual, "Relative residual [-].")
+      .def_readonly("newton_steps", &ExactContact::newton_steps, "Steps of Newton's method, of all steps together [-].")
+      .def_readonly("products", &ExactContact::products, "Products with the matrix [-].")
+      .def_readonly("history", &ExactContact::history, "Transient rolling: a list of ExactStep, in their order.");
+
+  py::class_<ExactDerivatives>(module, "ExactDerivatives", "Forces in steady rolling and their derivatives.")
+      .def_readonly("contact", &ExactDerivatives::contact, "The solution, as ExactContact.")
+      .def_property_readonly(
+          "jacobian",
+          [](const py::object& self) {
+            auto array = py::array_t<double>({3, 3}, &self.cast<const ExactDerivatives&>().jacobian[0][0], self);
+            array.attr("flags").attr("writeable") = false;
+            return array;
+          },
+          "Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-] and phi [1/m], shape (3, 3).")
+      .def_readonly("products", &ExactDerivatives::products, "Products that the derivatives took [-].");
+
+  py::class_<AccurateContact>(module, "AccurateContact", "Steady rolling on two nested grids and its limit.")
+      .def_readonly("forces", &AccurateContact::forces, "The limit, extrapolated; areas and status of the finer grid.")
+      .def_readonly("creepage", &AccurateContact::creepage, "The limit, where a force is given [-], [-], [1/m].")
+      .def_readonly("error", &AccurateContact::error,
+                    "Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-].")
+      .def_readonly("elements", &AccurateContact::elements, "Elements across the ellipse, of the finer grid [-].")
+      .def_readonly("finest", &AccurateContact::finest, "The solution on the finer grid, as ExactContact.")
+      .def_readonly("coarser", &AccurateContact::coarser, "The totals on half the elements, as ContactForces.")
+      .def_readonly("products", &AccurateContact::products, "Products on all grids [-].");
+}
+
+void bind_solver(py::module_& module) {
+  const auto none = py::none();
+  py::class_<Solver>(
+      module, "EllipticContactSolver",
+      "Hertzian contacts by the exact theory of half-spaces, for elastically similar bodies with Coulomb friction: "
+      "normal and\n"
+      "tangential problem on mx x my elements across the ellipse. Influence coefficients are kept for the next contact "
+      "with the\n"
+      "same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.")
+      .def(py::init([](int mx, int my, Discretisation discretisation, RollingDirection direction, double tolerance) {
+             return std::make_unique<Solver>(ExactOptions{mx, my, discretisation, direction, tolerance});
+           }),
+           "mx"_a = 24, "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,
+           "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6,
+           "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or "
+           "'classical'\n"
+           "(Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or "
+           "'backward'; tolerance of\n"
+           "the relative residual [-]. Error if an option is out of range or the grid needs more memory than the "
+           "machine has.")
+      .def("solve", &solve, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = none,
+           "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,
+           "Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m] (0: the "
+           "elements' length)\n"
+           "from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on "
+           "body 1 take the\n"
+           "place of the creepage in that direction. Returns ExactContact; input out of range, and another law than "
+           "Coulomb's, gives\n"
+           "Status.invalid_input and NaN. Cost O(N log N) in the number of elements, 2 ms at 24 x 24.")
+      .def(
+          "differentiate",
+          [](Solver& self, const EllipticContact& contact) {
+            return self.run([contact](EllipticContactSolver& solver) { return solver.differentiate(contact); });
+          },
+          "contact"_a,
+          "Steady rolling at second order: forces [N], [N m] and their derivatives to xi [-], eta [-] and phi [1/m], "
+          "as\n"
+          "ExactDerivatives, by the implicit function theorem, right to 1e-5 away from kinks.")
+      .def("deformed_gap", &deformed_gap, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady,
+           "Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in "
+           "contact.")
+      .def("solve_batch", &solve_batch, "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
+           py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
+           "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "threads"_a = 0,
+           "Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads as given. "
+           "Arguments as\n"
+           "in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], "
+           "poisson_ratio [-],\n"
+           "normal_force [N], friction [-], rolling_speed [m/s], as numbers or arrays that broadcast to shape (...). "
+           "Ctrl-C ends the\n"
+           "call. Returns ExactForceArrays; no contact stops the others.");
+
+  py::class_<AccurateSolver>(module, "AccurateContactSolver",
+                             "Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, "
+                             "16 and 32, ... elements across,\n"
+                             "extrapolated, until the limit's error is estimated below it.")
+      .def(py::init([](double accuracy, RollingDirection direction, double tolerance) {
+             return std::make_unique<AccurateSolver>(accuracy,
+                                                     ExactOptions{.direction = direction, .tolerance = tolerance});
+           }),
+           "accuracy"_a, py::kw_only(), "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6,
+           "accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative "
+           "residual [-].")
+      .def(
+          "solve",
+          [](AccurateSolver& self, const EllipticContact& contact, Force force_x, Force force_y) {
+            return self.run([&, contact](AccurateContactSolver& solver) {
+              SignalCheck signals;
+              return solver.solve(contact, {.force_x = force_x, .force_y = force_y}, signals.progress());
+            });
+          },
+          "contact"_a, py::kw_only(), "force_x"_a = none, "force_y"_a = none,
+          "Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns AccurateContact; "
+          "its status is\n"
+          "not_converged if not even 512 x 512 elements are good enough.");
+}
+
+} // namespace
+
+void bind_exact(py::module_& module) {
+  bind_results(module);
+  bind_solver(module);
+}
+
+} // namespace microslip::python

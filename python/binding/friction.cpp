@@ -1,0 +1,101 @@
+#include "binding/bindings.hpp"
+
+#include "binding/arrays.hpp"
+#include "binding/words.hpp"
+#include "microslip/error.hpp"
+#include "microslip/friction/traction_bound.hpp"
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+using Term = std::pair<double, double>;
+
+FrictionTerm term(const Term& given) {
+  return {given.first, given.second};
+}
+
+const char* name_of(FrictionLaw::Kind kind) {
+  switch (kind) {
+  case FrictionLaw::Kind::coulomb:
+    return "coulomb";
+  case FrictionLaw::Kind::linear:
+    return "linear";
+  case FrictionLaw::Kind::rational:
+    return "rational";
+  default:
+    return "exponential";
+  }
+}
+
+double coefficient_at(const FrictionLaw& law, double velocity) {
+  if (!(velocity >= 0)) throw Error("slip_velocity", velocity, "m/s", "at least 0");
+  return law.coefficient(velocity);
+}
+
+} // namespace
+
+void bind_friction(py::module_& module) {
+  auto law =
+      py::class_<FrictionLaw>(module, "FrictionLaw",
+                              "The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; "
+                              "linear: mu_k + sum d_i max(0, 1 -\n"
+                              "v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2); exponential: mu_k + "
+                              "sum d_i 2^(-v/v_i); polach:\n"
+                              "mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]). "
+                              "Makers raise Error for a coefficient\n"
+                              "outside [0, 10] or a velocity that is not positive. FrictionLaw() is frictionless.");
+  const char* falling = "From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).";
+  law.def(py::init<>(), "Frictionless, mu = 0 [-].")
+      .def_static("coulomb", &FrictionLaw::coulomb, "coefficient"_a, "Coulomb friction, coefficient [-] in [0, 10].")
+      .def_static(
+          "linear", [](double k, const Term& f, const Term& s) { return FrictionLaw::linear(k, term(f), term(s)); },
+          "kinetic"_a, "first"_a, "second"_a = Term{0, 1}, falling)
+      .def_static(
+          "rational", [](double k, const Term& f, const Term& s) { return FrictionLaw::rational(k, term(f), term(s)); },
+          "kinetic"_a, "first"_a, "second"_a = Term{0, 1}, falling)
+      .def_static(
+          "exponential",
+          [](double k, const Term& f, const Term& s) { return FrictionLaw::exponential(k, term(f), term(s)); },
+          "kinetic"_a, "first"_a, "second"_a = Term{0, 1}, falling)
+      .def_static("polach", &FrictionLaw::polach, "static_coefficient"_a, "ratio"_a, "decay"_a,
+                  "Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law.")
+      .def_property_readonly(
+          "kind", [](const FrictionLaw& self) { return name_of(self.kind()); },
+          "coulomb, linear, rational or exponential.")
+      .def_property_readonly("kinetic_coefficient", &FrictionLaw::kinetic_coefficient, "mu_k [-].")
+      .def_property_readonly("static_coefficient", &FrictionLaw::static_coefficient, "mu(0) [-].")
+      .def_property_readonly(
+          "terms",
+          [](const FrictionLaw& self) {
+            const auto& [first, second] = self.terms();
+            return std::pair(Term{first.drop, first.half_velocity}, Term{second.drop, second.half_velocity});
+          },
+          "Both terms as (drop [-], half_velocity [m/s]).")
+      .def(
+          "coefficient",
+          [](const FrictionLaw& self, const py::object& velocity) {
+            return mapped("slip_velocity", velocity, "slip_velocity", py::float_(0.0),
+                          [&](double v, double) { return coefficient_at(self, v); });
+          },
+          "slip_velocity"_a, "mu(v) [-] for v >= 0 [m/s], a number or an array, shape (...).");
+  add_text(law, {"kind", "kinetic_coefficient", "static_coefficient"});
+
+  module.def(
+      "traction_bound",
+      [](TractionBound bound, double a, double b, double normal_force, double friction, const py::object& x,
+         const py::object& y) {
+        return mapped("x", x, "y", y, [&](double at_x, double at_y) {
+          return traction_bound(bound, a, b, normal_force, friction, at_x, at_y);
+        });
+      },
+      "bound"_a, "a"_a, "b"_a, "normal_force"_a, "friction"_a, "x"_a, "y"_a,
+      "g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside the ellipse. "
+      "'parabolic':\n"
+      "mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3 Fn/(2 pi a b) times the root of the same. Both "
+      "integrate to\n"
+      "mu Fn. x, y [m] are numbers or arrays that broadcast, shape (...).");
+}
+
+} // namespace microslip::python

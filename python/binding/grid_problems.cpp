@@ -1,0 +1,311 @@
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/contact.hpp"
+#include "binding/grid.hpp"
+#include "binding/long_work.hpp"
+#include "binding/words.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/hertzian_gap.hpp"
+#include "microslip/exact/patch_rolling.hpp"
+
+namespace microslip::python {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+Shape shape_of(const ElementGrid& grid) {
+  return {grid.my, grid.mx};
+}
+
+namespace {
+
+using Force = std::optional<double>;
+
+NormalLoad load_from(Force force, Force approach) {
+  if (force.has_value() == approach.has_value()) throw Error("load: needs either normal_force or approach");
+  return force ? NormalLoad{NormalLoad::Given::force, *force} : NormalLoad{NormalLoad::Given::approach, *approach};
+}
+
+RealArray centres(int count, double first, double apart) {
+  RealArray out(count);
+  for (int i = 0; i < count; ++i) out.mutable_data()[i] = first + i * apart;
+  return out;
+}
+
+void bind_grid(py::module_& module) {
+  auto grid = py::class_<ElementGrid>(
+      module, "ElementGrid",
+      "The potential contact: mx x my equal rectangles, x and y ascending. Fields on it have shape (my, mx).");
+  grid.def(py::init([](int mx, int my, double x0, double y0, double dx, double dy) {
+             ElementGrid made{mx, my, x0, y0, dx, dy};
+             check(made);
+             return made;
+           }),
+           "mx"_a, "my"_a, "x0"_a, "y0"_a, "dx"_a, "dy"_a,
+           "mx, my elements [-] with sides dx, dy [m], the first one's centre at x0, y0 [m]. Error for sizes out of "
+           "range.")
+      .def_static("across_ellipse", py::overload_cast<double, double, int, int, int>(&ElementGrid::across_ellipse),
+                  "a"_a, "b"_a, "mx"_a, "my"_a, "margin"_a = 0,
+                  "mx x my elements [-] across an ellipse with semi-axes a, b [m], its centre at the origin, and "
+                  "`margin` more on each\n"
+                  "side [-].")
+      .def_static("across_line", &ElementGrid::across_line, "a"_a, "mx"_a, "margin"_a = 0, "length"_a = 1.0,
+                  "A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin` more "
+                  "on each side [-];\n"
+                  "forces are those of `length` [m].")
+      .def_readonly("mx", &ElementGrid::mx, "Columns [-].")
+      .def_readonly("my", &ElementGrid::my, "Rows [-].")
+      .def_readonly("dx", &ElementGrid::dx, "Length of an element [m].")
+      .def_readonly("dy", &ElementGrid::dy, "Width of an element [m].")
+      .def_readonly("line", &ElementGrid::line, "Whether it is a line contact.")
+      .def_property_readonly(
+          "x", [](const ElementGrid& self) { return centres(self.mx, self.x0, self.dx); },
+          "Centres of the columns, shape (mx) [m].")
+      .def_property_readonly(
+          "y", [](const ElementGrid& self) { return centres(self.my, self.y0, self.dy); },
+          "Centres of the rows, shape (my) [m].");
+  add_text(grid, {"mx", "my", "dx", "dy"});
+
+  module.def(
+      "hertzian_gap",
+      [](const GapCurvatures& gap, const ElementGrid& on) {
+        RealArray out(shape_of(on));
+        const auto values = hertzian_gap(gap, on);
+        std::copy(values.begin(), values.end(), out.mutable_data());
+        return out;
+      },
+      "gap"_a, "grid"_a, "The undeformed distance h = A x^2 + B y^2 at the elements' centres, shape (my, mx) [m].");
+}
+
+template <class T> auto normal_field(std::vector<T> NormalSolution::*member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const NormalResult&>();
+    return view(result.solution.*member, result.shape, self);
+  };
+}
+
+void bind_normal(py::module_& module) {
+  const auto number = [](auto member) { return [member](const NormalResult& self) { return self.solution.*member; }; };
+  py::class_<NormalResult>(module, "NormalSolution",
+                           "The contact area and the pressure on it; read-only views of shape (my, mx).")
+      .def_property_readonly("pressure", normal_field(&NormalSolution::pressure), "p_n >= 0, shape (my, mx) [Pa].")
+      .def_property_readonly("displacement", normal_field(&NormalSolution::displacement), "u_n, shape (my, mx) [m].")
+      .def_property_readonly("gap", normal_field(&NormalSolution::gap),
+                             "Deformed distance h - delta + u_n, zero in contact, shape (my, mx) [m].")
+      .def_property_readonly("approach", number(&NormalSolution::approach), "delta [m].")
+      .def_property_readonly("normal_force", number(&NormalSolution::normal_force), "Fn [N].")
+      .def_property_readonly("elastic_energy", number(&NormalSolution::elastic_energy), "Of the pressure [J].")
+      .def_property_readonly("peak_pressure", number(&NormalSolution::peak_pressure),
+                             "Largest pressure of an element [Pa].")
+      .def_property_readonly("contact_elements", number(&NormalSolution::contact_elements), "Elements in contact [-].")
+      .def_property_readonly("touches_border", number(&NormalSolution::touches_border),
+                             "Whether contact reaches the rim of the grid, which then is too small.")
+      .def_property_readonly("residual", number(&NormalSolution::residual), "Relative to the largest displacement [-].")
+      .def_property_readonly("products", number(&NormalSolution::products), "Products with the matrix [-].")
+      .def_property_readonly("status", number(&NormalSolution::status), "How the calculation ended, a Status [-].");
+
+  struct Problem {
+    Problem(const CombinedMaterial& material, const ElementGrid& on) : problem(material, on), grid(on) {}
+    OneAtATime<NormalProblem> problem;
+    ElementGrid grid;
+  };
+  py::class_<Problem>(module, "NormalProblem",
+                      "The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e "
+                      "= h - delta + u_n >= 0,\n"
+                      "p_n e = 0, by conjugate gradients. Elastically similar bodies.")
+      .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
+           "Error for a grid that needs more memory than the machine has; some 190 bytes for an element.")
+      .def(
+          "solve",
+          [](Problem& self, const py::object& gap, Force normal_force, Force approach, double tolerance) {
+            const auto h = real_array("gap", gap, shape_of(self.grid));
+            const auto load = load_from(normal_force, approach);
+            return NormalResult{
+                self.problem.run([&](NormalProblem& problem) { return problem.solve(span_of(h), load, tolerance); }),
+                shape_of(self.grid)};
+          },
+          "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(), "tolerance"_a = 1e-8,
+          "Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either the normal "
+          "force [N] or\n"
+          "the approach [m] given. Returns NormalSolution. Error for a gap with NaN or a load out of range. Cost O(N "
+          "log N).");
+}
+
+template <class T> auto tangential_field(std::vector<T> TangentialSolution::*member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const TangentialResult&>();
+    return view(result.solution.*member, result.shape, self);
+  };
+}
+
+auto traction_field(std::vector<double> TangentialState::*member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const TangentialResult&>();
+    return view(result.solution.tractions.*member, result.shape, self);
+  };
+}
+
+void bind_tangential_solution(py::module_& module) {
+  const auto number = [](auto member) {
+    return [member](const TangentialResult& self) { return self.solution.*member; };
+  };
+  py::class_<TangentialResult>(
+      module, "TangentialSolution",
+      "Tractions and slip on a regular grid; read-only views of shape (my, mx), x and y ascending.")
+      .def_property_readonly("px", traction_field(&TangentialState::px), "Tractions on body 1, shape (my, mx) [Pa].")
+      .def_property_readonly("py", traction_field(&TangentialState::py), "Tractions on body 1, shape (my, mx) [Pa].")
+      .def_property_readonly("bound", tangential_field(&TangentialSolution::bound), "g, shape (my, mx) [Pa].")
+      .def_property_readonly("ux", tangential_field(&TangentialSolution::ux), "u1 - u2, shape (my, mx) [m].")
+      .def_property_readonly("uy", tangential_field(&TangentialSolution::uy), "u1 - u2, shape (my, mx) [m].")
+      .def_property_readonly("sx", tangential_field(&TangentialSolution::sx),
+                             "Relative slip, shape (my, mx) [-]; for a shift [m].")
+      .def_property_readonly("sy", tangential_field(&TangentialSolution::sy),
+                             "Relative slip, shape (my, mx) [-]; for a shift [m].")
+      .def_property_readonly("state", tangential_field(&TangentialSolution::state),
+                             "Codes of CellState as uint8, shape (my, mx) [-].")
+      .def_property_readonly("forces", number(&TangentialSolution::forces), "The totals, as ContactForces.")
+      .def_property_readonly("creepage", number(&TangentialSolution::creepage),
+                             "As given, or as found where a force is given [-], [-], [1/m].")
+      .def_property_readonly("elastic_energy", number(&TangentialSolution::elastic_energy), "Of the tractions [J].")
+      .def_property_readonly("frictional_power", number(&TangentialSolution::frictional_power),
+                             "[W]; for a shift the work [J].")
+      .def_property_readonly("residual", number(&TangentialSolution::residual), "Relative residual [-].")
+      .def_property_readonly("newton_steps", number(&TangentialSolution::newton_steps), "Steps of Newton's method [-].")
+      .def_property_readonly("products", number(&TangentialSolution::products), "Products with the matrix [-].");
+}
+
+void bind_tangential(py::module_& module) {
+  struct Problem {
+    Problem(const CombinedMaterial& material, const ElementGrid& on) : problem(material, on), grid(on) {}
+    OneAtATime<TangentialProblem> problem;
+    ElementGrid grid;
+  };
+  py::class_<Problem>(
+      module, "TangentialProblem",
+      "The tangential contact problem of the exact theory on a grid of elements with constant tractions, classical\n"
+      "discretisation, elastically similar bodies: shifts, steps of transient rolling, steady rolling.")
+      .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
+           "Error for a grid that needs more memory than the machine has; some 5,900 bytes for an element at most.")
+      .def(
+          "solve",
+          [](Problem& self, const py::object& bound, const py::object& creepage, ContactMotion motion, Force force_x,
+             Force force_y, double step, RollingDirection direction, double rolling_speed,
+             const TangentialResult* previous, double tolerance) {
+            if (previous != nullptr && previous->shape != shape_of(self.grid))
+              throw Error("previous has shape " + to_text(previous->shape) + ": must be " +
+                          to_text(shape_of(self.grid)));
+            const auto g = real_array("bound", bound, shape_of(self.grid));
+            TangentialInput input;
+            input.motion = motion;
+            input.creepage = creepage_from(creepage);
+            input.force_x = force_x;
+            input.force_y = force_y;
+            input.step = step;
+            input.direction = direction;
+            input.rolling_speed = rolling_speed;
+            if (previous != nullptr) input.previous = &previous->solution.tractions;
+            input.tolerance = tolerance;
+            return TangentialResult{
+                self.problem.run([&](TangentialProblem& problem) { return problem.solve(span_of(g), input); }),
+                shape_of(self.grid)};
+          },
+          "bound"_a, "creepage"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = py::none(),
+          "force_y"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward, "rolling_speed"_a = 1.0,
+          "previous"_a = py::none(), "tolerance"_a = 1e-6,
+          "One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact; creepages [-], "
+          "[-], [1/m], for\n"
+          "a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in the place of the creepage in that direction; "
+          "step dq [m], 0 the\n"
+          "elements' length; rolling_speed V [m/s]; previous: the TangentialSolution that a shift or a step of "
+          "transient rolling\n"
+          "starts from, none: no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error "
+          "for input out of\n"
+          "range.");
+}
+
+template <class T> auto patch_field(std::vector<T> PatchSolution::*member) {
+  return [member](const py::object& self) {
+    const auto& patch = self.cast<const PatchSolution&>();
+    const auto& values = patch.*member;
+    return view(values, {static_cast<py::ssize_t>(values.size())}, self);
+  };
+}
+
+void bind_patch(py::module_& module) {
+  py::class_<PatchSolution>(module, "PatchSolution",
+                            "Steady rolling of a contact of any shape: arrays with a value for each of n elements, "
+                            "whose lengths along x differ at the\n"
+                            "leading edge; read-only views.")
+      .def_property_readonly("x", patch_field(&PatchSolution::x), "Centres, shape (n) [m].")
+      .def_property_readonly("y", patch_field(&PatchSolution::y), "Centres, shape (n) [m].")
+      .def_property_readonly("area", patch_field(&PatchSolution::area), "Areas, shape (n) [m^2].")
+      .def_property_readonly("bound", patch_field(&PatchSolution::bound), "g, shape (n) [Pa].")
+      .def_property_readonly("px", patch_field(&PatchSolution::px), "Tractions on body 1, shape (n) [Pa].")
+      .def_property_readonly("py", patch_field(&PatchSolution::py), "Tractions on body 1, shape (n) [Pa].")
+      .def_property_readonly("sx", patch_field(&PatchSolution::sx), "Relative slip, shape (n) [-].")
+      .def_property_readonly("sy", patch_field(&PatchSolution::sy), "Relative slip, shape (n) [-].")
+      .def_property_readonly("ux", patch_field(&PatchSolution::ux), "u1 - u2, shape (n) [m].")
+      .def_property_readonly("uy", patch_field(&PatchSolution::uy), "u1 - u2, shape (n) [m].")
+      .def_property_readonly("state", patch_field(&PatchSolution::state), "Codes of CellState as uint8, shape (n) [-].")
+      .def_readonly("forces", &PatchSolution::forces, "The totals, as ContactForces.")
+      .def_readonly("creepage", &PatchSolution::creepage,
+                    "As given, or as found where a force is given [-], [-], [1/m].")
+      .def_readonly("residual", &PatchSolution::residual, "Relative residual [-].")
+      .def_readonly("newton_steps", &PatchSolution::newton_steps, "Steps of Newton's method [-].")
+      .def_readonly("products", &PatchSolution::products, "Products with the matrix [-].");
+
+  struct Problem {
+    Problem(const CombinedMaterial& material, const ElementGrid& on, std::span<const double> gap,
+            const NormalLoad& load, RollingDirection direction)
+        : rolling(material, on, gap, load, direction), shape(shape_of(on)) {}
+    OneAtATime<PatchRolling> rolling;
+    Shape shape;
+  };
+  py::class_<Problem>(
+      module, "PatchRolling",
+      "Steady rolling of elastically similar bodies of any shape at second order: the normal problem on a regular "
+      "grid, elements\n"
+      "fitted to the edges of its contact area, the tangential problem on them. One contact patch or several.")
+      .def(py::init([](const CombinedMaterial& material, const ElementGrid& on, const py::object& gap,
+                       Force normal_force, Force approach, RollingDirection direction) {
+             const auto h = real_array("gap", gap, shape_of(on));
+             const auto load = load_from(normal_force, approach);
+             const py::gil_scoped_release release;
+             return std::make_unique<Problem>(material, on, span_of(h), load, direction);
+           }),
+           "material"_a, "grid"_a, "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(),
+           "direction"_a = RollingDirection::forward,
+           "gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the approach [m] is "
+           "given. The grid\n"
+           "needs three columns to spare on the side that particles come from and one on the other. Error otherwise.")
+      .def_property_readonly(
+          "normal",
+          [](const Problem& self) {
+            return NormalResult{self.rolling.object.normal(), self.shape};
+          },
+          "The normal problem's NormalSolution.")
+      .def(
+          "solve",
+          [](Problem& self, double friction, const py::object& creepage, Force force_x, Force force_y,
+             double tolerance) {
+            const PatchRollingMotion motion{friction, creepage_from(creepage), force_x, force_y, tolerance};
+            return self.rolling.run([&](PatchRolling& rolling) { return rolling.solve(motion); });
+          },
+          "friction"_a, "creepage"_a, py::kw_only(), "force_x"_a = py::none(), "force_y"_a = py::none(),
+          "tolerance"_a = 1e-6,
+          "friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x, force_y [N] on "
+          "body 1 in the\n"
+          "place of the creepage in that direction; tolerance of the relative residual [-]. Returns PatchSolution.");
+}
+
+} // namespace
+
+void bind_grid_problems(py::module_& module) {
+  bind_grid(module);
+  bind_normal(module);
+  bind_tangential_solution(module);
+  bind_tangential(module);
+  bind_patch(module);
+}
+
+} // namespace microslip::python

@@ -1,0 +1,166 @@
+"""Prints the types of the compiled module, the stub microslip/_core.pyi, from the module's own signatures.
+
+PYTHONPATH=build/release/share/microslip/python python3 python/binding/make_stub.py > python/microslip/_core.pyi
+"""
+
+import enum
+import re
+import sys
+
+import microslip
+
+HEADER = '''"""Types of the compiled part of microslip; written by python/binding/make_stub.py, which also says what has which type."""
+
+import enum
+import os
+from collections.abc import Iterator
+from typing import Any, Literal, overload
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+'''
+
+# Arguments that take words, and those that take more than their C++ type says.
+TYPES_OF_ARGUMENTS = {
+    "bound": 'Literal["parabolic", "elliptic"]',
+    "flexibility": 'Literal["three", "one", "blended"]',
+    "coefficients": 'Literal["kalker", "computed"]',
+    "direction": 'Literal["forward", "backward"]',
+    "discretisation": 'Literal["second_order", "classical"]',
+    "motion": 'Literal["steady", "transient", "shift"]',
+    "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
+    "body": "Literal[1, 2]",
+    "friction": "FrictionLaw | float",
+    "creepage": "Creepage | tuple[float, float, float]",
+    "path": "str | os.PathLike[str]",
+}
+# Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
+TYPES_OF_PROPERTIES = {
+    "state": "NDArray[numpy.uint8]",
+    "ForceArrays.status": "NDArray[numpy.uint8]",
+    "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
+}
+RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any"}  # a number for numbers, else an array
+
+
+def python_type(text):
+    """A type as pybind11 writes it, as Python does."""
+    text = re.sub(r"numpy\.ndarray(\[numpy\.float64\])?", "NDArray[numpy.float64]", text)
+    text = re.sub(r"List\[float\[3\]\]", "tuple[float, float, float]", text)
+    for old, new in (("Tuple[", "tuple["), ("List[", "list["), ("Dict[", "dict["), ("microslip.", ""),
+                     ("dict", "dict[str, str]")):
+        text = text.replace(old, new)
+    return re.sub(r"Optional\[(.*)\]", r"\1 | None", text)
+
+
+def split(arguments):
+    """The arguments of a signature; commas within brackets do not count."""
+    parts, depth = [""], 0
+    for letter in arguments:
+        depth += (letter in "[(<") - (letter in "])>")
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return [part.strip() for part in parts if part.strip()]
+
+
+def argument(text, owner):
+    """An argument with its type."""
+    name, _, rest = text.partition(":")
+    if not rest or name == "self":
+        return name
+    kind, _, default = (part.strip() for part in rest.partition(" = "))
+    kind = python_type(kind)
+    if kind == "str" or name == "body" or (kind == "object" and default != "None" and (owner, name) != ("TangentialProblem", "bound")):
+        kind = TYPES_OF_ARGUMENTS.get(name, kind)
+    if kind == "object":
+        kind = "ArrayLike"
+    if default == "None" and "None" not in kind:
+        kind += " | None"
+    if default.startswith("Creepage("):
+        default = "..."
+    if kind.startswith("tuple"):
+        default = default.replace("[", "(").replace("]", ")")
+    return f"{name}: {kind}" + (f" = {default}" if default else "")
+
+
+def signatures(function):
+    """The signatures of a function or method, from the first line or the numbered lines of its docstring."""
+    lines = function.__doc__.splitlines()
+    if len(lines) > 1 and lines[1].startswith("Overloaded"):
+        lines = [line[3:] for line in lines if re.match(r"\d\. ", line)]
+    else:
+        lines = lines[:1]
+    return [re.fullmatch(r"(\w+)\((.*)\) -> (.*)", line).groups() for line in lines]
+
+
+def function_lines(name, function, owner="", indent="", decorator=""):
+    """A function or a method; each overload on a line of its own."""
+    found = signatures(function)
+    for _, arguments, result in found:
+        if len(found) > 1:
+            yield f"{indent}@overload"
+        if decorator:
+            yield f"{indent}@{decorator}"
+        result = RESULTS.get(name, python_type(result))
+        parts = [argument(part, owner) for part in split(arguments)]
+        if name == "__init__":
+            result = "None"
+        yield f"{indent}def {name}({', '.join(parts)}) -> {result}: ..."
+
+
+def property_type(owner, name, member):
+    """The type of a property, from its getter's signature."""
+    for key in (f"{owner}.{name}", name):
+        if key in TYPES_OF_PROPERTIES and not (key == "status"):
+            return TYPES_OF_PROPERTIES[key]
+    return python_type(member.fget.__doc__.splitlines()[0].split("->")[1].strip())
+
+
+SPECIAL_METHODS = {
+    "__iter__": {"Creepage": "Iterator[float]", "ContactRun": "ContactRun"},
+    "__next__": {"ContactRun": "ContactCase"},
+    "__len__": {"ForceArrays": "int"},
+}
+
+
+def class_lines(name, cls):
+    """A class with its methods and properties in the order of their definition."""
+    if issubclass(cls, Exception):
+        return [f"class {name}(ValueError): ..."]
+    if issubclass(cls, enum.IntEnum):
+        return [f"class {name}(enum.IntEnum):", *(f"    {member.name} = {member.value}" for member in cls)]
+    base = cls.__mro__[1].__name__
+    lines = [f"class {name}({base}):" if base in vars(microslip) else f"class {name}:"]
+    for key, member in vars(cls).items():
+        if isinstance(member, property):
+            kind = property_type(name, key, member)
+            lines += ["    @property", f"    def {key}(self) -> {kind}: ..."]
+            if member.fset:
+                value = TYPES_OF_ARGUMENTS.get(key, kind)
+                lines += [f"    @{key}.setter", f"    def {key}(self, value: {value}) -> None: ..."]
+        elif key in SPECIAL_METHODS:
+            lines.append(f"    def {key}(self) -> {SPECIAL_METHODS[key][name]}: ...")
+        elif isinstance(member, staticmethod):
+            lines += function_lines(key, member.__func__, name, "    ", "staticmethod")
+        elif not key.startswith("_") or (key == "__init__" and member.__doc__.startswith("__init__(self")):
+            lines += function_lines(key, member, name, "    ")
+    return lines if len(lines) > 1 else [lines[0] + " ..."]
+
+
+def stub():
+    """The whole stub."""
+    parts = []
+    for name in sorted(dir(microslip), key=lambda key: (not isinstance(getattr(microslip, key), type), key)):
+        member = getattr(microslip, name)
+        if getattr(member, "__module__", None) != "microslip":
+            continue
+        lines = class_lines(name, member) if isinstance(member, type) else function_lines(name, member)
+        parts.append("\n".join(lines))
+    return HEADER + "\n\n".join(parts) + "\n"
+
+
+if __name__ == "__main__":
+    sys.stdout.write(stub())

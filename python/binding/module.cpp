@@ -1,0 +1,53 @@
+#include "binding/bindings.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/version.hpp"
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+
+void bind_error(py::module_& module) {
+  auto error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
+  error.attr("__doc__") =
+      "A set-up that makes no sense: the text names the field, its value, its unit and the allowed range.";
+}
+
+void bind_build(py::module_& module) {
+  module.def(
+      "build_info",
+      [] {
+        const auto build = build_info();
+        py::dict out;
+        out["version"] = std::string(build.version);
+        out["commit"] = std::string(build.commit);
+        out["compiler"] = std::string(build.compiler);
+        out["build_type"] = std::string(build.build_type);
+        return out;
+      },
+      "What the library was built from: a dict of version, commit, compiler and build_type [-].");
+}
+
+} // namespace
+} // namespace microslip::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace microslip::python;
+  module.doc() =
+      "The compiled part of microslip. All in SI units, all forces on body 1; use it through the package microslip.";
+  const pybind11::object name = module.attr("__name__");
+  module.attr("__name__") = "microslip"; // where users see its classes
+  bind_error(module);
+  bind_build(module);
+  bind_elasticity(module);
+  bind_friction(module);
+  bind_contact(module);
+  bind_simplified(module);
+  bind_grid_problems(module);
+  bind_exact(module);
+  bind_interior(module);
+  bind_case_files(module);
+  bind_contact_input(module);
+  module.attr("__name__") = name;
+}

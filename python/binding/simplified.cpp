@@ -1,0 +1,228 @@
+#include "binding/bindings.hpp"
+#include "binding/contact.hpp"
+#include "binding/contact_batch.hpp"
+#include "binding/long_work.hpp"
+#include "binding/words.hpp"
+#include "microslip/error.hpp"
+#include "microslip/simplified/fastsim.hpp"
+#include "microslip/simplified/fastsim2.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+SimplifiedOptions options_from(int mx, int my, TractionBound bound, FlexibilityModel flexibility,
+                               CreepageTable coefficients, RollingDirection direction,
+                               const std::array<double, 3>& slope_reduction) {
+  SimplifiedOptions options;
+  options.mx = mx;
+  options.my = my;
+  options.bound = bound;
+  options.flexibility = flexibility;
+  options.creepage_table = coefficients;
+  options.direction = direction;
+  options.slope_reduction = {slope_reduction[0], slope_reduction[1], slope_reduction[2]};
+  return options;
+}
+
+/// So many contacts take some ten milliseconds, at 10 ns for a cell.
+std::size_t chunk_of(const RowSolver& solver) {
+  const auto cells = static_cast<std::size_t>(solver.options().mx) * static_cast<std::size_t>(solver.options().my);
+  return std::clamp<std::size_t>(1000000 / cells, 1, 256);
+}
+
+/// Works on all contacts of a batch with a copy of the solver for each thread; `work(solver, contacts, first)`.
+template <class Work>
+void for_batch(const RowSolver& solver, const ContactBatch& batch, int threads, const Work& work) {
+  const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
+  const py::gil_scoped_release release;
+  share_out(batch.count(), chunk_of(own), threads, [&]() -> Worker {
+    return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
+                                                                                 const Progress&) mutable {
+      contacts.clear();
+      for (std::size_t i = 0; i < n; ++i) contacts.push_back(batch[first + i]);
+      work(mine, std::span<const EllipticContact>(contacts), first);
+    };
+  });
+}
+
+ForceArrays solve_batch(const RowSolver& solver, const ContactBatch& batch, int threads) {
+  ForceArrays out(batch);
+  for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
+    std::array<ContactForces, 256> forces;
+    mine.solve(contacts, std::span(forces).first(contacts.size()));
+    for (std::size_t i = 0; i < contacts.size(); ++i) out.put(first + i, forces[i]);
+  });
+  return out;
+}
+
+DerivativeArrays differentiate_batch(const RowSolver& solver, const ContactBatch& batch, int threads) {
+  DerivativeArrays out(batch);
+  for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
+    std::array<ContactDerivatives, 256> derivatives;
+    mine.differentiate(contacts, std::span(derivatives).first(contacts.size()));
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      out.forces.put(first + i, derivatives[i].forces);
+      const double* jacobian = &derivatives[i].jacobian[0][0];
+      std::copy(jacobian, jacobian + 12, out.jacobian.begin() + static_cast<std::ptrdiff_t>(12 * (first + i)));
+    }
+  });
+  return out;
+}
+
+/// A batch method: the contact that the others are like, and arrays.
+template <class Solve> auto batch_method(const Solve& solve) {
+  return [solve](const RowSolver& self, const EllipticContact& like, const py::object& longitudinal,
+                 const py::object& lateral, const py::object& spin, const py::object& a, const py::object& b,
+                 const py::object& shear_modulus, const py::object& poisson_ratio, const py::object& normal_force,
+                 const py::object& friction, const py::object& rolling_speed, int threads) {
+    const ContactBatch batch(
+        like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force, friction, rolling_speed});
+    return solve(self, batch, thread_count(threads));
+  };
+}
+
+EllipticContact moved(EllipticContact contact, double longitudinal, double lateral, double spin) {
+  contact.creepage = {longitudinal, lateral, spin};
+  return contact;
+}
+
+RealArray pressures(const py::object& pressure, std::size_t rows) {
+  auto array = real_array("pressure", pressure);
+  if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(0)) != rows || array.shape(1) < 1 ||
+      array.shape(1) > 10000)
+    throw Error("pressure has shape " + to_text({array.shape(), array.shape() + array.ndim()}) + ": must be (" +
+                std::to_string(rows) + ", mx), a row for each of y");
+  return array;
+}
+
+ContactFields patch_fields(RowSolver& solver, const py::object& y, const py::object& leading,
+                           const py::object& trailing, const py::object& pressure, double row_width,
+                           const std::array<double, 3>& flexibilities, const py::object& friction,
+                           const py::object& creepage, double rolling_speed) {
+  const auto rows = real_array("y", y);
+  if (rows.ndim() != 1) throw Error("y: must be one number for each row");
+  const auto front = real_array("leading", leading, {rows.size()}),
+             back = real_array("trailing", trailing, {rows.size()});
+  const auto cells = pressures(pressure, static_cast<std::size_t>(rows.size()));
+  const auto& [l1, l2, l3] = flexibilities;
+  return solver.fields(
+      {static_cast<int>(cells.shape(1)), row_width, span_of(rows), span_of(front), span_of(back), span_of(cells)},
+      {{l1, l2, l3}, friction_from(friction), creepage_from(creepage), rolling_speed});
+}
+
+constexpr const char* batch_text =
+    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; "
+    "fields that\n"
+    "are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], "
+    "b [m],\n"
+    "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s]. Results have the "
+    "broadcast\n"
+    "shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for "
+    "arrays\n"
+    "that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
+
+void def_batch(py::class_<RowSolver>& solver, const char* name, const auto& method, const std::string& text) {
+  const auto none = py::none();
+  solver.def(name, batch_method(method), "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
+             py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
+             "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "threads"_a = 0, text.c_str());
+}
+
+void bind_row_solver(py::module_& module) {
+  auto solver = py::class_<RowSolver>(module, "RowSolver",
+                                      "What Fastsim and Fastsim2 have in common: all memory is taken when one is made, "
+                                      "then it is used again and again.");
+  solver
+      .def(
+          "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); }, "contact"_a,
+          "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives "
+          "Status.invalid_input and\n"
+          "NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).")
+      .def(
+          "solve",
+          [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
+            return self.solve(moved(contact, longitudinal, lateral, spin));
+          },
+          "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
+          "The same with other creepages [-], [-] and spin [1/m] than the contact's own.")
+      .def(
+          "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
+          "contact"_a,
+          "Forces [N], [N m] and their derivatives to xi [-], eta [-], phi [1/m] and Fn [N], as ContactDerivatives: "
+          "forward\n"
+          "differentiation of the same code.")
+      .def(
+          "differentiate",
+          [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
+            return self.differentiate(moved(contact, longitudinal, lateral, spin));
+          },
+          "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
+          "The same with other creepages [-], [-] and spin [1/m] than the contact's own.")
+      .def(
+          "fields", [](RowSolver& self, const EllipticContact& contact) { return self.fields(contact); }, "contact"_a,
+          "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactFields.")
+      .def("patch_fields", &patch_fields, "y"_a, "leading"_a, "trailing"_a, "pressure"_a, py::kw_only(), "row_width"_a,
+           "flexibilities"_a, "friction"_a, "creepage"_a, "rolling_speed"_a = 1.0,
+           "The fields of a patch of any outline, as ContactFields: rows at y [m], shape (my), from their leading to "
+           "their trailing\n"
+           "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), from "
+           "the leading\n"
+           "edge on; row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, "
+           "friction [-] or a\n"
+           "law, creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense.")
+      .def_property_readonly(
+          "mx", [](const RowSolver& self) { return self.options().mx; }, "Cells of a row [-].")
+      .def_property_readonly(
+          "my", [](const RowSolver& self) { return self.options().my; }, "Rows [-].");
+  def_batch(solver, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(solver, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
+}
+
+constexpr const char* options_text = "mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; "
+                                     "flexibility 'three', 'one' or 'blended';\n"
+                                     "coefficients 'kalker' or 'computed'; direction 'forward' (along +x) or "
+                                     "'backward'; slope_reduction (initial, at_infinity,\n"
+                                     "decay) [-] lessens the creep curve's slope. Error if an option is out of range.";
+
+} // namespace
+
+void bind_simplified(py::module_& module) {
+  bind_row_solver(module);
+  const std::array<double, 3> whole_slope = {1, 1, 0};
+  py::class_<Fastsim2, RowSolver>(
+      module, "Fastsim2",
+      "FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked boundaries "
+      "between\n"
+      "adhesion and slip, second order in the cell length. 10 x 10 cells are enough for forces.")
+      .def(py::init([](int mx, int my, TractionBound bound, FlexibilityModel flexibility, CreepageTable coefficients,
+                       RollingDirection direction, const std::array<double, 3>& slope_reduction) {
+             return Fastsim2(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction));
+           }),
+           "mx"_a = 10, "my"_a = 10, py::kw_only(), "bound"_a = TractionBound::parabolic,
+           "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
+           "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope, options_text);
+  py::class_<Fastsim, RowSolver>(
+      module, "Fastsim",
+      "FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length.")
+      .def(
+          py::init([](int mx, int my, bool half_first_step, TractionBound bound, FlexibilityModel flexibility,
+                      CreepageTable coefficients, RollingDirection direction,
+                      const std::array<double, 3>& slope_reduction) {
+            return Fastsim(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction),
+                           half_first_step ? FirstStep::half : FirstStep::full);
+          }),
+          "mx"_a = 10, "my"_a = 10, py::kw_only(), "half_first_step"_a = false, "bound"_a = TractionBound::parabolic,
+          "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
+          "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
+          (std::string(options_text) +
+           "\nhalf_first_step: half a cell with the rigid slip in the step's middle, half the error; else as in (F16).")
+              .c_str());
+}
+
+} // namespace microslip::python

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "io/option_words.hpp"
+
+#include <pybind11/pybind11.h>
+
+namespace microslip::python {
+
+/// What messages call an option.
+template <class Option> constexpr const char* field_of = "option";
+template <> inline constexpr const char* field_of<TractionBound> = "bound";
+template <> inline constexpr const char* field_of<FlexibilityModel> = "flexibility";
+template <> inline constexpr const char* field_of<CreepageTable> = "coefficients";
+template <> inline constexpr const char* field_of<RollingDirection> = "direction";
+template <> inline constexpr const char* field_of<ContactMotion> = "motion";
+template <> inline constexpr const char* field_of<Discretisation> = "discretisation";
+template <> inline constexpr const char* field_of<Theory> = "theory";
+
+/// Options are words in Python, those of the case files.
+template <class Option> class WordCaster {
+public:
+  PYBIND11_TYPE_CASTER(Option, pybind11::detail::const_name("str"));
+
+  bool load(pybind11::handle source, bool) {
+    if (!PyUnicode_Check(source.ptr())) return false;
+    value = from_word<Option>(field_of<Option>, source.cast<std::string>());
+    return true;
+  }
+  static pybind11::handle cast(Option option, pybind11::return_value_policy, pybind11::handle) {
+    return pybind11::str(std::string(to_word(option))).release();
+  }
+};
+
+} // namespace microslip::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<microslip::TractionBound> : public microslip::python::WordCaster<microslip::TractionBound> {};
+template <>
+class type_caster<microslip::FlexibilityModel> : public microslip::python::WordCaster<microslip::FlexibilityModel> {};
+template <>
+class type_caster<microslip::CreepageTable> : public microslip::python::WordCaster<microslip::CreepageTable> {};
+template <>
+class type_caster<microslip::RollingDirection> : public microslip::python::WordCaster<microslip::RollingDirection> {};
+template <>
+class type_caster<microslip::ContactMotion> : public microslip::python::WordCaster<microslip::ContactMotion> {};
+template <>
+class type_caster<microslip::Discretisation> : public microslip::python::WordCaster<microslip::Discretisation> {};
+template <> class type_caster<microslip::Theory> : public microslip::python::WordCaster<microslip::Theory> {};
+
+} // namespace pybind11::detail

@@ -1,0 +1,163 @@
+"""Pictures of a result file that need more than it holds: the compiled module computes the rest.
+
+Creep curves for several spins by both theories, convergence with finer grids, stresses inside the bodies.
+"""
+
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+import microslip
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, new_figure, number, open_axes,
+                                     quantity)
+from microslip.result_file import ResultError
+
+LINE_COLOURS = (BLUE, ORANGE, GREEN, VERMILION, SKY_BLUE, BLACK)
+CURVE_GRID = 16  # elements across: a picture needs no more
+GRIDS = (8, 12, 16, 24, 32, 48)
+LEVELS = 16
+
+
+def contact_of(result):
+    """The contact of a result file; Coulomb friction, which the exact theory needs."""
+    law = result.text("/inputs/friction_law")
+    if law != "coulomb":
+        raise ResultError(f"{result.path}: friction law '{law}': this picture needs coulomb")
+    if result.text("/inputs/motion") != "steady":
+        raise ResultError(f"{result.path}: this picture needs steady rolling")
+    names = ("/hertz/a", "/hertz/b", "/inputs/shear_modulus", "/inputs/poisson_ratio", "/inputs/normal_force",
+             "/inputs/friction_coefficient")
+    creepage = tuple(result.number(f"/inputs/{name}") for name in ("creepage_longitudinal", "creepage_lateral", "spin"))
+    return microslip.EllipticContact(*map(result.number, names), creepage, result.number("/inputs/rolling_speed"))
+
+
+def default_spins(contact):
+    """No spin, that of linear theory at half and at all of full sliding, rounded."""
+    c = microslip.creepage_coefficients(contact.a / contact.b, contact.poisson_ratio)
+    area = contact.a * contact.b
+    full = contact.friction.static_coefficient * contact.normal_force / (contact.shear_modulus * area**1.5 * c.c23)
+    return [0.0] + [float(f"{part * full:.1g}") for part in (0.5, 1.0)]
+
+
+def creep_curves_picture(result, spins=()):
+    """Fx and Fy over the longitudinal creepage for several spins [1/m]: the exact theory and FASTSIM2."""
+    contact = contact_of(result)
+    spins = list(spins) or default_spins(contact)
+    limit = contact.friction.static_coefficient * contact.normal_force
+    c = microslip.creepage_coefficients(contact.a / contact.b, contact.poisson_ratio)
+    far = 3 * limit / (contact.shear_modulus * contact.a * contact.b * c.c11)
+    creepages = np.linspace(-far, far, 61)
+    direction = result.text("/inputs/direction")
+    exact = microslip.EllipticContactSolver(CURVE_GRID, CURVE_GRID, direction=direction)
+    forces = {"exact": exact.solve_batch(contact, creepages, 0, np.array(spins)[:, None]).forces,
+              "fastsim2": microslip.Fastsim2(20, 20, direction=direction).solve_batch(contact, creepages, 0,
+                                                                                     np.array(spins)[:, None])}
+    figure = new_figure(11, 4.8)
+    figure.suptitle(f"Creep curves, no lateral creepage: {result.attribute('title', 'rolling contact')}")
+    for axes, name, label in zip(figure.subplots(1, 2, sharex=True), ("fx", "fy"), ("$F_x$", "$F_y$")):
+        open_axes(axes)
+        for row, (spin, colour) in enumerate(zip(spins, LINE_COLOURS * len(spins))):
+            for theory, style in (("exact", "-"), ("fastsim2", "--")):
+                axes.plot(1e3 * creepages, getattr(forces[theory], name)[row] / limit, style, color=colour, linewidth=2,
+                          label=f"{THEORIES[theory]}, spin {number(spin)} 1/m" if name == "fx" else None)
+        axes.set_xlabel(r"longitudinal creepage $\xi$ [$10^{-3}$]")
+        axes.set_ylabel(rf"{label} on the wheel / ($\mu F_n$) [-]")
+    figure.axes[0].legend(loc="lower left", fontsize=8)
+    return figure
+
+
+def convergence_picture(result):
+    """Distance of the forces to their limit over the number of elements, log-log, with slopes of first and second order."""
+    contact = contact_of(result)
+    direction = result.text("/inputs/direction")
+    limit = contact.friction.static_coefficient * contact.normal_force
+    best = microslip.AccurateContactSolver(1e-4, direction=direction).solve(contact)
+    figure = new_figure(7.2, 5)
+    axes = figure.subplots()
+    open_axes(axes)
+    for name, colour in (("second_order", BLUE), ("classical", VERMILION)):
+        solved = [microslip.EllipticContactSolver(n, n, discretisation=name, direction=direction).solve(contact).forces for n in GRIDS]
+        for force, style, marker in (("fx", "-", "o"), ("fy", "--", "s")):
+            errors = [abs(getattr(one, force) - getattr(best.forces, force)) / limit for one in solved]
+            axes.loglog(GRIDS, errors, style, color=colour, marker=marker, linewidth=2,
+                        label=f"{name.replace('_', ' ')}, $F_{force[1]}$")
+    low, high = axes.get_ylim()
+    for order, part in ((1, 0.9), (2, 0.9)):
+        top = high * part
+        axes.loglog(GRIDS, [top * (GRIDS[0] / n) ** order for n in GRIDS], ":", color=GREY, linewidth=1.2)
+        axes.annotate(f" order {order}", (GRIDS[-1], top * (GRIDS[0] / GRIDS[-1]) ** order), ha="left", va="center", color=GREY)
+    axes.set_ylim(low, high)
+    axes.set_xlim(0.92 * GRIDS[0], 1.25 * GRIDS[-1])
+    axes.set_xticks(GRIDS, [str(n) for n in GRIDS])
+    axes.minorticks_off()
+    axes.axhline(best.error, color=BLACK, linewidth=1, linestyle="-.", label=f"estimated error of the limit, {best.elements} elements")
+    axes.set_xlabel("elements across the ellipse, in each direction [-]")
+    axes.set_ylabel(r"distance to the limit / ($\mu F_n$) [-]")
+    axes.set_title(f"limit: $F_x$ = {quantity(1e-3 * best.forces.fx, 'kN')}, $F_y$ = {quantity(1e-3 * best.forces.fy, 'kN')}")
+    figure.suptitle(f"Exact theory on finer grids: {result.attribute('title', 'rolling contact')}")
+    axes.legend(loc="lower left", frameon=True, framealpha=0.9, edgecolor="none")
+    return figure
+
+
+def tractions_on_grid(result):
+    """The exact theory's elements as a regular grid with the tractions (px, py, pn) on it [Pa].
+
+    The leading element of a row has a length of its own; its tractions go to the cells that it covers, by their share.
+    """
+    x, y, area, px, py, pn, state = result.arrays(
+        [f"/exact/fields/{name}" for name in ("x", "y", "area", "px", "py", "pn", "state")], dimensions=2)
+    my, mx = x.shape
+    if my < 2 or mx < 2:
+        raise ResultError(f"{result.path}: stresses need at least 2 x 2 elements")
+    dx, dy = abs(x[0, 0] - x[0, -1]) / (mx - 1), (y[-1, 0] - y[0, 0]) / (my - 1)
+    # Two columns to spare on each side: a leading element may reach beyond the grid.
+    left = min(x[0, 0], x[0, -1]) - 2.5 * dx
+    grid = microslip.ElementGrid(mx + 4, my, left + dx / 2, y[0, 0], dx, dy)
+    edges = left + dx * np.arange(mx + 5)
+    tractions = np.zeros((3, my, mx + 4))
+    for row, column in np.argwhere(state != 0):
+        half = area[row, column] / dy / 2
+        covered = np.clip(np.minimum(edges[1:], x[row, column] + half) - np.maximum(edges[:-1], x[row, column] - half), 0, None)
+        tractions[:, row] += np.outer((px[row, column], py[row, column], pn[row, column]), covered / dx)
+    return grid, tractions
+
+
+def stresses_picture(result, y=0.0):
+    """Von Mises' and the largest shear stress below the contact in the plane of y [mm], the wheel above, the rail below."""
+    if "exact" not in result:
+        raise ResultError(f"{result.path}: stresses need the exact theory")
+    grid, (px, py, pn) = tractions_on_grid(result)
+    a, b = result.number("/hertz/a"), result.number("/hertz/b")
+    size = np.sqrt(a * b)
+    x, depth = np.linspace(-2 * a, 2 * a, 101), np.linspace(0.75 * grid.dx, 1.6 * size, 46)
+    measures = {"von_mises": "von Mises' stress", "tresca": "Tresca's stress, twice the largest shear"}
+    sections, peaks = {}, {}
+    for body in (1, 2):
+        material = microslip.Material(result.number(f"/inputs/shear_modulus_{body}"), result.number(f"/inputs/poisson_ratio_{body}"))
+        field = microslip.InteriorField(material, body, grid, px=px, py=py, pn=pn)
+        sections[body] = field.at(x, 1e-3 * y, depth[:, None])
+        layers = microslip.InteriorLayers(field)
+        for measure in measures:
+            peaks[body, measure] = layers.find_largest(np.linspace(0.75 * grid.dx, size, 10), measure)
+    figure = new_figure(11.4, 5.4, layout="compressed")
+    figure.suptitle(f"Stresses in wheel and rail, y = {number(y)} mm: {result.attribute('title', 'rolling contact')}")
+    backward = result.text("/inputs/direction") == "backward"
+    for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
+        draw_section(figure, axes, x, depth, sections, measure)
+        axes.plot([-1e3 * a, 1e3 * a], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
+        axes.set_aspect("equal")
+        largest = [f"{who} {quantity(1e-6 * peaks[body, measure].value, 'MPa')} at {1e3 * peaks[body, measure].depth:.2f} mm"
+                   for body, who in ((1, "wheel"), (2, "rail"))]
+        axes.set_title("\n".join([text, "largest: " + largest[0], largest[1]]))
+        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}")
+    figure.axes[0].set_ylabel("z [mm]: wheel above, rail below")
+    return figure
+
+
+def draw_section(figure, axes, x, depth, sections, measure):
+    """Both bodies' stresses as filled contours with a common scale."""
+    values = {body: 1e-6 * getattr(states, measure) for body, states in sections.items()}
+    levels = MaxNLocator(LEVELS).tick_values(0, max(value.max() for value in values.values()))
+    for body, side in ((1, 1), (2, -1)):
+        fill = axes.contourf(1e3 * x, side * 1e3 * depth, values[body], levels=levels, cmap="viridis")
+        axes.contour(1e3 * x, side * 1e3 * depth, values[body], levels=levels[::3], colors="white", linewidths=0.4)
+    figure.colorbar(fill, ax=axes, label="[MPa]", shrink=0.8, pad=0.02)

@@ -1,0 +1,84 @@
+"""Case files: what they say, what they give, the result file that pictures are drawn from, errors with line and key."""
+
+import contextlib
+import io
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+
+import microslip
+from microslip import plot
+from tests.compiled import load_tests_if_compiled
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+CASE = """title = "A ball"
+[body1]
+rolling_radius = 0.1
+transverse_radius = 0.1
+young_modulus = 210e9
+poisson_ratio = 0.28
+[body2]
+rolling_radius = inf
+transverse_radius = inf
+young_modulus = 210e9
+poisson_ratio = 0.28
+[load]
+normal_force = 1e3
+[friction]
+coefficient = 0.3
+[motion]
+creepage_longitudinal = 0.001
+rolling_speed = 2.0
+[solution]
+theory = "exact"
+grid = [8, 8]
+"""
+
+
+class CaseFilesTest(unittest.TestCase):
+    def test_a_case_says_what_its_file_says(self):
+        case = microslip.read_case(EXAMPLES / "wheel_on_rail.toml")
+        self.assertEqual((case.theory, case.body1.rolling_radius, case.body2.rolling_radius), ("exact", 0.46, math.inf))
+        self.assertAlmostEqual(case.hertz.peak_pressure, 1139.19e6, delta=1e4)
+        self.assertEqual(case.contact.a, case.hertz.a)
+        self.assertEqual(case.text, (EXAMPLES / "wheel_on_rail.toml").read_text())
+
+    def test_results_are_those_of_the_solvers(self):
+        case = microslip.parse_case(CASE)
+        result = microslip.solve_case(case)
+        self.assertEqual(result.exact.forces.fx, microslip.EllipticContactSolver(8, 8).solve(case.contact).forces.fx)
+        self.assertEqual(result.simplified.forces.fx, microslip.Fastsim2(8, 8).solve(case.contact).fx)
+        self.assertEqual(result.exact.gap.shape, result.exact.contact.pressure.shape)
+        self.assertEqual(result.simplified.curve.variable, "creepage_longitudinal")
+        self.assertEqual(result.simplified.curve.fx.shape, result.simplified.curve.value.shape)
+        self.assertIsNone(result.exact.limit)
+        self.assertIs(result.status, microslip.Status.ok)
+
+    def test_a_case_of_the_simplified_theory_has_no_exact_result(self):
+        result = microslip.solve_case(microslip.parse_case(CASE.replace('"exact"', '"fastsim"')))
+        self.assertIsNone(result.exact)
+
+    def test_written_results_can_be_drawn(self):
+        result = microslip.solve_case(microslip.parse_case(CASE, "ball.toml"))
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "result.h5"
+            result.write(path)
+            with h5py.File(path) as file:
+                self.assertEqual(file["/exact/fx"][()], result.exact.forces.fx)
+                self.assertEqual((file.attrs["kind"], file.attrs["case_text"]), ("rolling_contact", CASE))
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(plot.main([str(path)]), 0)
+            with self.assertRaisesRegex(microslip.Error, "nowhere"):
+                result.write(Path(folder) / "nowhere" / "result.h5")
+
+    def test_errors_have_line_and_key(self):
+        with self.assertRaisesRegex(microslip.Error, "ball.toml:13: load.normal_forse.*did you mean normal_force"):
+            microslip.parse_case(CASE.replace("normal_force", "normal_forse"), "ball.toml")
+        with self.assertRaisesRegex(microslip.Error, "nowhere.toml"):
+            microslip.read_case("nowhere.toml")
+
+
+load_tests = load_tests_if_compiled([CaseFilesTest])

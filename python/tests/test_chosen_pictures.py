@@ -1,0 +1,117 @@
+"""Pictures that are asked for: maps, surfaces, cuts, comparisons show the file's numbers; wishes that cannot be met are named."""
+
+import os
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy as np
+from matplotlib.collections import PolyCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from microslip import plot
+from microslip.field_picture import FIELDS
+from microslip.result_file import ResultError
+from tests.synthetic_results import write_rolling_contact
+from tests.test_plot import PYTHON_FOLDER, FolderTest
+
+
+class ChosenPicturesTest(FolderTest):
+    def setUp(self):
+        super().setUp()
+        write_rolling_contact(self.path, theories=("fastsim2", "exact"))
+
+    def chosen(self, **wanted):
+        (figure,) = plot.figures(self.path, **wanted).values()
+        return figure
+
+    def test_command_line(self):
+        arguments = ("--field", "px", "--field=power", "--surface", "slip", "--cut=-1.5", "--compare", self.path)
+        code, out, err = self.run_plot(self.path, "-o", self.folder / "p", *arguments)
+        self.assertEqual((code, err), (0, []))
+        names = ["field_px.png", "field_power.png", "surface_slip.png", "cut.png", "comparison.png"]
+        self.assertEqual(out, [str(self.folder / "p" / name) for name in names])
+
+    def test_maps_have_the_files_values(self):
+        with h5py.File(self.path) as file:
+            fields = {name: file[f"/fastsim2/fields/{name}"][()] for name in ("px", "py", "sx", "sy", "bound")}
+        power = -2e-6 * (fields["px"] * fields["sx"] + fields["py"] * fields["sy"])
+        wanted = {"px": 1e-6 * fields["px"], "traction": 1e-6 * np.hypot(fields["px"], fields["py"]),
+                  "slip": 1e3 * np.hypot(fields["sx"], fields["sy"]), "power": power, "bound": 1e-6 * fields["bound"]}
+        for name, values in wanted.items():
+            panel = self.chosen(fields=[name]).axes[0]
+            drawn = next(part for part in panel.collections if isinstance(part, PolyCollection)).get_array()
+            np.testing.assert_allclose(drawn, values.ravel(), rtol=1e-12, atol=1e-12)
+
+    def test_fields_with_two_signs_have_zero_in_the_middle_of_their_colours(self):
+        for name in ("px", "sy", "slip"):
+            part = next(part for part in self.chosen(fields=[name]).axes[0].collections if isinstance(part, PolyCollection))
+            low, high = part.get_clim()
+            self.assertEqual(low, -high if FIELDS[name][4] else 0)
+
+    def test_surfaces_have_the_height_of_the_values(self):
+        figure = self.chosen(surfaces=["traction"])
+        with h5py.File(self.path) as file:
+            largest = 1e-6 * np.hypot(file["/exact/fields/px"], file["/exact/fields/py"]).max()
+        for axes in figure.axes:
+            self.assertTrue(any(isinstance(part, Poly3DCollection) for part in axes.collections))
+            self.assertEqual(axes.get_zlim()[0], 0)
+            self.assertGreaterEqual(axes.get_zlim()[1], largest)
+
+    def test_cuts_stay_within_the_bound(self):
+        figure = self.chosen(cut=2.0)
+        above = figure.axes[0]
+        lines = {line.get_label(): line.get_xydata() for line in above.lines}
+        with h5py.File(self.path) as file:
+            y = file["/fastsim2/fields/y"][:, 0]
+            row = np.argmin(abs(y - 2e-3))
+            np.testing.assert_allclose(lines["$p_x$"][:, 1], 1e-6 * file["/fastsim2/fields/px"][row])
+        self.assertIn("y = 2 mm", above.get_title())
+        self.assertTrue(np.all(lines[r"$|\mathbf{p}|$"][:, 1] <= lines[r"$\pm g$, the bound"][:, 1] * (1 + 1e-9)))
+
+    def test_comparison_has_the_totals_of_both(self):
+        other = self.folder / "other.h5"
+        write_rolling_contact(other, creepage=(0.003, 0, 0))
+        figure = self.chosen(other=other)
+        table = next(axes.tables[0] for part in figure.subfigs for axes in part.axes if axes.tables)
+        cells = {position: cell.get_text().get_text() for position, cell in table.get_celld().items()}
+        numbers = [[float(cells[row, column].split()[0].replace("\N{MINUS SIGN}", "-")) for column in (1, 2, 3)]
+                   for row in range(1, 6)]
+        for one, two, difference in numbers:
+            self.assertAlmostEqual(two - one, difference, delta=2e-3 * (abs(one) + abs(two)))
+        with h5py.File(other) as file:
+            self.assertAlmostEqual(numbers[0][1], 1e-3 * file["/fastsim2/fx"][()], delta=0.01)
+
+    def test_wishes_that_cannot_be_met(self):
+        for wanted, words in (({"fields": ["heat"]}, "'heat' is unknown, known: pressure"),
+                              ({"fields": ["pressure"]}, "no theory has the field 'pressure'"),
+                              ({"cut": 9.0}, "y = 9 mm is outside"), ({"other": "nowhere.h5"}, "nowhere.h5: no such file")):
+            with self.assertRaisesRegex(ResultError, words):
+                self.chosen(**wanted)
+        code, out, err = self.run_plot(self.path, "--field", "heat")
+        self.assertEqual((code, out, len(err)), (2, [], 1))
+
+    def test_without_the_compiled_module(self):
+        # The source folder does not have it, even where the tests' package does.
+        def python(code):
+            done = subprocess.run([sys.executable, "-c", code], cwd=self.folder, text=True, capture_output=True, check=False,
+                                  env={**os.environ, "PYTHONPATH": str(PYTHON_FOLDER)})
+            return done.returncode, done.stderr
+
+        self.assertEqual(python("from microslip import plot; plot.main(['result.h5', '--cut=0'])"), (0, ""))
+        self.assertTrue((self.folder / "cut.png").is_file())
+        code, text = python("import sys; from microslip import plot; sys.exit(plot.main(['result.h5', '--convergence']))")
+        self.assertEqual((code, len(text.splitlines())), (2, 1))
+        self.assertIn("convergence.png needs the compiled module", text)
+        self.assertIn("microslip.Fastsim2 needs the compiled module", python("import microslip; microslip.Fastsim2")[1])
+
+    def test_other_kinds_are_refused(self):
+        with h5py.File(self.path, "a") as file:
+            file.attrs["kind"] = "subsurface"
+        with self.assertRaisesRegex(ResultError, "need rolling_contact"):
+            self.chosen(cut=0.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,61 @@
+"""Stresses inside the bodies: equilibrium at the surface, Hertz's maximum, planes equal to sums, measures of stress."""
+
+import unittest
+
+import numpy as np
+
+import microslip
+from tests.compiled import load_tests_if_compiled
+
+
+class InteriorTest(unittest.TestCase):
+    def setUp(self):
+        self.steel = microslip.Material(80e9, 0.3)
+        self.grid = microslip.ElementGrid.across_ellipse(1e-3, 1e-3, 24, 24)
+        inside = np.clip(1 - (self.grid.x[None, :] ** 2 + self.grid.y[:, None] ** 2) / 1e-6, 0, None)
+        self.pressure = 1e9 * np.sqrt(inside)
+        self.field = microslip.InteriorField(self.steel, 1, self.grid, pn=self.pressure)
+
+    def test_surface_stresses_balance_the_tractions(self):
+        field = microslip.InteriorField(self.steel, 2, self.grid, px=0.3 * self.pressure, py=0.1 * self.pressure,
+                                        pn=self.pressure)
+        states = field.at(self.grid.x[None, :], self.grid.y[:, None], 0)
+        for stress, part in ((states.xz, 0.3), (states.yz, 0.1), (states.zz, 1)):
+            np.testing.assert_allclose(stress, -part * self.pressure, atol=1e-5 * 1e9)
+
+    def test_the_largest_shear_stress_is_hertzs(self):
+        # Johnson 1985, (3.46): .31 p0 at .48 a below the surface, nu = .3.
+        peak = microslip.InteriorLayers(self.field).find_largest(np.linspace(2e-4, 1e-3, 9), "tresca")
+        self.assertAlmostEqual(peak.value / 2 / 1e9, 0.310, delta=0.002)
+        self.assertAlmostEqual(peak.depth / 1e-3, 0.48, delta=0.01)
+
+    def test_planes_are_the_sums(self):
+        layers = microslip.InteriorLayers(self.field, margin=2)
+        plane = layers.at_depth(3e-4)
+        sums = self.field.at(layers.grid.x[None, :], layers.grid.y[:, None], 3e-4)
+        self.assertEqual(plane.von_mises.shape, (28, 28))
+        for name in ("ux", "uz", "xx", "yy", "zz", "xy", "xz", "yz"):
+            wanted = getattr(sums, name)
+            np.testing.assert_allclose(getattr(plane, name), wanted, atol=1e-10 * abs(wanted).max())
+
+    def test_measures_belong_together(self):
+        states = self.field.at([0, 2e-4], [0, 3e-4], [4e-4, 5e-4])
+        principal = states.principal
+        self.assertEqual(principal.shape, (2, 3))
+        np.testing.assert_allclose(states.tresca, principal[:, 0] - principal[:, 2])
+        np.testing.assert_allclose(states.hydrostatic, principal.mean(axis=1))
+        deviator = principal - principal.mean(axis=1, keepdims=True)
+        np.testing.assert_allclose(states.von_mises, np.sqrt(1.5 * (deviator**2).sum(axis=1)))
+
+    def test_shapes_and_ranges_are_checked(self):
+        with self.assertRaisesRegex(microslip.Error, r"pn has shape \(3,\): must be \(24, 24\)"):
+            microslip.InteriorField(self.steel, 1, self.grid, pn=[1, 2, 3])
+        with self.assertRaisesRegex(microslip.Error, "body = 3"):
+            microslip.InteriorField(self.steel, 3, self.grid)
+        with self.assertRaisesRegex(microslip.Error, "depth"):
+            self.field.at(0, 0, -1)
+        with self.assertRaisesRegex(microslip.Error, "did you mean tresca"):
+            microslip.InteriorLayers(self.field).find_largest([1e-4], "tresco")
+
+
+load_tests = load_tests_if_compiled([InteriorTest])

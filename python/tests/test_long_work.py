@@ -1,0 +1,86 @@
+"""Long work frees Python's lock, hears Ctrl-C, and waits its turn when many threads use one solver."""
+
+import signal
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import microslip
+from tests.compiled import contact, load_tests_if_compiled
+
+
+class InterruptTest(unittest.TestCase):
+    def interrupt(self, work):
+        """Sends Ctrl-C during the work; returns the seconds from there to its end."""
+        sent = []
+
+        def send():
+            sent.append(time.monotonic())
+            signal.raise_signal(signal.SIGINT)
+
+        timer = threading.Timer(0.2, send)
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            work()
+        timer.join()
+        return time.monotonic() - sent[0]
+
+    def test_batches_end_early(self):
+        # Without the interrupt each would take minutes; the bound is far above what it takes, for busy machines.
+        creepages = np.linspace(1e-4, 3e-3, 3_000_000)
+        for work in (lambda: microslip.Fastsim2(100, 100).solve_batch(contact(), creepages),
+                     lambda: microslip.Fastsim2(1000, 1000).differentiate_batch(contact(), creepages[:10000]),
+                     lambda: microslip.EllipticContactSolver(24, 24).solve_batch(contact(), creepages)):
+            self.assertLess(self.interrupt(work), 10)
+
+    def test_transient_rolling_ends_early(self):
+        solver = microslip.EllipticContactSolver(24, 24)
+        self.assertLess(self.interrupt(lambda: solver.solve(contact(), motion="transient", steps=1_000_000)), 10)
+        self.assertIs(solver.solve(contact()).forces.status, microslip.Status.ok)
+
+    def test_interior_sums_end_early(self):
+        grid = microslip.ElementGrid.across_ellipse(1, 1, 100, 100)
+        field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, pn=np.ones((100, 100)))
+        self.assertLess(self.interrupt(lambda: field.at(np.linspace(-1, 1, 1_000_000), 0, 0.5)), 10)
+
+
+class ThreadsTest(unittest.TestCase):
+    def test_other_threads_run_during_a_batch(self):
+        done = threading.Event()
+        counted = []
+
+        def count():
+            number = 0
+            while not done.is_set():
+                number += 1
+                time.sleep(0.001)
+            counted.append(number)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        microslip.Fastsim2(40, 40).solve_batch(contact(), np.linspace(0, 3e-3, 30000), threads=1)
+        done.set()
+        thread.join()
+        self.assertGreater(counted[0], 5)
+
+    def test_one_solver_in_many_threads(self):
+        solver = microslip.EllipticContactSolver(8, 8)
+        results = [None] * 8
+
+        def solve(i):
+            made = contact((2e-4 * (i + 1), 0, 0))
+            made.a *= 1 + 0.1 * (i % 2)  # another ellipse: the solver starts anew
+            results[i] = solver.solve(made).forces.fx, microslip.EllipticContactSolver(8, 8).solve(made).forces.fx
+
+        threads = [threading.Thread(target=solve, args=(i,)) for i in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for shared, own in results:
+            self.assertEqual(shared, own)
+
+
+load_tests = load_tests_if_compiled([InterruptTest, ThreadsTest])
