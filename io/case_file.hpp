@@ -4,6 +4,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/exact/interior_grid.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 #include <filesystem>
@@ -36,6 +37,7 @@ struct RollingCase {
   SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
   Discretisation discretisation = Discretisation::second_order; ///< of the exact theory
   double tolerance = 1e-6;                                      ///< of its residual
+  InteriorGrid interior = {};          ///< points inside the bodies, with the exact theory; none: no interior field
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
 
