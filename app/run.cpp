@@ -117,6 +117,18 @@ void print_totals(const ContactCase& c, const ContactOutcome& outcome) {
   counts.print();
 }
 
+/// Extremes of the stresses at each block of points.
+void print_interior(const ContactOutcome& outcome) {
+  int number = 0;
+  for (const auto& [points, states] : outcome.interior) {
+    fmt::print("  points inside the bodies, block {}: {} x {} x {}\n", ++number, points.x.size(), points.y.size(),
+               points.z.size());
+    for (const auto& [name, value, at] : interior_extremes(states))
+      fmt::print("  {:>12} {:>12.5g} N/mm2 at ({:.5g}, {:.5g}, {:.5g}) mm\n", name, value * 1e-6, points.x_of(at) * 1e3,
+                 points.y_of(at) * 1e3, points.z_of(at) * 1e3);
+  }
+}
+
 class Run {
 public:
   explicit Run(const RunArguments& arguments)
@@ -137,7 +149,7 @@ public:
       if (shows_both_) bar_.clear();
       print(*c, outcome);
       file_.add(*c, outcome);
-      if (mat_ && c->digits.matfil > 0 && outcome.kind == ContactOutcome::Kind::solved) write_mat(*c, outcome);
+      if (mat_ && outcome.kind == ContactOutcome::Kind::solved) write_texts(*c, outcome);
       InterruptGuard::throw_if_interrupted();
       bar_.update(static_cast<double>(c->number) / count_);
     }
@@ -172,6 +184,7 @@ private:
       fmt::print("{}, {} x {} elements of {:.5g} x {:.5g} mm\n", motion_name(c.digits.tang), grid.mx, grid.my,
                  grid.dx * 1e3, grid.dy * 1e3);
       print_totals(c, outcome);
+      print_interior(outcome);
       for (const auto& note : outcome.notes)
         if (known_notes_.insert(note).second) fmt::print("  note: {}\n", note);
     }
@@ -183,11 +196,17 @@ private:
       fmt::print(stderr, "microslip: warning: {}: {} of {} cases are {}\n", path_.string(), cases, count_, what);
   }
 
+  /// In CONTACT's own layout.
+  void write_texts(const ContactCase& c, const ContactOutcome& outcome) const {
+    if (c.digits.matfil > 0) write_text(c, "mat", contact_mat(c, outcome));
+    if (!outcome.interior.empty() && c.points_matfil > 0) write_text(c, "subs", contact_subs(c, outcome.interior));
+  }
+
   /// Beside the result file, numbered as CONTACT does.
-  void write_mat(const ContactCase& c, const ContactOutcome& outcome) const {
+  void write_text(const ContactCase& c, const char* kind, const std::string& text) const {
     auto name = output_;
-    OutputFile file(name.replace_extension(fmt::format(".{:04}.mat", c.number)));
-    file.write(contact_mat(c, outcome));
+    OutputFile file(name.replace_extension(fmt::format(".{:04}.{}", c.number, kind)));
+    file.write(text);
     file.commit();
   }
 
@@ -215,7 +234,9 @@ void add_run_command(CLI::App& program, int& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   command->add_option("FILE.inp", arguments->input, "input file, module 3")->required();
   command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")->capture_default_str();
-  command->add_flag("--mat", arguments->mat, "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0");
+  command->add_flag(
+      "--mat", arguments->mat,
+      "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
   command->footer(
       "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"
       "CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and\n"

@@ -158,6 +158,18 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.print();
 }
 
+void print_interior(const InteriorGrid& points, const std::vector<InteriorState>& states) {
+  if (states.empty()) return;
+  fmt::print("\n");
+  QuantityTable table(fmt::format("inside the bodies, {} x {} x {} points: extremes", points.x.size(), points.y.size(),
+                                  points.z.size()));
+  for (const auto& [name, value, at] : interior_extremes(states))
+    table.add(name, value * 1e-6, "MPa",
+              fmt::format("at ({:.4g}, {:.4g}, {:.4g}) mm", points.x_of(at) * 1e3, points.y_of(at) * 1e3,
+                          points.z_of(at) * 1e3));
+  table.print();
+}
+
 /// What a status other than ok means here.
 std::string explain(const RollingCase& input, const RollingContactResult& result) {
   if (result.status == Status::no_solution)
@@ -206,6 +218,7 @@ int solve(SolveArguments arguments) {
   print_hertz(result);
   fmt::print("\n");
   result.exact ? print_exact(input, result) : print_simplified(input, result);
+  if (result.exact) print_interior(input.interior, result.exact->interior);
 
   const auto file = arguments.folder / "result.h5";
   write(arguments, input, result, text, file);

@@ -66,6 +66,25 @@ constexpr CountColumn counts[] = {
      [](const ContactOutcome& o) { return o.solution.tangential.newton_steps; }},
 };
 
+/// A number of a point inside the bodies.
+struct InteriorColumn {
+  const char *name, *unit, *description;
+  double (*value)(const InteriorState& state);
+};
+
+constexpr InteriorColumn interior_columns[] = {
+    {"ux", "m", "displacement of the point's body", [](const InteriorState& s) { return s.ux; }},
+    {"uy", "m", "displacement of the point's body", [](const InteriorState& s) { return s.uy; }},
+    {"uz", "m", "displacement of the point's body", [](const InteriorState& s) { return s.uz; }},
+    {"sigma_xx", "Pa", "stress, tension positive", [](const InteriorState& s) { return s.stress.xx; }},
+    {"sigma_yy", "Pa", "stress, tension positive", [](const InteriorState& s) { return s.stress.yy; }},
+    {"sigma_zz", "Pa", "stress, tension positive", [](const InteriorState& s) { return s.stress.zz; }},
+    {"sigma_xy", "Pa", "stress", [](const InteriorState& s) { return s.stress.xy; }},
+    {"sigma_xz", "Pa", "stress", [](const InteriorState& s) { return s.stress.xz; }},
+    {"sigma_yz", "Pa", "stress", [](const InteriorState& s) { return s.stress.yz; }},
+    {"von_mises", "Pa", "von Mises' equivalent stress", [](const InteriorState& s) { return von_mises(s.stress); }},
+};
+
 /// The elements to be stored: all, or those in contact.
 std::vector<std::size_t> chosen(const ContactCase& c, const ContactOutcome& outcome) {
   std::vector<std::size_t> elements;
@@ -112,6 +131,35 @@ int ContactRunFile::add_elements(const ContactCase& c, const ContactOutcome& out
   return static_cast<int>(elements.size());
 }
 
+int ContactRunFile::add_points(const ContactOutcome& outcome) {
+  std::vector<int> blocks;
+  std::vector<double> x, y, z;
+  std::vector<InteriorState> states;
+  for (std::size_t block = 0; block < outcome.interior.size(); ++block) {
+    const auto& [points, field] = outcome.interior[block];
+    for (std::size_t k = 0; k < field.size(); ++k) {
+      x.push_back(points.x_of(k));
+      y.push_back(points.y_of(k));
+      z.push_back(points.z_of(k));
+    }
+    blocks.insert(blocks.end(), field.size(), static_cast<int>(block));
+    states.insert(states.end(), field.begin(), field.end());
+  }
+  file_.append("interior/block", std::span<const int>(blocks), "-", "block of points in the case, from 0");
+  const auto add_field = [&](const char* name, const std::vector<double>& values, const char* unit, const char* what) {
+    file_.append(std::string("interior/") + name, std::span<const double>(values), unit, what);
+  };
+  add_field("x", x, "m", "of the point");
+  add_field("y", y, "m", "of the point");
+  add_field("z", z, "m", "of the point: >= 0 in body 1, < 0 in body 2");
+  for (const auto& [name, unit, what, value] : interior_columns) {
+    std::vector<double> values;
+    for (const InteriorState& state : states) values.push_back(value(state));
+    add_field(name, values, unit, what);
+  }
+  return static_cast<int>(states.size());
+}
+
 void ContactRunFile::add(const ContactCase& c, const ContactOutcome& outcome) {
   const bool solved = outcome.kind == ContactOutcome::Kind::solved;
   const auto add_count = [&](const char* name, int value, const char* what) {
@@ -131,6 +179,11 @@ void ContactRunFile::add(const ContactCase& c, const ContactOutcome& outcome) {
   const int stored = add_elements(c, outcome);
   add_count("stored_elements", stored, "how many elements are stored");
   elements_ += stored;
+  file_.append("cases/first_point", std::span<const double>(&points_, 1), "-",
+               "where its points inside the bodies begin");
+  const int points = add_points(outcome);
+  add_count("stored_points", points, "how many points inside the bodies are stored");
+  points_ += points;
 }
 
 } // namespace microslip

@@ -9,7 +9,8 @@ namespace microslip {
 
 /// The result file of `microslip run`, SI units. `cases/...` have a value for each case of the input file; those of a
 /// case that was not solved are NaN, and counts zero. `elements/...` have the elements that digit A asks for, of all
-/// cases one after the other: those of a case begin at cases/first_element.
+/// cases one after the other: those of a case begin at cases/first_element. So do `interior/...` with the points inside
+/// the bodies that digit S asks for, from cases/first_point on.
 class ContactRunFile {
 public:
   ContactRunFile(const std::filesystem::path& path, const Provenance& provenance);
@@ -19,9 +20,10 @@ public:
 
 private:
   int add_elements(const ContactCase& c, const ContactOutcome& outcome);
+  int add_points(const ContactOutcome& outcome);
 
   ResultFile file_;
-  double elements_ = 0; ///< stored so far
+  double elements_ = 0, points_ = 0; ///< stored so far
 };
 
 } // namespace microslip

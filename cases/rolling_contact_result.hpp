@@ -31,6 +31,7 @@ struct ExactResult {
   std::vector<double> gap;              ///< deformed distance of the bodies at the cells of its fields [m]
   GridError grid_error;                 ///< to the grid with half the elements in each direction
   std::optional<AccurateContact> limit; ///< if an accuracy is asked for; `contact` is its finest then
+  std::vector<InteriorState> interior;  ///< at the case's points inside the bodies
   std::optional<CreepCurve> curve;      ///< if it converges for steady rolling
 };
 

@@ -12,6 +12,7 @@ namespace microslip {
 namespace {
 
 constexpr int most_steps = 1000000;
+constexpr std::size_t most_interior_points = 2000000;
 
 BodyInput read_body(const TomlSection& body) {
   body.allow({"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus", "poisson_ratio",
@@ -223,12 +224,23 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   slope.decay = reduction.between("decay", "-", 0, 1e6, slope.decay);
 }
 
+void read_interior(const TomlSection& interior, RollingCase& input) {
+  interior.allow({"x", "y", "z"});
+  InteriorGrid& points = input.interior;
+  points = {interior.numbers("x", "m"), interior.numbers("y", "m"), interior.numbers("z", "m")};
+  interior.at("z", [&] {
+    if (points.x.size() * points.y.size() > most_interior_points / points.z.size())
+      throw Error("[interior]: more than two million points");
+    if (input.theory != Theory::exact) throw Error("[interior]: needs solution.theory = \"exact\"");
+  });
+}
+
 } // namespace
 
 RollingCase parse_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
   const TomlSection root(table, name);
-  root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution"});
+  root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
   RollingCase input;
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));
@@ -239,6 +251,7 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
   read_solution(root.optional_section("solution"), input);
+  if (root.has("interior")) read_interior(root.required_section("interior"), input);
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
     hertz_contact(input);

@@ -4,6 +4,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/exact/interior_grid.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 #include <filesystem>
@@ -42,6 +43,7 @@ struct RollingCase {
   double tolerance = 1e-6;                                      ///< of its residual
   Coupling coupling = Coupling::newton;                         ///< of its problems for bodies of different materials
   SlipStart slip_start = SlipStart::below;                      ///< of its friction that depends on the slip
+  InteriorGrid interior = {};          ///< points inside the bodies, with the exact theory; none: no interior field
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
 

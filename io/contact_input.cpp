@@ -392,7 +392,7 @@ void ContactInputReader::read_extra_slip(ContactCase& c) {
 
 void ContactInputReader::read_points(ContactCase& c) {
   if (c.digits.stress < 2) return;
-  words_.integer("A_s", 0, 2);
+  c.points_matfil = words_.integer("A_s", 0, 2);
   words_.integer("O_s", 0, 6);
   words_.end_record();
   if (c.digits.stress == 3) c.points = microslip::read_points(words_);

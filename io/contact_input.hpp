@@ -101,6 +101,7 @@ struct ContactCase {
   std::vector<double> extra_slip = {};    ///< wx, wy of each element (E = 9)
   int extra = 0;                          ///< E, never 1
   std::optional<ContactHeat> heat = {};   ///< of H = 3 now or before
+  int points_matfil = 0;                  ///< A_s, S = 2 or 3 now or before: 0 no file, 2 all stresses
   std::vector<ContactPoints> points = {}; ///< of the interior field, S = 3 now or before
 };
 

@@ -59,6 +59,7 @@ ContactOutcome ContactRun::solve(const ContactCase& c, Sequence& sequence) {
   outcome.totals = contact_totals(c, outcome.step, outcome.solution);
   if (has_temperatures(c)) outcome.temperature = temperature(c, outcome);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
+  outcome.interior = contact_interior(c, outcome.step, outcome.solution);
   outcome.notes = left_out(c, outcome.step);
   if (outcome.solution.normal.touches_border)
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/contact_input.hpp"
+#include "io/contact_interior.hpp"
 #include "io/contact_totals.hpp"
 #include "microslip/exact/contact_sequence.hpp"
 #include "microslip/exact/surface_temperature.hpp"
@@ -23,6 +24,7 @@ struct ContactOutcome {
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};
   std::optional<SurfaceTemperature> temperature = {}; ///< if asked for, H > 0
+  std::vector<ContactInterior> interior = {};         ///< at the points that are asked for, S > 0
   ContactTotals totals = {};
 };
 

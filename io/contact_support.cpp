@@ -62,7 +62,6 @@ std::vector<std::string> unsupported(const ContactCase& c) {
 std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step) {
   const ContactDigits& d = c.digits;
   std::vector<std::string> notes;
-  if (d.stress > 0) notes.emplace_back("S > 0: the interior field is not computed");
   if (d.heat > 0)
     notes.emplace_back("H > 0: temperatures lie below CONTACT's, which counts the heat of an element itself twice");
   if (d.damping > 0) notes.emplace_back("M2 > 0: damping forces are not computed");

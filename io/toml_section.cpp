@@ -141,6 +141,22 @@ double TomlSection::modulus(std::string_view key) const {
   });
 }
 
+std::vector<double> TomlSection::numbers(std::string_view key, std::string_view unit) const {
+  const auto* node = find(key);
+  if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  const auto* list = node->as_array();
+  if (list == nullptr) wrong_type(key, *node, "a list of numbers");
+  if (list->empty()) throw Error(place(file_, node->source()) + full(key) + ": must have at least one number");
+  std::vector<double> values;
+  for (const auto& element : *list) {
+    if (!element.is_number()) wrong_type(key, element, "a list of numbers");
+    values.push_back(element.is_integer() ? static_cast<double>(element.as_integer()->get())
+                                          : element.as_floating_point()->get());
+    at(key, [&] { require_finite(full(key), values.back(), unit); });
+  }
+  return values;
+}
+
 std::string TomlSection::text(std::string_view key, std::string_view missing) const {
   const auto* node = find(key);
   if (node == nullptr) return std::string(missing);

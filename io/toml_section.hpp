@@ -40,6 +40,8 @@ public:
   double radius(std::string_view key) const;
   /// A modulus of elasticity [Pa]: infinite for a rigid body.
   double modulus(std::string_view key) const;
+  /// A list of finite numbers, at least one.
+  std::vector<double> numbers(std::string_view key, std::string_view unit) const;
   std::string text(std::string_view key, std::string_view missing) const;
   std::string word(std::string_view key, std::string_view missing, std::span<const std::string_view> words) const;
   template <class Option> Option option(std::string_view key, Option missing) const {

@@ -262,6 +262,28 @@ TEST(CaseFile, FaStripTakesWhatItNeeds) {
             "w.toml:20: solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\"");
 }
 
+TEST(CaseFile, ReadsPointsInsideTheBodies) {
+  const auto with_interior = [](const std::string& points, const std::string& theory = "exact") {
+    return with("rolling_speed = 30",
+                "rolling_speed = 30\n[solution]\ntheory = \"" + theory + "\"\n[interior]\n" + points);
+  };
+  const RollingCase input = parse_case(with_interior("x = [-1e-3, 0]\ny = [2e-3]\nz = [1e-3, -1e-3, 2]\n"), "w.toml");
+  EXPECT_EQ(input.interior.x, (std::vector<double>{-1e-3, 0}));
+  EXPECT_EQ(input.interior.z, (std::vector<double>{1e-3, -1e-3, 2}));
+  EXPECT_EQ(input.interior.count(), 6U);
+  EXPECT_EQ(message_of(with_interior("x = [0]\ny = [0]\nz = [1]\n", "fastsim2")),
+            "w.toml:23: [interior]: needs solution.theory = \"exact\"");
+  EXPECT_EQ(message_of(with_interior("x = [0]\ny = [0]\n")), "w.toml:20: [interior]: z is missing");
+  EXPECT_EQ(message_of(with_interior("x = [0, \"1\"]\ny = [0]\nz = [1]\n")),
+            "w.toml:21: interior.x: must be a list of numbers, not text");
+  EXPECT_EQ(message_of(with_interior("x = []\ny = [0]\nz = [1]\n")),
+            "w.toml:21: interior.x: must have at least one number");
+  EXPECT_EQ(message_of(with_interior("x = [0]\ny = [inf]\nz = [1]\n")),
+            "w.toml:22: interior.y = inf [m]: must be finite");
+  EXPECT_EQ(message_of(with_interior("x = [0]\ny = [0]\nzz = [1]\n")),
+            "w.toml:23: interior.zz: unknown key; must be x, y or z");
+}
+
 TEST(CaseFile, NamesWhatIsMissing) {
   EXPECT_EQ(message_of(""), "w.toml: [body1] is missing");
   EXPECT_EQ(message_of(with("[load]\nnormal_force = 80e3\n", "")), "w.toml: [load] is missing");

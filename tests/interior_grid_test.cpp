@@ -1,0 +1,137 @@
+// Points inside the bodies, in grids.
+
+#include "microslip/exact/interior_grid.hpp"
+
+#include "tests/test_cases.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr Material steel = {82e9, 0.28}, brass = {40e9, 0.34};
+
+struct Loaded {
+  ElementGrid grid = {9, 8, -4e-4, -3e-4, 1e-4, 8e-5};
+  std::vector<double> px, py, pn;
+
+  Loaded() {
+    RandomContacts random(3);
+    for (std::size_t k = 0; k < grid.count(); ++k) {
+      pn.push_back(random.between(0, 1e9));
+      px.push_back(random.between(-3e8, 3e8));
+      py.push_back(random.between(-3e8, 3e8));
+    }
+  }
+  SurfaceTractions tractions() const { return {px, py, pn}; }
+};
+
+void expect_near(const InteriorState& a, const InteriorState& b) {
+  EXPECT_NEAR(a.ux, b.ux, 1e-18);
+  EXPECT_NEAR(a.uz, b.uz, 1e-18);
+  EXPECT_NEAR(a.stress.xx, b.stress.xx, 1e-3);
+  EXPECT_NEAR(a.stress.xz, b.stress.xz, 1e-3);
+  EXPECT_NEAR(a.stress.yy, b.stress.yy, 1e-3);
+}
+
+TEST(InteriorGrid, GivesTheFieldOfEachBodyInOrder) {
+  const Loaded load;
+  const InteriorGrid points = {{1e-4, -3.3e-4}, {0, 2e-4, 1.1e-4}, {2e-4, -1e-4, 0}};
+  const auto states = interior_states(steel, brass, load.grid, load.tractions(), points);
+  ASSERT_EQ(states.size(), 18U);
+  EXPECT_EQ(points.count(), 18U);
+  const InteriorField first(steel, Body::first, load.grid, load.tractions());
+  const InteriorField second(brass, Body::second, load.grid, load.tractions());
+  std::size_t k = 0;
+  for (const double z : points.z)
+    for (const double y : points.y)
+      for (const double x : points.x) {
+        EXPECT_EQ(points.x_of(k), x);
+        EXPECT_EQ(points.y_of(k), y);
+        EXPECT_EQ(points.z_of(k), z);
+        expect_near(states[k++], (z < 0 ? second : first).at({x, y, std::abs(z)}));
+      }
+}
+
+/// Many points below centres come from transforms, and must not differ.
+TEST(InteriorGrid, TransformsAndSumsAgree) {
+  const Loaded load;
+  InteriorGrid points = {{}, {}, {1.5e-4, -1e-4}};
+  for (const int i : {8, 0, 3, 4, 5, 6, 7, 1}) points.x.push_back(load.grid.x(i));
+  for (const int j : {2, 3, 5, 7, 0}) points.y.push_back(load.grid.y(j));
+  const auto states = interior_states(steel, brass, load.grid, load.tractions(), points);
+  const InteriorField first(steel, Body::first, load.grid, load.tractions());
+  const InteriorField second(brass, Body::second, load.grid, load.tractions());
+  for (std::size_t k = 0; k < states.size(); ++k)
+    expect_near(states[k], (k < 40 ? first : second).at({points.x_of(k), points.y_of(k), std::abs(points.z_of(k))}));
+}
+
+EllipticContact rolling() {
+  return {.a = 6e-3,
+          .b = 4e-3,
+          .shear_modulus = 82e9,
+          .poisson_ratio = 0.28,
+          .normal_force = 50e3,
+          .friction = FrictionLaw::coulomb(0.3),
+          .creepage = {1e-3, -5e-4, 0.2}};
+}
+
+/// Below a contact the classical and the second order's elements, rolling either way, give the same stresses but for
+/// their discretisation; the mirror of rolling along -x exactly.
+TEST(InteriorGrid, OfARollingContact) {
+  const EllipticContact contact = rolling();
+  const int n = 24;
+  const double dx = 2 * contact.a / n, dy = 2 * contact.b / n;
+  const InteriorGrid points = {{-2e-3, 0, 3e-3}, {-1e-3, 1e-3}, {1e-3, 3e-3, -2e-3}};
+  const auto solve = [&](Discretisation discretisation, RollingDirection direction, const EllipticContact& c) {
+    EllipticContactSolver solver({.mx = n, .my = n, .discretisation = discretisation, .direction = direction});
+    InteriorGrid at = points;
+    if (direction == RollingDirection::backward)
+      for (double& x : at.x) x = -x;
+    return interior_states(steel, steel, solver.solve(c), dx, dy, at);
+  };
+  EllipticContact mirror = contact;
+  mirror.creepage.longitudinal *= -1;
+  mirror.creepage.spin *= -1;
+  const double p0 = 1.5 * contact.normal_force / ellipse_area(contact);
+  const auto classical = solve(Discretisation::classical, RollingDirection::forward, contact);
+  for (const auto discretisation : {Discretisation::classical, Discretisation::second_order}) {
+    const auto forward = solve(discretisation, RollingDirection::forward, contact);
+    const auto backward = solve(discretisation, RollingDirection::backward, mirror);
+    for (std::size_t k = 0; k < forward.size(); ++k) {
+      EXPECT_NEAR(forward[k].stress.xx, classical[k].stress.xx, 0.01 * p0);
+      EXPECT_NEAR(forward[k].stress.xz, classical[k].stress.xz, 0.01 * p0);
+      EXPECT_NEAR(forward[k].stress.zz, classical[k].stress.zz, 0.01 * p0);
+      EXPECT_NEAR(backward[k].stress.xx, forward[k].stress.xx, 1e-4 * p0);
+      EXPECT_NEAR(backward[k].stress.xz, -forward[k].stress.xz, 1e-4 * p0);
+      EXPECT_NEAR(backward[k].stress.yz, forward[k].stress.yz, 1e-4 * p0);
+    }
+  }
+}
+
+/// On the axis of Hertz's circle, nu = .28: the largest von Mises stress is .62 p0 at .48 a.
+TEST(InteriorGrid, ExtremesBelowAHertzianContact) {
+  EllipticContact contact = rolling();
+  contact.b = contact.a;
+  contact.creepage = {};
+  EllipticContactSolver solver({.mx = 32, .my = 32});
+  InteriorGrid points = {{0}, {0}, {}};
+  for (int k = 0; k <= 60; ++k) points.z.push_back((0.2 + k * 0.01) * contact.a);
+  const double d = 2 * contact.a / 32, p0 = 1.5 * contact.normal_force / ellipse_area(contact);
+  const auto extremes = interior_extremes(interior_states(steel, steel, solver.solve(contact), d, d, points));
+  ASSERT_EQ(extremes.size(), 8U);
+  EXPECT_EQ(extremes[1].name, "von_mises");
+  EXPECT_NEAR(extremes[1].value / p0, 0.626, 0.006);
+  EXPECT_NEAR(points.z_of(extremes[1].point) / contact.a, 0.475, 0.02);
+  EXPECT_NEAR(extremes[2].value, extremes[1].value, 1e-6 * p0); // two principal stresses are equal
+  EXPECT_EQ(extremes[7].name, "sigma_zz");
+  EXPECT_EQ(extremes[7].point, 0U);
+  EXPECT_NEAR(extremes[7].value / p0, -1 / 1.04, 0.01); // -1/(1 + (z/a)^2)
+  EXPECT_TRUE(interior_extremes({}).empty());
+}
+
+} // namespace
+} // namespace microslip
