@@ -144,7 +144,7 @@ public:
   /// Unknowns and slip to begin with.
   void start(const FrictionNewton::Start& from, std::span<double> unknowns, std::span<double> slip) {
     std::fill(unknowns.begin(), unknowns.end(), 0.0);
-    for (std::size_t f = 0; f < forces_.size(); ++f) use_growth(f, from.growth[forces_[f]]);
+    use_growth(from.growth);
     for (std::size_t k = 0; k < n_ && !from.px.empty(); ++k) {
       unknowns[k] = from.px[elements_[k]];
       unknowns[n_ + k] = from.py[elements_[k]];
@@ -156,16 +156,10 @@ public:
     if (!from.constants) choose_constants(unknowns, slip);
   }
 
-  /// Lets the tractions follow the constants: a step in a constant takes with it what the tractions grow by then, so
-  /// that the slip hardly changes. Turns a vector of independent steps into unknowns.
-  void follow_constants(std::span<double> unknowns) const {
-    for (std::size_t f = 0; f < forces_.size(); ++f) {
-      const double constant = unit_[f] * unknowns[2 * n_ + f];
-      for (std::size_t k = 0; k < n_ && !growth_[f].px.empty(); ++k) {
-        unknowns[k] += constant * growth_[f].px[elements_[k]];
-        unknowns[n_ + k] += constant * growth_[f].py[elements_[k]];
-      }
-    }
+  /// The linear systems' right preconditioner: turns a vector that GMRES works with into unknowns.
+  void precondition(std::span<double> unknowns) {
+    if (problem_.preconditioner) follow_waves(unknowns);
+    follow_constants(unknowns);
   }
 
   /// The values of two fields at the elements in contact as one vector, and back.
@@ -196,13 +190,83 @@ public:
   }
 
 private:
-  /// Also makes a unit of the constant one that changes its force's equation by one.
-  void use_growth(std::size_t f, const FrictionNewton::Tractions& growth) {
-    growth_[f] = growth;
-    const std::span<const double> along = forces_[f] == 0 ? growth.px : growth.py;
+  /// The part of a change of an element's traction that slip can bring about: all of it in adhesion, alpha times what
+  /// is across the traction in slip.
+  Vec2 free_part(std::size_t k, Vec2 change) const {
+    if (!state_[k]) return change;
+    const double across = alpha_[k] * (normal_x_[k] * change.y - normal_y_[k] * change.x);
+    return {-across * normal_y_[k], across * normal_x_[k]};
+  }
+
+  void follow_waves(std::span<double> unknowns) {
+    for (std::size_t k = 0; k < n_; ++k) {
+      const Vec2 p = free_part(k, {unknowns[k], unknowns[n_ + k]});
+      wide_px_[elements_[k]] = p.x;
+      wide_py_[elements_[k]] = p.y;
+    }
+    problem_.preconditioner->apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      const Vec2 q = free_part(k, {wide_sx_[elements_[k]], wide_sy_[elements_[k]]});
+      unknowns[k] += q.x;
+      unknowns[n_ + k] += q.y;
+    }
+  }
+
+  /// Replaces the unknown constants by what the equations of the forces want: with the tractions that grow with the
+  /// constants, the tractions then have these forces, and their slip hardly changes.
+  void follow_constants(std::span<double> unknowns) const {
+    if (!growth_is_known_) return;
+    const auto lack = [&](std::size_t i) {
+      return unknowns[2 * n_ + i] - mean_force(i, unknowns.first(n_), unknowns.subspan(n_, n_));
+    };
+    const auto& m = force_growth_;
+    std::array<double, 2> constants = {};
+    if (forces_.size() == 1) {
+      constants[0] = lack(0) / m[0][0];
+    } else {
+      const double x = lack(0), y = lack(1), determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+      constants = {(m[1][1] * x - m[0][1] * y) / determinant, (m[0][0] * y - m[1][0] * x) / determinant};
+    }
+    for (std::size_t f = 0; f < forces_.size(); ++f) {
+      unknowns[2 * n_ + f] = constants[f];
+      const double constant = unit_[f] * constants[f];
+      for (std::size_t k = 0; k < n_; ++k) {
+        unknowns[k] += constant * growth_[f].px[elements_[k]];
+        unknowns[n_ + k] += constant * growth_[f].py[elements_[k]];
+      }
+    }
+  }
+
+  /// What tractions contribute to the equation of force i.
+  double mean_force(std::size_t i, std::span<const double> px, std::span<const double> py) const {
+    const std::span<const double> along = forces_[i] == 0 ? px : py;
     double sum = 0;
-    for (std::size_t k = 0; k < n_ && !along.empty(); ++k) sum += area(k) * along[elements_[k]];
-    if (sum != 0) unit_[f] = std::sqrt(double(n_)) / std::abs(sum);
+    for (std::size_t k = 0; k < n_; ++k) sum += area(k) * along[k];
+    return sum / std::sqrt(double(n_));
+  }
+
+  /// Also makes a unit of each constant one that changes its force's equation by one.
+  void use_growth(const std::array<FrictionNewton::Tractions, 2>& growth) {
+    constexpr double least_determinant = 0.1; // else one constant does what the other does
+    growth_is_known_ = !forces_.empty() && n_ > 0;
+    for (std::size_t f = 0; f < forces_.size() && growth_is_known_; ++f) {
+      growth_[f] = growth[forces_[f]];
+      growth_is_known_ = !growth_[f].px.empty();
+    }
+    if (!growth_is_known_) return;
+    Field px(n_), py(n_);
+    std::array<double, 2> unit = {};
+    for (std::size_t f = 0; f < forces_.size(); ++f) {
+      for (std::size_t k = 0; k < n_; ++k) px[k] = growth_[f].px[elements_[k]], py[k] = growth_[f].py[elements_[k]];
+      const double own = mean_force(f, px, py);
+      unit[f] = 1 / std::abs(own);
+      for (std::size_t i = 0; i < forces_.size(); ++i) force_growth_[i][f] = unit[f] * mean_force(i, px, py);
+      growth_is_known_ = growth_is_known_ && own != 0;
+    }
+    const auto& m = force_growth_;
+    if (forces_.size() == 2 && !(std::abs(m[0][0] * m[1][1] - m[0][1] * m[1][0]) > least_determinant))
+      growth_is_known_ = false;
+    if (growth_is_known_) unit_ = unit;
   }
 
   double share(std::size_t k) const {
@@ -216,8 +280,10 @@ private:
   std::array<double, 2> unit_ = {}; ///< of the unknown constants
   std::size_t n_ = 0;
   std::vector<std::size_t> elements_;
-  std::vector<std::size_t> forces_;                      ///< directions in which the force is given
-  std::array<FrictionNewton::Tractions, 2> growth_ = {}; ///< with each of them
+  std::vector<std::size_t> forces_;                        ///< directions in which the force is given
+  std::array<FrictionNewton::Tractions, 2> growth_ = {};   ///< with the constant of each of them
+  bool growth_is_known_ = false;                           ///< for all of them
+  std::array<std::array<double, 2>, 2> force_growth_ = {}; ///< of each force's equation with each constant
   Field g_, normal_x_, normal_y_, alpha_;
   std::vector<char> state_; ///< 1 in slip
   Field wide_px_, wide_py_, wide_sx_, wide_sy_;
@@ -246,14 +312,14 @@ double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options
     const double damping = most_damping * at.mean_alpha() * std::min(1.0, norm / at.scale());
     const auto product = [&](std::span<const double> v, std::span<double> out) {
       std::copy(v.begin(), v.end(), change.begin());
-      at.follow_constants(change);
+      at.precondition(change);
       at.slip_growth(change, step_slip);
       at.derivative(change, step_slip, damping, out);
     };
     const double least = std::min(0.8 * goal / norm, roughest);
     const double linear_norm =
         gmres.solve(product, right, step, std::clamp(misfit, least, roughest), options.most_inner).residual;
-    at.follow_constants(step);
+    at.precondition(step);
     at.slip_growth(step, step_slip);
 
     double length = 1, trial_norm = norm;
@@ -319,24 +385,27 @@ FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& prob
   const long products_before = problem.response.products();
   Iterate at(problem, 1 / problem.response.diagonal());
   const std::size_t n = at.size();
-  Field x(n), slip(n), right(n), zero(n), step(n), growth(n);
+  Field x(n), slip(n), right(n), zero(n), step(n), change(n), growth(n);
   at.start({.px = solution.px, .py = solution.py}, x, slip);
   at.linearise(x, slip);
   at.gather(dcx, dcy, slip);
   at.derivative(zero, slip, 0, right);
   for (double& value : right) value = -value;
   const auto product = [&](std::span<const double> v, std::span<double> out) {
-    at.slip_growth(v, growth);
-    at.derivative(v, growth, 0, out);
+    std::copy(v.begin(), v.end(), change.begin());
+    at.precondition(change);
+    at.slip_growth(change, growth);
+    at.derivative(change, growth, 0, out);
   };
   gmres_.solve(product, right, step, tolerance, most);
+  at.precondition(step);
   at.slip_growth(step, growth);
   for (std::size_t k = 0; k < n; ++k) growth[k] += slip[k];
-  Change change;
-  at.scatter(step, change.px, change.py);
-  at.scatter(growth, change.sx, change.sy);
-  change.products = problem.response.products() - products_before;
-  return change;
+  Change out;
+  at.scatter(step, out.px, out.py);
+  at.scatter(growth, out.sx, out.sy);
+  out.products = problem.response.products() - products_before;
+  return out;
 }
 
 } // namespace microslip

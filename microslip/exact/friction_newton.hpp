@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/exact/rolling_preconditioner.hpp"
 #include "microslip/exact/surface_response.hpp"
 #include "microslip/numerics/gmres.hpp"
 #include "microslip/progress.hpp"
@@ -23,6 +24,7 @@ struct FrictionProblem {
   std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known but for a constant ...
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
   std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
+  RollingPreconditioner* preconditioner = nullptr;  ///< for D
 };
 
 struct FrictionSolution {
@@ -59,8 +61,9 @@ public:
   struct Start {
     std::span<const double> px = {}, py = {}; ///< tractions [Pa]; empty: zero
     std::optional<Vec2> constants = {};       ///< the unknown ones; none: where the mean slip is zero
-    /// Roughly by how much the tractions grow with a unit of each constant; empty: unknown. The better, the fewer
-    /// products it takes to solve with forces given.
+    /// Roughly by how much the tractions grow with a unit of each constant; empty: unknown. If known for all unknown
+    /// constants, the linear systems are solved among tractions that have the forces wanted; the better, the fewer
+    /// products it takes.
     std::array<Tractions, 2> growth = {};
   };
 

@@ -22,7 +22,7 @@ Progress part(const Progress& whole, double from, double to) {
 using Field = std::vector<double>;
 
 SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedContact contact)
-    : contact_(std::move(contact)), response_(material, contact_) {
+    : contact_(std::move(contact)), response_(material, contact_), preconditioner_(contact_) {
   for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
 }
 
@@ -82,7 +82,8 @@ FrictionProblem SecondOrderRolling::problem(std::span<const double> bound, std::
           .cx = cx,
           .cy = cy,
           .element_area = contact_.grid.element_area(),
-          .area_share = area_share_};
+          .area_share = area_share_,
+          .preconditioner = &preconditioner_};
 }
 
 /// The plain problem and the corrected one.

@@ -65,6 +65,7 @@ private:
 
   FittedContact contact_;
   FittedResponse response_;
+  RollingPreconditioner preconditioner_;
   FrictionNewton newton_;
   std::vector<double> area_share_;
 };
