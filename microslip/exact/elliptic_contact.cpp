@@ -353,6 +353,7 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const 
 }
 
 std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion) {
+  if (needs_sequence(contact)) return solve_sequence(contact, motion, {}).gap;
   std::vector<double> gap;
   if (is_second_order(contact, motion)) {
     prepare_second_order(contact);

@@ -126,21 +126,38 @@ void bind_solver(py::module_& module) {
   const auto none = py::none();
   py::class_<Solver>(
       module, "EllipticContactSolver",
-      "Hertzian contacts by the exact theory of half-spaces, for elastically similar bodies with Coulomb friction: "
-      "normal and\n"
+      "Hertzian contacts by the exact theory of half-spaces: normal and\n"
       "tangential problem on mx x my elements across the ellipse. Influence coefficients are kept for the next contact "
       "with the\n"
       "same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.")
-      .def(py::init([](int mx, int my, Discretisation discretisation, RollingDirection direction, double tolerance) {
-             return std::make_unique<Solver>(ExactOptions{mx, my, discretisation, direction, tolerance});
+      .def(py::init([](int mx, int my, Discretisation discretisation, RollingDirection direction, double tolerance,
+                       ElementShape elements, std::optional<CombinedMaterial> material, Coupling coupling,
+                       double memory_distance, double memory_speed, SlipStart slip_start) {
+             ExactOptions options{.mx = mx, .my = my, .discretisation = discretisation};
+             options.elements = elements;
+             options.direction = direction;
+             options.tolerance = tolerance;
+             if (material) options.bodies = *material;
+             options.coupling = coupling;
+             options.friction_memory = {memory_distance, memory_speed};
+             options.slip_start = slip_start;
+             return std::make_unique<Solver>(options);
            }),
            "mx"_a = 24, "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,
-           "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6,
+           "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6, "elements"_a = ElementShape::constant,
+           "material"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
+           "slip_start"_a = SlipStart::below,
            "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or "
            "'classical'\n"
            "(Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or "
            "'backward'; tolerance of\n"
-           "the relative residual [-]. Error if an option is out of range or the grid needs more memory than the "
+           "the relative residual [-]. elements 'constant' or, classical, 'bilinear'. material: CombinedMaterial of bodies of "
+           "different\n"
+           "materials (classical; coupling 'newton' or 'alternating'); None: similar ones, with the contact's G and nu. Friction "
+           "that falls\n"
+           "with the slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of several "
+           "solutions\n"
+           "slip_start picks that from 'below' or 'above'. Error if an option is out of range or the grid needs more memory than the "
            "machine has.")
       .def("solve", &solve, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = none,
            "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,
@@ -148,8 +165,7 @@ void bind_solver(py::module_& module) {
            "elements' length)\n"
            "from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on "
            "body 1 take the\n"
-           "place of the creepage in that direction. Returns ExactContact; input out of range, and another law than "
-           "Coulomb's, gives\n"
+           "place of the creepage in that direction. Returns ExactContact; input out of range gives\n"
            "Status.invalid_input and NaN. Cost O(N log N) in the number of elements, 2 ms at 24 x 24.")
       .def(
           "differentiate",

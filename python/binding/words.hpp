@@ -14,6 +14,9 @@ template <> inline constexpr const char* field_of<CreepageTable> = "coefficients
 template <> inline constexpr const char* field_of<RollingDirection> = "direction";
 template <> inline constexpr const char* field_of<ContactMotion> = "motion";
 template <> inline constexpr const char* field_of<Discretisation> = "discretisation";
+template <> inline constexpr const char* field_of<ElementShape> = "elements";
+template <> inline constexpr const char* field_of<Coupling> = "coupling";
+template <> inline constexpr const char* field_of<SlipStart> = "slip_start";
 template <> inline constexpr const char* field_of<Theory> = "theory";
 
 /// Options are words in Python, those of the case files.
@@ -47,6 +50,9 @@ template <>
 class type_caster<microslip::ContactMotion> : public microslip::python::WordCaster<microslip::ContactMotion> {};
 template <>
 class type_caster<microslip::Discretisation> : public microslip::python::WordCaster<microslip::Discretisation> {};
+template <> class type_caster<microslip::ElementShape> : public microslip::python::WordCaster<microslip::ElementShape> {};
+template <> class type_caster<microslip::Coupling> : public microslip::python::WordCaster<microslip::Coupling> {};
+template <> class type_caster<microslip::SlipStart> : public microslip::python::WordCaster<microslip::SlipStart> {};
 template <> class type_caster<microslip::Theory> : public microslip::python::WordCaster<microslip::Theory> {};
 
 } // namespace pybind11::detail
