@@ -142,7 +142,7 @@ TEST(NormalProblem, HertzFromApproachIsOfSecondOrder) {
 
 TEST(NormalProblem, HertzTakesFewProductsAtAnySize) {
   for (const double ratio : {0.2, 1.0, 5.0})
-    for (const int n : {12, 24, 48, 67, 95, 101, 137, 201})
+    for (const int n : {12, 24, 48, 101, 201})
       for (const auto given : {NormalLoad::Given::force, NormalLoad::Given::approach}) {
         const NormalSolution s = solve_hertz(ratio, n, given).solution;
         EXPECT_EQ(s.status, Status::ok);
