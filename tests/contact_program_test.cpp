@@ -2,7 +2,7 @@
 
 #include "tests/contact_input_cases.hpp"
 #include "tests/hdf5_reader.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -30,29 +30,9 @@ namespace fs = std::filesystem;
 
 const std::string example = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
 
-std::string contents(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-void save(const fs::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-struct Outcome {
-  int exit_code;
-  std::string output, errors;
-};
-
 /// Runs `microslip run` in a folder.
 Outcome run(const TemporaryFolder& folder, const std::string& arguments) {
-  const TemporaryFolder streams;
-  const auto output = streams / "output", errors = streams / "errors";
-  const std::string command = "cd '" + folder.path().string() + "' && exec '" + MICROSLIP_PROGRAM + "' run " +
-                              arguments + " >'" + output.string() + "' 2>'" + errors.string() + "'";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(output), contents(errors)};
+  return run_program(folder, "run " + arguments);
 }
 
 /// Steady rolling with growing creepages, all but the first case keeping what the first has given.

@@ -22,17 +22,6 @@ GaussSeidelSolution sweep(const FrictionCase& c, const GaussSeidelOptions& optio
   return solve_convex_gauss_seidel(c.problem(response, free), kernel, options);
 }
 
-PlaneFields slip(const FrictionCase& c, const FrictionSolution& s) {
-  PlaneFields slip{Field(c.bound.size()), Field(c.bound.size())};
-  const PlaneFields free = c.free_slip();
-  c.response().apply(s.px, s.py, slip.x, slip.y);
-  for (std::size_t k = 0; k < c.bound.size(); ++k) {
-    slip.x[k] += free.x[k] + s.constant_x;
-    slip.y[k] += free.y[k] + s.constant_y;
-  }
-  return slip;
-}
-
 /// The other algorithm, other sums, another way to the forces: the same solution.
 TEST(ConvexGaussSeidel, FindsWhatNewtonFinds) {
   for (const FrictionCase& c : friction_cases(9)) {
@@ -43,16 +32,7 @@ TEST(ConvexGaussSeidel, FindsWhatNewtonFinds) {
     const PlaneFields w = slip(c, s);
     expect_friction_conditions({c.bound, s.px, s.py, w.x, w.y, c.kernel().diagonal()}, s.sliding, 1e-8);
 
-    const TangentialSolution newton = c.by_newton();
-    ASSERT_EQ(newton.forces.status, Status::ok) << newton.residual;
-    const double most = *std::max_element(c.bound.begin(), c.bound.end());
-    for (std::size_t k = 0; k < c.bound.size(); ++k) {
-      ASSERT_NEAR(s.px[k], newton.tractions.px[k], 1e-6 * most);
-      ASSERT_NEAR(s.py[k], newton.tractions.py[k], 1e-6 * most);
-    }
-    const double unit = 1e-6 * most * c.kernel().diagonal();
-    EXPECT_NEAR(s.constant_x, c.input.force_x ? newton.creepage.longitudinal : 0, unit);
-    EXPECT_NEAR(s.constant_y, c.input.force_y ? newton.creepage.lateral : 0, unit);
+    expect_newtons(c, s);
   }
 }
 

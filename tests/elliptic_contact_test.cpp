@@ -2,7 +2,7 @@
 
 #include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "test_cases.hpp"
+#include "steel_contact.hpp"
 
 #include <cmath>
 #include <limits>
@@ -17,20 +17,6 @@ namespace {
 constexpr Discretisation both_discretisations[] = {Discretisation::second_order, Discretisation::classical};
 constexpr RollingDirection both_directions[] = {RollingDirection::forward, RollingDirection::backward};
 
-/// Steel under 82 kN with creepages in parts of those of saturation.
-EllipticContact steel_contact(double a, double b, double longitudinal, double lateral, double spin) {
-  EllipticContact contact;
-  contact.a = a;
-  contact.b = b;
-  contact.shear_modulus = 82e9;
-  contact.poisson_ratio = 0.28;
-  contact.normal_force = 82e3;
-  contact.friction = FrictionLaw::coulomb(0.3);
-  contact.rolling_speed = 20;
-  const Creepage unit = saturating_creepage(contact);
-  contact.creepage = {longitudinal * unit.longitudinal, lateral * unit.lateral, spin * unit.spin};
-  return contact;
-}
 EllipticContact mixed() {
   return steel_contact(9e-3, 6e-3, 0.4, -0.5, 0.3);
 }

@@ -5,6 +5,9 @@
 #include "microslip/exact/offset_kernel.hpp"
 #include "microslip/exact/tangential_problem.hpp"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -166,6 +169,32 @@ inline std::vector<FrictionCase> friction_cases(int across) {
   held.input.force_y = 0;
   for (FrictionCase& c : cases) c.input.previous = c.before.get();
   return cases;
+}
+
+/// c + D p of a solution, with the constants found.
+inline PlaneFields slip(const FrictionCase& c, const FrictionSolution& s) {
+  PlaneFields slip{Field(c.bound.size()), Field(c.bound.size())};
+  const PlaneFields free = c.free_slip();
+  c.response().apply(s.px, s.py, slip.x, slip.y);
+  for (std::size_t k = 0; k < c.bound.size(); ++k) {
+    slip.x[k] += free.x[k] + s.constant_x;
+    slip.y[k] += free.y[k] + s.constant_y;
+  }
+  return slip;
+}
+
+/// That another algorithm finds the solution of Newton's method.
+inline void expect_newtons(const FrictionCase& c, const FrictionSolution& s) {
+  const TangentialSolution newton = c.by_newton();
+  ASSERT_EQ(newton.forces.status, Status::ok) << newton.residual;
+  const double most = *std::max_element(c.bound.begin(), c.bound.end());
+  for (std::size_t k = 0; k < c.bound.size(); ++k) {
+    ASSERT_NEAR(s.px[k], newton.tractions.px[k], 1e-6 * most);
+    ASSERT_NEAR(s.py[k], newton.tractions.py[k], 1e-6 * most);
+  }
+  const double unit = 1e-6 * most * c.kernel().diagonal();
+  EXPECT_NEAR(s.constant_x, c.input.force_x ? newton.creepage.longitudinal : 0, unit);
+  EXPECT_NEAR(s.constant_y, c.input.force_y ? newton.creepage.lateral : 0, unit);
 }
 
 } // namespace microslip

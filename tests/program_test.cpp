@@ -5,7 +5,7 @@
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/version.hpp"
 #include "tests/hdf5_reader.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -32,31 +32,6 @@ using Names = std::vector<std::string>;
 const std::string example = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
 const std::string example_table = MICROSLIP_SOURCE_DIR "/examples/contacts.csv";
 const std::string header = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
-
-std::string contents(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-void save(const fs::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-struct Outcome {
-  int exit_code;
-  std::string output, errors;
-};
-
-/// Runs the program in a folder; `before` is what the shell does first.
-Outcome run(const TemporaryFolder& folder, const std::string& arguments, const std::string& before = "true") {
-  const TemporaryFolder streams;
-  const auto output = streams / "output", errors = streams / "errors";
-  std::string command = "cd '" + folder.path().string() + "' && " + before + " && exec '" + MICROSLIP_PROGRAM + "' ";
-  command += arguments + " >'" + output.string() + "' 2>'" + errors.string() + "'";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(output), contents(errors)};
-}
 
 /// The lines of a table of results, without the header, split at commas.
 std::vector<Names> rows_of(const fs::path& path) {
@@ -86,7 +61,7 @@ EllipticContact contact_of(const Names& row) {
 /// Expects a refusal that leaves the folder as it is.
 void expect_refused(const TemporaryFolder& folder, const std::string& arguments, const std::string& message) {
   const auto before = folder.entries();
-  const auto outcome = run(folder, arguments);
+  const auto outcome = run_program(folder, arguments);
   EXPECT_EQ(outcome.exit_code, 2) << arguments;
   EXPECT_EQ(outcome.errors.rfind("microslip: ", 0), 0u) << outcome.errors;
   EXPECT_NE(outcome.errors.find(message), std::string::npos) << arguments << "\n" << outcome.errors;
@@ -95,7 +70,7 @@ void expect_refused(const TemporaryFolder& folder, const std::string& arguments,
 
 TEST(Program, SolvesTheExample) {
   const TemporaryFolder folder;
-  const auto outcome = run(folder, "solve " + example + " --no-pictures");
+  const auto outcome = run_program(folder, "solve " + example + " --no-pictures");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   for (const auto* text : {"normal force ",
@@ -125,7 +100,7 @@ TEST(Program, SolvesTheExample) {
 
 TEST(Program, WritesWhatTheLibraryComputes) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
   const auto input = parse_case(read_case_text(example), example);
   const auto hertz = hertz_contact(input);
   const auto expected = Fastsim2(input.options).fields(elliptic_contact(input, hertz));
@@ -161,7 +136,7 @@ TEST(Program, WritesWhatTheLibraryComputes) {
 
 TEST(Program, CreepCurvePassesThroughTheCase) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
   const Hdf5Reader reader(folder / "out/result.h5");
   EXPECT_EQ(reader.attribute("creep_curve", "variable"), "creepage_longitudinal");
   const auto point = reader.values<double>("inputs/creepage_longitudinal", H5T_NATIVE_DOUBLE).at(0);
@@ -189,7 +164,7 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
     const auto begin = text.find("[motion]"), end = text.find("[solution]");
     text.replace(begin, end - begin, "[motion]\n" + motion + "\n");
     save(folder / "c.toml", text);
-    return run(folder, "solve c.toml -o out --no-pictures");
+    return run_program(folder, "solve c.toml -o out --no-pictures");
   };
   ASSERT_EQ(solve("kind = \"shift\"\nforce_longitudinal = -12e3\nshift_lateral = 1e-6\nrotation = 1e-5").exit_code, 0);
   {
@@ -217,7 +192,7 @@ TEST(Program, SolvesEveryExampleWithPictures) {
   const TemporaryFolder folder;
   for (const auto* name : {"wheel_on_rail", "two_rollers", "starting_to_roll"}) {
     const auto file = MICROSLIP_SOURCE_DIR "/examples/" + std::string(name) + ".toml";
-    const auto outcome = run(folder, "solve " + file + " -o " + name);
+    const auto outcome = run_program(folder, "solve " + file + " -o " + name);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "");
     const bool transient = name == std::string("starting_to_roll");
@@ -246,7 +221,7 @@ TEST(Program, PlotDrawsWhatIsAskedFor) {
 
 TEST(Program, WarnsWithoutPythonAndKeepsTheResult) {
   const TemporaryFolder folder;
-  const auto outcome = run(folder, "solve " + example + " -o out", "export MICROSLIP_PYTHON=/none");
+  const auto outcome = run_program(folder, "solve " + example + " -o out", "export MICROSLIP_PYTHON=/none");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors.rfind("microslip: warning: pictures are missing: /none cannot be started", 0), 0u);
   EXPECT_NE(outcome.errors.find("install python3-h5py"), std::string::npos);
@@ -256,13 +231,13 @@ TEST(Program, WarnsWithoutPythonAndKeepsTheResult) {
 
 TEST(Program, InitWritesTheExampleOnce) {
   const TemporaryFolder folder;
-  EXPECT_EQ(run(folder, "init").output, "case.toml\n");
+  EXPECT_EQ(run_program(folder, "init").output, "case.toml\n");
   EXPECT_EQ(contents(folder / "case.toml"), contents(example));
-  EXPECT_EQ(run(folder, "solve case.toml --no-pictures").exit_code, 0);
+  EXPECT_EQ(run_program(folder, "solve case.toml --no-pictures").exit_code, 0);
   save(folder / "case.toml", "mine");
   expect_refused(folder, "init", "case.toml: is there already");
   EXPECT_EQ(contents(folder / "case.toml"), "mine");
-  EXPECT_EQ(run(folder, "init case.toml --force").exit_code, 0);
+  EXPECT_EQ(run_program(folder, "init case.toml --force").exit_code, 0);
   EXPECT_EQ(contents(folder / "case.toml"), contents(example));
   expect_refused(folder, "init case.toml/x", "cannot be written");
   expect_refused(folder, "init /proc/x", "cannot be written");
@@ -270,10 +245,10 @@ TEST(Program, InitWritesTheExampleOnce) {
 
 TEST(Program, HertzAgreesWithTheCaseFile) {
   const TemporaryFolder folder;
-  const auto by_case = run(folder, "hertz " + example);
+  const auto by_case = run_program(folder, "hertz " + example);
   const auto by_options =
-      run(folder, "hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 --young-modulus 210e9 "
-                  "--poisson-ratio 0.28 --normal-force 80e3");
+      run_program(folder, "hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 --young-modulus 210e9 "
+                          "--poisson-ratio 0.28 --normal-force 80e3");
   EXPECT_EQ(by_case.exit_code, 0) << by_case.errors;
   EXPECT_EQ(by_case.output, by_options.output);
   EXPECT_NE(by_case.output.find(" MPa\n"), std::string::npos);
@@ -303,10 +278,10 @@ TEST(Program, HertzRefusesBadOptions) {
 
 TEST(Program, BatchGivesWhatTheLibraryComputes) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run(folder, "batch " + example_table + " -o out.csv").exit_code, 0);
-  ASSERT_EQ(run(folder, "batch " + example_table +
-                            " -o first.csv --theory fastsim --grid 7x5 --bound elliptic "
-                            "--flexibility blended")
+  ASSERT_EQ(run_program(folder, "batch " + example_table + " -o out.csv").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "batch " + example_table +
+                                    " -o first.csv --theory fastsim --grid 7x5 --bound elliptic "
+                                    "--flexibility blended")
                 .exit_code,
             0);
   ASSERT_EQ(run(folder, "batch " + example_table + " -o strips.csv --theory fastrip --grid 7x5").exit_code, 0);
@@ -340,9 +315,9 @@ TEST(Program, BatchDoesNotDependOnThreads) {
     table += "0.006,0.005,82e9,0.28,0.3,8" + step + ",0.000" + step + ",-0.0003,0." + step + "\n";
   }
   save(folder / "in.csv", table);
-  ASSERT_EQ(run(folder, "batch in.csv -o 1.csv --grid 3x3 --threads 1").exit_code, 0);
-  ASSERT_EQ(run(folder, "batch in.csv -o 5.csv --grid 3x3 --threads 5").exit_code, 0);
-  const auto streamed = run(folder, "batch /dev/stdin -o /dev/stdout --grid 3x3 < in.csv");
+  ASSERT_EQ(run_program(folder, "batch in.csv -o 1.csv --grid 3x3 --threads 1").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "batch in.csv -o 5.csv --grid 3x3 --threads 5").exit_code, 0);
+  const auto streamed = run_program(folder, "batch /dev/stdin -o /dev/stdout --grid 3x3 < in.csv");
   EXPECT_EQ(streamed.output, contents(folder / "1.csv"));
   EXPECT_EQ(rows_of(folder / "1.csv").size(), 20000u);
   EXPECT_EQ(contents(folder / "1.csv"), contents(folder / "5.csv"));
@@ -358,7 +333,7 @@ TEST(Program, BatchSolvesExtremeContacts) {
   save(folder / "in.csv", table);
   for (const auto* options : {"--grid 10x10", "--grid 1x1", "--grid 10000x1", "--grid 1x10000", "--theory fastsim",
                               "--flexibility one", "--flexibility blended", "--bound elliptic"}) {
-    const auto outcome = run(folder, "batch in.csv -o out.csv " + std::string(options));
+    const auto outcome = run_program(folder, "batch in.csv -o out.csv " + std::string(options));
     EXPECT_EQ(outcome.exit_code, 0) << options << outcome.errors;
     for (const auto& row : rows_of(folder / "out.csv")) {
       const auto contact = contact_of(row);
@@ -380,7 +355,7 @@ TEST(Program, BatchSolvesExtremeContacts) {
 TEST(Program, BatchFollowsLinearTheoryAtVanishingCreepage) {
   const TemporaryFolder folder;
   save(folder / "in.csv", header + "0.005,0.004,82e9,0.28,0.3,80e3,1e-12,0,0\n");
-  ASSERT_EQ(run(folder, "batch in.csv -o out.csv --grid 400x400").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "batch in.csv -o out.csv --grid 400x400").exit_code, 0);
   const auto linear = -82e9 * 0.005 * 0.004 * creepage_coefficients(1.25, 0.28).c11 * 1e-12;
   EXPECT_NEAR(std::stod(rows_of(folder / "out.csv").at(0).at(9)), linear, std::abs(linear) * 1e-4);
 }
@@ -394,10 +369,10 @@ TEST(Program, BatchByTheExactTheory) {
   rows += "1e200,1e200,82e9,0.28,0.3,80e3,0.001,0,0\n"; // does not stop the others
   rows += "0.006,0.005,82e9,0.28,0,80e3,0.001,0,0\n";
   save(folder / "in.csv", rows);
-  const auto one = run(folder, "batch in.csv -o one.csv --theory exact --grid 8x12 --threads 1");
+  const auto one = run_program(folder, "batch in.csv -o one.csv --theory exact --grid 8x12 --threads 1");
   EXPECT_EQ(one.exit_code, 1);
   EXPECT_EQ(one.errors, "microslip: warning: one.csv: 1 of 12 contacts are not solved, see their status\n");
-  EXPECT_EQ(run(folder, "batch in.csv -o two.csv --theory exact --grid 8x12 --threads 2").exit_code, 1);
+  EXPECT_EQ(run_program(folder, "batch in.csv -o two.csv --theory exact --grid 8x12 --threads 2").exit_code, 1);
   EXPECT_EQ(contents(folder / "one.csv"), contents(folder / "two.csv"));
   EXPECT_NE(contents(folder / "one.csv").find("slip_area,status,residual,iterations\n"), std::string::npos);
 
@@ -415,14 +390,14 @@ TEST(Program, BatchByTheExactTheory) {
     EXPECT_LE(expected.residual, 1e-6);
     EXPECT_EQ(row.at(16), std::to_string(expected.newton_steps));
   }
-  EXPECT_NE(run(folder, "batch in.csv -o x.csv --theory exact --grid 0x12").exit_code, 0);
+  EXPECT_NE(run_program(folder, "batch in.csv -o x.csv --theory exact --grid 0x12").exit_code, 0);
 }
 
 TEST(Program, MarksWhatCannotBeComputed) {
   const TemporaryFolder folder;
   save(folder / "in.csv",
        header + "1e200,1e200,82e9,0.28,0.3,80e3,0.001,0,0\n0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n");
-  const auto batch = run(folder, "batch in.csv -o out.csv");
+  const auto batch = run_program(folder, "batch in.csv -o out.csv");
   EXPECT_EQ(batch.exit_code, 1);
   EXPECT_EQ(batch.errors.rfind("microslip: warning: out.csv: 1 of 2 contacts are not solved", 0), 0u);
   const auto rows = rows_of(folder / "out.csv");
@@ -433,7 +408,7 @@ TEST(Program, MarksWhatCannotBeComputed) {
   auto text = contents(example);
   text.replace(text.find("80e3"), 4, "1e300").replace(text.find("0.0018"), 6, "1e300");
   save(folder / "w.toml", text);
-  const auto solve = run(folder, "solve w.toml -o out --no-pictures");
+  const auto solve = run_program(folder, "solve w.toml -o out --no-pictures");
   EXPECT_EQ(solve.exit_code, 1);
   EXPECT_EQ(solve.errors.rfind("microslip: warning: w.toml: the numbers are too large", 0), 0u);
   EXPECT_NE(Hdf5Reader(folder / "out/result.h5").text("exact/status"), "ok");
@@ -500,7 +475,7 @@ TEST(Program, LeavesNothingOnAFullDisk) {
   std::string table = header;
   for (int i = 0; i < 3000; ++i) table += "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n";
   save(folder / "in.csv", table);
-  const auto outcome = run(folder, "batch in.csv -o out.csv", "ulimit -f 8 && trap '' XFSZ");
+  const auto outcome = run_program(folder, "batch in.csv -o out.csv", "ulimit -f 8 && trap '' XFSZ");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors, "microslip: out.csv: cannot be written: File too large\n");
   EXPECT_EQ(folder.entries(), Names{"in.csv"});
@@ -561,7 +536,7 @@ TEST(Program, SolvesExtremeCases) {
   const auto solves = [&](const std::string& from, const std::string& to) {
     auto text = contents(example);
     save(folder / "w.toml", text.replace(text.find(from), from.size(), to));
-    const auto outcome = run(folder, "solve w.toml -o out --no-pictures");
+    const auto outcome = run_program(folder, "solve w.toml -o out --no-pictures");
     EXPECT_EQ(outcome.exit_code, 0) << to << outcome.errors;
     EXPECT_EQ(outcome.output.find("nan"), std::string::npos) << to << outcome.output;
   };
@@ -577,12 +552,12 @@ TEST(Program, SolvesExtremeCases) {
 TEST(Program, ExplainsItself) {
   const TemporaryFolder folder;
   for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "validate "}) {
-    const auto outcome = run(folder, command + std::string("--help"));
+    const auto outcome = run_program(folder, command + std::string("--help"));
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.output.find("Example:"), std::string::npos) << outcome.output;
     EXPECT_EQ(outcome.errors, "");
   }
-  const auto version = run(folder, "--version");
+  const auto version = run_program(folder, "--version");
   EXPECT_EQ(version.exit_code, 0);
   const auto build = build_info();
   for (const auto part : {build.version, build.commit, build.compiler})

@@ -1,6 +1,6 @@
 #include "microslip/exact/second_order_rolling.hpp"
 
-#include "test_cases.hpp"
+#include "steel_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,20 +69,6 @@ EllipticContact paper_test() {
   contact.normal_force = 1.3e-6 * contact.shear_modulus;
   contact.friction = FrictionLaw::coulomb(0.3);
   contact.creepage.longitudinal = 0.000857;
-  return contact;
-}
-
-/// Steel under 82 kN with creepages in parts of those of saturation.
-EllipticContact steel_contact(double a, double b, double longitudinal, double lateral, double spin) {
-  EllipticContact contact;
-  contact.a = a;
-  contact.b = b;
-  contact.shear_modulus = 82e9;
-  contact.poisson_ratio = 0.28;
-  contact.normal_force = 82e3;
-  contact.friction = FrictionLaw::coulomb(0.3);
-  const Creepage unit = saturating_creepage(contact);
-  contact.creepage = {longitudinal * unit.longitudinal, lateral * unit.lateral, spin * unit.spin};
   return contact;
 }
 

@@ -1,6 +1,5 @@
 #include "validation/exact_cases.hpp"
 
-#include "microslip/exact/elliptic_contact.hpp"
 #include "validation/hertzian_solve.hpp"
 
 #include <atomic>
@@ -11,20 +10,14 @@
 namespace microslip::validation {
 namespace {
 
-ExactOptions options_of(int n) {
-  ExactOptions options;
-  options.discretisation = Discretisation::classical;
-  options.mx = options.my = n;
-  return options;
-}
-
 /// One thread's. Contacts with the same ellipse share influence coefficients and pressures.
 class CaseSolver {
 public:
-  CaseSolver(int n, Start start) : n_(n), start_(start), from_fastsim2_(options_of(n)) {}
+  explicit CaseSolver(const ExactMethod& method)
+      : method_(method), from_fastsim2_({.mx = method.n, .my = method.n, .discretisation = method.discretisation}) {}
 
   ExactCase solve(const EllipticContact& contact) {
-    if (start_ == Start::fastsim2) {
+    if (method_.start == Start::fastsim2) {
       const ExactContact s = from_fastsim2_.solve(contact);
       return {s.fields.forces, s.residual, s.newton_steps, s.products};
     }
@@ -39,14 +32,13 @@ private:
   void prepare(const EllipticContact& contact) {
     const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
     const HertzContact hertz = hertz_from_ellipse(contact.a, contact.b, material, contact.normal_force);
-    from_nothing_.emplace(material, ElementGrid::across_ellipse(contact.a, contact.b, n_, 2), hertz.gap,
+    from_nothing_.emplace(material, ElementGrid::across_ellipse(contact.a, contact.b, method_.n, 2), hertz.gap,
                           contact.normal_force);
     a_ = contact.a;
     b_ = contact.b;
   }
 
-  int n_;
-  Start start_;
+  ExactMethod method_;
   EllipticContactSolver from_fastsim2_;
   std::optional<HertzianSolve> from_nothing_;
   double a_ = 0, b_ = 0;
@@ -54,14 +46,14 @@ private:
 
 } // namespace
 
-std::vector<ExactCase> solve_exactly(std::span<const EllipticContact> contacts, int n, Start start,
+std::vector<ExactCase> solve_exactly(std::span<const EllipticContact> contacts, const ExactMethod& method,
                                      const StudyOptions& options) {
   std::vector<ExactCase> cases(contacts.size());
   std::atomic<int> done = 0;
   std::atomic<bool> stopped = false;
 #pragma omp parallel num_threads(options.threads)
   {
-    CaseSolver solver(n, start);
+    CaseSolver solver(method);
 // In blocks, so that an ellipse's influence coefficients are used often.
 #pragma omp for schedule(dynamic, 20)
     for (std::size_t i = 0; i < contacts.size(); ++i) {

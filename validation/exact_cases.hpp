@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/simplified/contact.hpp"
+#include "microslip/exact/elliptic_contact.hpp"
 #include "validation/study.hpp"
 
 #include <span>
@@ -22,9 +22,16 @@ enum class Start {
   no_tractions, ///< from nothing
 };
 
-/// Solves contacts on n x n elements across the ellipse to a residual of 1e-6, on options.threads threads. Contacts of
-/// the same ellipse should follow each other. Empty if options.progress asks to stop.
-std::vector<ExactCase> solve_exactly(std::span<const EllipticContact> contacts, int n, Start start,
+/// How contacts are solved.
+struct ExactMethod {
+  int n; ///< elements across the ellipse in each direction
+  Discretisation discretisation = Discretisation::classical;
+  Start start = Start::fastsim2; ///< second order: this one only
+};
+
+/// Solves contacts to a residual of 1e-6, on options.threads threads. Contacts of the same ellipse should follow each
+/// other. Empty if options.progress asks to stop.
+std::vector<ExactCase> solve_exactly(std::span<const EllipticContact> contacts, const ExactMethod& method,
                                      const StudyOptions& options);
 
 } // namespace microslip::validation

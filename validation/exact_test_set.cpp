@@ -2,7 +2,6 @@
 
 #include "validation/exact_cases.hpp"
 #include "validation/report.hpp"
-#include "validation/second_order.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>
@@ -42,9 +41,12 @@ const char* describe(Solver solver) {
 
 std::vector<ExactCase> solve(const std::vector<EllipticContact>& contacts, const Run& run,
                              const StudyOptions& options) {
-  if (run.solver == Solver::second_order) return solve_at_second_order(contacts, run.elements, options);
-  return solve_exactly(contacts, run.elements, run.solver == Solver::classical ? Start::fastsim2 : Start::no_tractions,
-                       options);
+  return solve_exactly(
+      contacts,
+      {.n = run.elements,
+       .discretisation = run.solver == Solver::second_order ? Discretisation::second_order : Discretisation::classical,
+       .start = run.solver == Solver::classical_from_nothing ? Start::no_tractions : Start::fastsim2},
+      options);
 }
 
 std::string distribution(std::vector<double> values) {

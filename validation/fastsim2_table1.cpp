@@ -81,9 +81,9 @@ Reference solve_reference(const std::vector<EllipticContact>& contacts, const St
   Reference r;
   StudyOptions part = options;
   part.progress = part_of(options.progress, 0, 0.2 * share);
-  const auto on_coarse = solve_exactly(contacts, coarse, Start::fastsim2, part);
+  const auto on_coarse = solve_exactly(contacts, {.n = coarse}, part);
   part.progress = part_of(options.progress, 0.2 * share, share);
-  const auto on_fine = on_coarse.empty() ? on_coarse : solve_exactly(contacts, fine, Start::fastsim2, part);
+  const auto on_fine = on_coarse.empty() ? on_coarse : solve_exactly(contacts, {.n = fine}, part);
   for (std::size_t i = 0; i < on_fine.size(); ++i) {
     const ContactForces &f = on_fine[i].forces, &c = on_coarse[i].forces;
     r.coarse.push_back(relative(c, contacts[i]));

@@ -11,10 +11,6 @@ namespace {
 
 constexpr int coarsest = 4, finest = 512;
 
-double limit(double coarse, double fine) {
-  return (4 * fine - coarse) / 3;
-}
-
 /// The largest difference of two results, as a fraction of mu Fn.
 double difference(const EllipticContact& contact, const ExactContact& a, const ExactContact& b) {
   const double full = contact.friction.static_coefficient() * contact.normal_force;
@@ -34,17 +30,21 @@ AccurateContact extrapolate(const ExactContact& coarse, ExactContact fine) {
   const ContactForces &f = coarse.fields.forces, &g = fine.fields.forces;
   out.coarser = f;
   out.forces = g;
-  out.forces.fx = limit(f.fx, g.fx);
-  out.forces.fy = limit(f.fy, g.fy);
-  out.forces.mz = limit(f.mz, g.mz);
+  out.forces.fx = limit_of_second_order(f.fx, g.fx);
+  out.forces.fy = limit_of_second_order(f.fy, g.fy);
+  out.forces.mz = limit_of_second_order(f.mz, g.mz);
   out.creepage = fine.creepage;
-  out.creepage.longitudinal = limit(coarse.creepage.longitudinal, fine.creepage.longitudinal);
-  out.creepage.lateral = limit(coarse.creepage.lateral, fine.creepage.lateral);
+  out.creepage.longitudinal = limit_of_second_order(coarse.creepage.longitudinal, fine.creepage.longitudinal);
+  out.creepage.lateral = limit_of_second_order(coarse.creepage.lateral, fine.creepage.lateral);
   out.finest = std::move(fine);
   return out;
 }
 
 } // namespace
+
+double limit_of_second_order(double coarse, double fine) {
+  return fine + (fine - coarse) / 4;
+}
 
 AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions& options)
     : accuracy_(require_between("accuracy", accuracy, "-", 1e-5, 0.1)), options_(options) {

@@ -311,7 +311,7 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
 }
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
-  constexpr double tolerance = 1e-7, linear_tolerance = 1e-5;
+  constexpr double linear_tolerance = 2e-5; // of which derivatives of forces have some third as an error
   if (!is_valid(contact) || needs_sequence(contact)) return {.contact = invalid()};
   try {
     prepare_second_order(contact);
@@ -319,7 +319,7 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
     return {.contact = invalid()};
   }
   const EllipticContact forward = mirrored(contact);
-  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, tolerance, true);
+  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, true);
   const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
   ExactDerivatives out{.contact = results(solution, contact, second_order_->bound(contact))};
   out.products = derivatives.products;

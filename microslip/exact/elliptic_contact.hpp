@@ -95,8 +95,7 @@ public:
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
-  /// adhesion to slip. The solve goes to a tolerance of 1e-7, the
-  /// derivatives are right to about 1e-5.
+  /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
   ExactDerivatives differentiate(const EllipticContact& contact);
 
   /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal

@@ -380,30 +380,43 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
 
 FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& problem, const FrictionSolution& solution,
                                                      std::span<const double> dcx, std::span<const double> dcy,
-                                                     double tolerance) {
+                                                     double tolerance, const Change* start) {
   constexpr int most = 1000;
   const long products_before = problem.response.products();
   Iterate at(problem, 1 / problem.response.diagonal());
   const std::size_t n = at.size();
-  Field x(n), slip(n), right(n), zero(n), step(n), change(n), growth(n);
+  Field x(n), slip(n), right(n), step(n), change(n), growth(n), total(n), total_growth(n), given(n);
   at.start({.px = solution.px, .py = solution.py}, x, slip);
   at.linearise(x, slip);
-  at.gather(dcx, dcy, slip);
-  at.derivative(zero, slip, 0, right);
-  for (double& value : right) value = -value;
+  at.gather(dcx, dcy, given);
+  const auto misfit = [&] {
+    at.derivative(total, total_growth, 0, right);
+    double sum = 0;
+    for (double& value : right) sum += value * value, value = -value;
+    return std::sqrt(sum);
+  };
+  total_growth = given;
+  const double without_start = misfit();
+  double fall = tolerance;
+  if (start) {
+    at.gather(start->px, start->py, total);
+    at.slip_growth(total, total_growth);
+    for (std::size_t k = 0; k < n; ++k) total_growth[k] += given[k];
+    fall *= without_start / misfit();
+  }
   const auto product = [&](std::span<const double> v, std::span<double> out) {
     std::copy(v.begin(), v.end(), change.begin());
     at.precondition(change);
     at.slip_growth(change, growth);
     at.derivative(change, growth, 0, out);
   };
-  gmres_.solve(product, right, step, tolerance, most);
+  gmres_.solve(product, right, step, fall, most);
   at.precondition(step);
   at.slip_growth(step, growth);
-  for (std::size_t k = 0; k < n; ++k) growth[k] += slip[k];
+  for (std::size_t k = 0; k < n; ++k) total[k] += step[k], total_growth[k] += growth[k];
   Change out;
-  at.scatter(step, out.px, out.py);
-  at.scatter(growth, out.sx, out.sy);
+  at.scatter(total, out.px, out.py);
+  at.scatter(total_growth, out.sx, out.sy);
   out.products = problem.response.products() - products_before;
   return out;
 }

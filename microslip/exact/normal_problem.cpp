@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_iterations = 1000;
 constexpr int largest_coarsest = 32;      // elements along an axis that need no start from coarser ones
-constexpr double coarse_tolerance = 1e-3; // what a start loses by its interpolation
+constexpr double coarse_tolerance = 3e-3; // what a start loses by its interpolation
 constexpr double first_length = 0.5, shortest_length = 0.1, longest_length = 0.8; // of trial steps
 
 using Field = std::vector<double>;

@@ -16,7 +16,7 @@ struct SecondOrderInput {
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
   FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
   Progress progress = {};      ///< is told of the Newton steps; false ends the iteration, with status not_converged
-  bool converge_plain = false; ///< also the solution before the correction to the tolerance, as derivatives need it
+  bool converge_plain = false; ///< also the solution before the correction, to ten times the tolerance: for derivatives
   double tolerance = 1e-6;     ///< of the residual, as in FrictionSolution
 };
 
@@ -44,7 +44,7 @@ public:
   SecondOrderSolution solve(std::span<const double> bound, const SecondOrderInput& input);
 
   /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages given
-  /// whose plain part has converged to the same tolerance (`converge_plain`). Both solves are differentiated, the plain
+  /// whose plain part has converged too (`converge_plain`). Both solves are differentiated, the plain
   /// one and the corrected one, with the linear systems solved to `tolerance`. Holds where no element is just between
   /// adhesion and slip. Cost: six linear solves.
   struct Derivatives {

@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/quarter_transform.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -21,20 +22,6 @@ constexpr double smallest_share = 1e-2;            // of the kernel at 0, in its
 
 int padded(int m) {
   return m == 1 ? 1 : fftw::good_even_size(2 * m);
-}
-
-/// Transform of an even kernel from its quarter of the padded grid, in place.
-void transform_quarter(int columns, int rows, std::vector<double>& quarter) {
-  std::vector<int> sizes;
-  for (const int n : {rows, columns})
-    if (n > 1) sizes.push_back(n);
-  if (sizes.empty()) return;
-  const fftw_r2r_kind kinds[] = {FFTW_REDFT00, FFTW_REDFT00};
-  const fftw::Plan plan = fftw::make([&] {
-    return fftw_plan_r2r(static_cast<int>(sizes.size()), sizes.data(), quarter.data(), quarter.data(), kinds,
-                         FFTW_ESTIMATE);
-  });
-  fftw_execute(plan.get());
 }
 
 } // namespace
@@ -81,7 +68,7 @@ struct EvenToeplitz::Plans {
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i) quarter[static_cast<std::size_t>(j) * columns + i] = kernel(i, j);
     const double least = smallest_share * quarter[0], points = static_cast<double>(nx) * ny;
-    transform_quarter(columns, rows, quarter);
+    transform_quarter(columns, rows, Parity::even, quarter);
     spectrum.resize(quarter.size());
     inverse.resize(quarter.size());
     for (int i = 0; i < columns; ++i)

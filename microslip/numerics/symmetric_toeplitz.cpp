@@ -1,6 +1,7 @@
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 
 #include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/quarter_transform.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -17,32 +18,15 @@ constexpr int block = 4;                           // columns next to each other
 constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 
-/// Transform of a kernel that is even in both directions, or odd in both, from its quarter of the padded grid.
-std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, bool odd, std::span<const double> kernel) {
+/// Transform of a kernel from its quarter of the padded grid, with the scaling of the transforms there and back.
+std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, Parity parity, std::span<const double> kernel) {
   const int columns = nx / 2 + 1, rows = ny / 2 + 1;
   std::vector<double> quarter(static_cast<std::size_t>(columns) * rows);
   for (int j = 0; j < my; ++j)
     std::copy_n(kernel.begin() + static_cast<std::ptrdiff_t>(j) * mx, mx,
                 quarter.begin() + static_cast<std::ptrdiff_t>(j) * columns);
-  if (!odd) {
-    const int sizes[] = {rows, columns};
-    const fftw_r2r_kind kinds[] = {FFTW_REDFT00, FFTW_REDFT00};
-    const fftw::Plan plan = fftw::make([&] {
-      return fftw_plan_many_r2r(2, sizes, 1, quarter.data(), nullptr, 1, 0, quarter.data(), nullptr, 1, 0, kinds,
-                                FFTW_ESTIMATE);
-    });
-    fftw_execute(plan.get());
-  } else if (rows > 2 && columns > 2) { // else there is nothing but the zeros at offset 0 and at half the period
-    const int sizes[] = {rows - 2, columns - 2}, room[] = {rows, columns};
-    const fftw_r2r_kind kinds[] = {FFTW_RODFT00, FFTW_RODFT00};
-    double* inner = quarter.data() + columns + 1;
-    const fftw::Plan plan = fftw::make(
-        [&] { return fftw_plan_many_r2r(2, sizes, 1, inner, room, 1, 0, inner, room, 1, 0, kinds, FFTW_ESTIMATE); });
-    fftw_execute(plan.get());
-  }
-  // Two odd directions: (-i)^2.
-  const double scale = (odd ? -1.0 : 1.0) / nx / ny;
-  for (double& value : quarter) value *= scale;
+  transform_quarter(columns, rows, parity, quarter);
+  for (double& value : quarter) value /= double(nx) * ny;
   return quarter;
 }
 
@@ -89,9 +73,9 @@ struct SymmetricToeplitz::Plans {
   }
 
   void find_spectra(const Kernels& kernels) {
-    const auto xx = quarter_spectrum(nx, ny, mx, my, false, kernels.xx);
-    const auto yy = quarter_spectrum(nx, ny, mx, my, false, kernels.yy);
-    const auto xy = quarter_spectrum(nx, ny, mx, my, true, kernels.xy);
+    const auto xx = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.xx);
+    const auto yy = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.yy);
+    const auto xy = quarter_spectrum(nx, ny, mx, my, Parity::odd, kernels.xy);
     const int columns = nx / 2 + 1;
     for (auto* spectrum : {&mean, &difference, &mixed}) spectrum->resize(static_cast<std::size_t>(columns) * ny);
     for (int i = 0; i < columns; ++i)
