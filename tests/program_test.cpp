@@ -205,16 +205,16 @@ TEST(Program, SolvesEveryExampleWithPictures) {
 
 TEST(Program, PlotDrawsWhatIsAskedFor) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
-  const auto outcome = run(folder, "plot out/result.h5 -o p --field pressure --field px --surface slip --cut=-1.5");
+  ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
+  const auto outcome = run_program(folder, "plot out/result.h5 -o p --field pressure --field px --surface slip --cut=-1.5");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "p/field_pressure.png\np/field_px.png\np/surface_slip.png\np/cut.png\n");
   EXPECT_EQ(folder.entries(), (Names{"out", "out/result.h5", "p", "p/cut.png", "p/field_pressure.png", "p/field_px.png",
                                      "p/surface_slip.png"}));
-  const auto unknown = run(folder, "plot out/result.h5 --field heat");
+  const auto unknown = run_program(folder, "plot out/result.h5 --field heat");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.errors.find("field 'heat' is unknown, known: pressure"), std::string::npos);
-  const auto missing = run(folder, "plot nowhere.h5");
+  const auto missing = run_program(folder, "plot nowhere.h5");
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_NE(missing.errors.find("nowhere.h5: no such file"), std::string::npos);
 }
@@ -284,7 +284,7 @@ TEST(Program, BatchGivesWhatTheLibraryComputes) {
                                     "--flexibility blended")
                 .exit_code,
             0);
-  ASSERT_EQ(run(folder, "batch " + example_table + " -o strips.csv --theory fastrip --grid 7x5").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "batch " + example_table + " -o strips.csv --theory fastrip --grid 7x5").exit_code, 0);
   EXPECT_EQ(contents(folder / "out.csv")
                 .rfind(header.substr(0, header.size() - 1) + ",fx,fy,mz,adhesion_area,slip_area,status\n", 0),
             0u);

@@ -86,7 +86,9 @@ class EllipticContactSolverTest(unittest.TestCase):
             microslip.EllipticContactSolver(0, 12)
         with self.assertRaisesRegex(microslip.Error, "did you mean classical"):
             microslip.EllipticContactSolver(discretisation="clasical")
-        self.assertIs(self.solver.solve(contact(friction=microslip.FrictionLaw.polach(0.3, 0.5, 1))).forces.status,
+        falling = contact(friction=microslip.FrictionLaw.polach(0.3, 0.5, 1))
+        self.assertIs(self.solver.solve(falling).forces.status, microslip.Status.ok)
+        self.assertIs(self.solver.differentiate(falling).contact.forces.status,
                       microslip.Status.invalid_input)
 
 
