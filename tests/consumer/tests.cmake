@@ -23,5 +23,5 @@ endif()
 add_test(NAME consumer_pkg_config
   COMMAND sh ${CMAKE_CURRENT_LIST_DIR}/pkg_config.sh ${prefix} ${PROJECT_SOURCE_DIR} ${folder}/pkg_config
     "${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS}" "${CMAKE_C_COMPILER} ${CMAKE_CXX_FLAGS}" ${fortran})
-set_tests_properties(consumer_find_package consumer_find_package_c consumer_pkg_config PROPERTIES
+set_tests_properties(consumer_find_package consumer_find_package_c consumer_wheelset consumer_pkg_config PROPERTIES
   FIXTURES_REQUIRED installed)
