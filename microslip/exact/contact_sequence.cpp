@@ -1,6 +1,8 @@
 #include "microslip/exact/contact_sequence.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/tangential_totals.hpp"
+#include "microslip/numerics/norm.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,30 +109,29 @@ double time_of(const ContactStep& step) {
 /// Where the particles of the elements were before a step.
 ElementGrid origin_of_particles(const ContactStep& step) {
   ElementGrid origin = step.grid;
-  const double way = step.motion.step > 0 ? step.motion.step : step.grid.dx;
-  if (step.motion.motion == ContactMotion::transient)
-    origin.x0 += step.motion.direction == RollingDirection::forward ? way : -way;
+  if (step.motion.motion == ContactMotion::transient) origin.x0 += signed_step(step.motion, step.grid);
   return origin;
 }
 
 /// Coefficients that they had.
-Field friction_before(const ContactStep& step, const TangentialState& previous, const ElementGrid& from) {
+Field friction_before(const ContactStep& step, const TangentialState& previous) {
   Field mu = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
   if (previous.friction_drop.empty()) return mu;
-  const Field drop = moved(origin_of_particles(step), previous.friction_drop, from);
+  const Field drop = moved(origin_of_particles(step), previous.friction_drop, step.grid);
   for (std::size_t k = 0; k < mu.size(); ++k) mu[k] -= drop[k];
   return mu;
 }
 
-SlipFriction slip_friction(const ContactStep& step, const TangentialState& previous, const ElementGrid& from) {
+/// `previous` is on the step's grid.
+SlipFriction slip_friction(const ContactStep& step, const TangentialState& previous) {
   SlipFriction::Passage passage;
   passage.time = time_of(step);
   passage.along_rows = step.motion.motion == ContactMotion::steady;
   passage.from_high_x = step.motion.direction == RollingDirection::forward;
   if (!passage.along_rows) {
-    passage.before = friction_before(step, previous, from);
+    passage.before = friction_before(step, previous);
     if (!previous.plastic_deformation.empty())
-      passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, from);
+      passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, step.grid);
   }
   return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage)};
 }
@@ -142,12 +143,6 @@ Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
   for (std::size_t k = 0; k < v.size(); ++k)
     if (s.state[k] == CellState::slip) v[k] = speed * std::hypot(s.sx[k], s.sy[k]);
   return v;
-}
-
-double norm(const Field& a, const Field& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return std::sqrt(sum);
 }
 
 /// Without friction or contact nothing resists.
@@ -283,7 +278,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
     out.friction_rounds = round;
     if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
     const Field found = slip_velocity(step, out.tangential);
-    const double size = norm(found, Field(n)), change = norm(found, slip);
+    const double size = norm(found), change = distance(found, slip);
     out.friction_residual = size > 0 ? change / size : change;
     const bool together = change <= wanted * size;
     if (together || round == most_rounds) {
@@ -313,10 +308,10 @@ ContactStepSolution ContactSequence::solve(const ContactStep& step) {
   if (step.frictionless) {
     out = solve_with(step, Field(step.grid.count()), previous, start);
   } else {
-    const SlipFriction law = slip_friction(step, previous, step.grid);
-    out = law.is_constant() && !step.bodies.layer.yields()
-              ? solve_with(step, law.static_coefficients(), previous, start)
-                            : solve_slip_friction(step, law, previous, start);
+    const SlipFriction law = slip_friction(step, previous);
+    const bool depends_on_slip = !law.is_constant() || step.bodies.layer.yields();
+    out = depends_on_slip ? solve_slip_friction(step, law, previous, start)
+                          : solve_with(step, law.static_coefficients(), previous, start);
   }
   if (step.frictionless || out.tangential.tractions.px.empty()) out.tangential = without_tractions(step);
   out.contact_elements = out.normal.contact_elements;

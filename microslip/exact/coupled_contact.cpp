@@ -4,6 +4,7 @@
 #include "microslip/exact/memory_need.hpp"
 #include "microslip/exact/normal_totals.hpp"
 #include "microslip/exact/tangential_totals.hpp"
+#include "microslip/numerics/norm.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,6 @@ namespace {
 
 using Field = std::vector<double>;
 
-double signed_step(const TangentialInput& motion, const ElementGrid& grid) {
-  const double length = motion.step > 0 ? motion.step : grid.dx;
-  return motion.direction == RollingDirection::forward ? length : -length;
-}
-
 /// h, infinite where no contact is possible.
 Field gap_within(const ContactStep& step) {
   Field gap = step.gap;
@@ -27,21 +23,11 @@ Field gap_within(const ContactStep& step) {
   return gap;
 }
 
-double distance_of(const Field& a, const Field& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return std::sqrt(sum);
-}
-
 /// Of the tractions, sum of p.u dx dy/2 [J].
 double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
   double sum = 0;
   for (std::size_t k = 0; k < t.ux.size(); ++k) sum += t.tractions.px[k] * t.ux[k] + t.tractions.py[k] * t.uy[k];
   return sum * grid.element_area() / 2;
-}
-
-double size_of(const Field& a) {
-  return distance_of(a, Field(a.size()));
 }
 
 } // namespace
@@ -114,7 +100,9 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const TangentialState& better = with_pressure.tangential.tractions;
+    const long before = s.friction.products + with_pressure.tangential.products;
     s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
+    s.friction.products += before;
   }
 
   normal.pressure = std::move(s.pressure);
@@ -183,17 +171,17 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, s
     products += out.normal.products;
     if (out.normal.status != Status::ok) break;
     find_tangential(step, friction, out.normal.pressure, previous, tractions, out);
-    const double change = distance_of(out.normal.pressure, before);
+    const double change = distance(out.normal.pressure, before);
     before = out.normal.pressure;
     const double moved = tractions.px.empty() ? HUGE_VAL
-                                              : distance_of(out.tangential.tractions.px, tractions.px) +
-                                                    distance_of(out.tangential.tractions.py, tractions.py);
+                                              : distance(out.tangential.tractions.px, tractions.px) +
+                                                    distance(out.tangential.tractions.py, tractions.py);
     tractions = out.tangential.tractions;
-    const double goal = 5 * step.motion.tolerance * size_of(before);
+    const double goal = 5 * step.motion.tolerance * norm(before);
     if (change <= goal && moved <= goal) break;
     if (out.alternations == most) {
       out.normal.status = Status::not_converged;
-      out.normal.residual = std::max(change, moved) / size_of(before);
+      out.normal.residual = std::max(change, moved) / norm(before);
       break;
     }
   }

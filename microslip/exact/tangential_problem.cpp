@@ -105,8 +105,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     throw Error("motion: viscoelastic bodies need steady rolling");
   if (!bodies_.are_elastic() && input.leading_edge)
     throw Error("leading_edge: its correction is for elastic bodies");
-  const double length = input.step > 0 ? input.step : grid_.dx;
-  const double step = input.direction == RollingDirection::forward ? length : -length;
+  const double step = signed_step(input, grid_);
   const bool shift = input.motion == ContactMotion::shift;
   const std::size_t n = grid_.count();
 

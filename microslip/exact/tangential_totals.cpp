@@ -15,6 +15,11 @@ bool is_finite(const TangentialSolution& s) {
 
 } // namespace
 
+double signed_step(const TangentialInput& input, const ElementGrid& grid) {
+  const double length = input.step > 0 ? input.step : grid.dx;
+  return input.direction == RollingDirection::forward ? length : -length;
+}
+
 void find_rigid_slip(const ElementGrid& grid, const TangentialInput& input, const Creepage& creepage, double step,
                      std::span<double> cx, std::span<double> cy) {
   const double ahead = input.motion == ContactMotion::shift ? 0 : input.spin_offset * step;

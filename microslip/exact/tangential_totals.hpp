@@ -6,6 +6,9 @@
 
 namespace microslip {
 
+/// dq: the way rolled in a step [m], as given or the elements' length; negative along -x.
+double signed_step(const TangentialInput& input, const ElementGrid& grid);
+
 /// Slip without tractions: that of the creepages, at the elements' centres and `spin_offset` of the step [m] ahead of them,
 /// and the extra slip. Along -x the step is negative.
 void find_rigid_slip(const ElementGrid& grid, const TangentialInput& input, const Creepage& creepage, double step,
