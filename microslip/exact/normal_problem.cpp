@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_iterations = 1000;
 constexpr int largest_coarsest = 32;      // elements along an axis that need no start from coarser ones
-constexpr double coarse_tolerance = 3e-3; // what a start loses by its interpolation
+constexpr double coarse_tolerance = 5e-3; // what a start loses by its interpolation
 constexpr double first_length = 0.5, shortest_length = 0.1, longest_length = 0.8; // of trial steps
 
 using Field = std::vector<double>;
@@ -66,7 +66,11 @@ private:
     pressure_ = std::move(start);
     if (by_force_) scale_to_force(pressure_);
     response_.apply(pressure_, displacement_);
-    if (by_force_) return true;
+    return by_force_ || scale_to_least_energy();
+  }
+
+  /// The multiple of the pressure with the least energy, which takes no product. False if it is not positive.
+  bool scale_to_least_energy() {
     double work = 0;
     for (std::size_t k = 0; k < gap_.size(); ++k) work += pressure_[k] * (value_ - gap_[k]);
     const double scale = work / dot(pressure_, displacement_);
@@ -132,9 +136,9 @@ private:
     project(downhill);
   }
 
-  /// Conjugate to the step before if the same elements may change.
+  /// Conjugate to the step before if that went to the least energy on its way and the same elements may change.
   void find_direction() {
-    const bool conjugate = !find_free() && stepped_;
+    const bool conjugate = !find_free() && at_least_;
     find_gradient(trial_);
     response_.apply_near_inverse(trial_, direction_);
     project(direction_);
@@ -184,8 +188,10 @@ private:
       pressure_[k] = share == 1 ? trial_[k] : std::max(0.0, pressure_[k] + share * step_[k]);
       displacement_[k] += share * response_of_step_[k];
     }
+    // Without a product, the slowest part of the error goes; and no conjugacy, as the next direction starts anew.
+    if (!by_force_ && clipped) scale_to_least_energy();
     length_ = std::clamp(length_ * least, shortest_length, longest_length);
-    stepped_ = true;
+    at_least_ = share == least;
     return true;
   }
 
@@ -211,7 +217,7 @@ private:
   Field pressure_, displacement_, distance_, direction_, trial_, step_, response_of_step_;
   std::vector<char> free_;
   double approach_ = 0, residual_ = 0, length_ = first_length;
-  bool stepped_ = false;
+  bool at_least_ = false; ///< on the way of the last step
 };
 
 } // namespace
@@ -235,23 +241,24 @@ void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoa
 
 NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance) {
   check(grid_, gap, load);
-  return solve_nested(gap, load, tolerance);
+  double coarser_products = 0;
+  NormalSolution s = solve_nested(gap, load, tolerance, coarser_products);
+  s.products += std::lround(coarser_products);
+  return s;
 }
 
-NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance) {
+NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
+                                           double& coarser_products) {
   Field start;
-  double coarse_products = 0;
   if (coarser_) {
-    const NormalSolution coarse =
-        coarser_->solve_nested(gap_on_coarser(grid_, gap), load, std::max(tolerance, coarse_tolerance));
+    const NormalSolution coarse = coarser_->solve_nested(gap_on_coarser(grid_, gap), load,
+                                                         std::max(tolerance, coarse_tolerance), coarser_products);
     const double share = static_cast<double>(coarse.pressure.size()) / static_cast<double>(gap.size());
-    coarse_products = share * static_cast<double>(coarse.products);
+    coarser_products = share * (coarser_products + static_cast<double>(coarse.products));
     if (coarse.normal_force > 0 && std::isfinite(coarse.normal_force))
       start = pressure_from_coarser(grid_, coarse.pressure);
   }
-  NormalSolution s = Iteration(response_, grid_, gap, load).run(std::move(start), tolerance);
-  s.products += std::lround(std::ceil(coarse_products));
-  return s;
+  return Iteration(response_, grid_, gap, load).run(std::move(start), tolerance);
 }
 
 } // namespace microslip

@@ -60,7 +60,8 @@ public:
   NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8);
 
 private:
-  NormalSolution solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance);
+  NormalSolution solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
+                              double& coarser_products);
 
   ElementGrid grid_;
   NormalResponse response_;
