@@ -102,6 +102,28 @@ TEST(PatchRolling, IsOfSecondOrderForHertz) {
   }
 }
 
+TEST(PatchRolling, FindsCartersForceOfCylinders) {
+  constexpr double half_width = 1e-3, curvature = 1, adhesion = 0.4;
+  const double line_load = line_contact_from_half_width(curvature, steel, half_width).force_per_length;
+  const double creepage = 2 * curvature * friction * half_width * (1 - adhesion);
+  const auto error = [&](int n) {
+    double sum = 0;
+    for (const double place : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+      ElementGrid grid = ElementGrid::across_line(half_width, n, 5);
+      grid.x0 += place * grid.dx;
+      const Field gap = sampled([](double x, double) { return curvature * x * x; }, grid);
+      PatchRolling contact(steel, grid, gap, {NormalLoad::Given::force, line_load});
+      const PatchSolution s = contact.solve({.friction = friction, .creepage = {-creepage, 0, 0}});
+      EXPECT_EQ(s.forces.status, Status::ok);
+      sum += std::pow(s.forces.fx / (friction * line_load) - (1 - adhesion * adhesion), 2) / 5;
+    }
+    return std::sqrt(sum);
+  };
+  const double coarse = error(12), fine = error(96);
+  EXPECT_GT(std::log2(coarse / fine) / 3, 1.4);
+  EXPECT_LT(fine, 2e-4);
+}
+
 TEST(PatchRolling, IsOfSecondOrderForOtherShapesAndForTwoPatches) {
   struct Case {
     Gap gap;

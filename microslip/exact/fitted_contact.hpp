@@ -35,6 +35,9 @@ struct FittedContact {
 /// element covers counts for the nearest one of its row, so that the shares times the areas have the sum 1 to rounding.
 FittedContact fit_ellipse(double a, double b, int n, int m);
 
+/// n elements across a Hertzian line contact of half-width a; forces are counted for `length` [m]. As fit_ellipse.
+FittedContact fit_line(double a, int n, double length = 1);
+
 /// Any contact area, from the pressure [Pa] of the normal problem at a grid's elements (only its shape matters); the
 /// edges by contact_runs. Every run of elements in contact is a row of its own, as in contacts of several patches. The
 /// bound has along a run the shape sqrt((x - x_t)(x_l - x)) times a factor that is the pressure's two elements or more
@@ -43,8 +46,8 @@ FittedContact fit_ellipse(double a, double b, int n, int m);
 /// the leading element of a run behind is left out and its load counts for the next one: across a gap shorter than an
 /// element or two the bodies are discretised, but not at second order.
 ///
-/// Throws Error for pressures below zero or not finite, without any contact, for bilinear elements, and unless the grid has three columns to
-/// spare ahead of the contact and one behind.
+/// Throws Error for pressures below zero or not finite, without any contact, for bilinear elements, and unless the grid
+/// has three columns to spare ahead of the contact and one behind.
 FittedContact fit_contact(const ElementGrid& grid, std::span<const double> pressure);
 
 } // namespace microslip

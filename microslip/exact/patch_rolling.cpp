@@ -35,7 +35,7 @@ void check(const PatchRollingMotion& motion) {
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                            const NormalLoad& load, RollingDirection direction)
     : side_(direction == RollingDirection::forward ? 1 : -1) {
-  if (require_memory(ContactProblem::tangential, grid).line) throw Error("grid: must not be one of a line contact");
+  require_memory(ContactProblem::tangential, grid);
   normal_ = NormalProblem(material, grid).solve(gap, load);
   if (normal_.contact_elements == 0) return;
   rolling_.emplace(material, side_ > 0 ? fit_contact(grid, normal_.pressure)

@@ -37,8 +37,8 @@ struct RollingPreconditioner::Plans {
       : mx(contact.grid.mx), my(contact.grid.my), ny(fftw::good_even_size(my)),
         z(fftw::allocate<Complex>(contact.grid.count())) {
     for (const FittedElement& e : contact.elements) places.push_back({e.cell, e.leads});
-    for (int j = 0; j < ny; ++j)
-      factors.push_back(contact.grid.dx * 2 * M_PI * std::min(j, ny - j) / (ny * contact.grid.dy) / ny);
+    const double lowest = contact.grid.line ? 0 : 2 * M_PI / (ny * contact.grid.dy); // a line contact has no other ky
+    for (int j = 0; j < ny; ++j) factors.push_back(contact.grid.dx * lowest * std::min(j, ny - j) / ny);
     const int threads = contact.grid.count() >= smallest_threaded ? omp_get_max_threads() : 1;
     for (int i = 0; i < threads; ++i) works.push_back(fftw::allocate<Complex>(static_cast<std::size_t>(batch) * ny));
     const auto plan = [&](int sign) {
