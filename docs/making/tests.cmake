@@ -1,0 +1,29 @@
+# The documentation as the tests see it: its code is built and run, its tutorials too, and the site is built where Sphinx is.
+set(making ${CMAKE_CURRENT_LIST_DIR})
+file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/docs/*.md)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${pages} ${making}/run_blocks.py ${making}/blocks.py)
+
+# C and C++ of the pages, each block a program.
+set(code ${CMAKE_BINARY_DIR}/docs_code)
+execute_process(COMMAND ${Python3_EXECUTABLE} -B ${making}/run_blocks.py extract ${code} ${pages} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB sources ${code}/*.cpp ${code}/*.c)
+foreach(source ${sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(docs_${name} ${source})
+  target_link_libraries(docs_${name} PRIVATE microslip::microslip microslip::microslip_c)
+endforeach()
+
+set(python_packages "\"$0\" -c 'import h5py, matplotlib, numpy' || exit 77")
+set(environment ${python_environment} MPLBACKEND=Agg PYTHONPATH=${CMAKE_BINARY_DIR}/share/microslip/python)
+foreach(page ${pages})
+  file(STRINGS ${page} fences REGEX "^```[a-z]+$")
+  if(NOT fences)
+    continue()
+  endif()
+  get_filename_component(name ${page} NAME_WE)
+  add_test(NAME docs_code_${name}
+    COMMAND sh -c "${python_packages}; exec \"$0\" \"$@\"" ${Python3_EXECUTABLE} ${making}/run_blocks.py check ${page}
+      ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+  set_tests_properties(docs_code_${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
+endforeach()
+add_test(NAME docs_making COMMAND ${Python3_EXECUTABLE} -B -m unittest discover -s tests -t . WORKING_DIRECTORY ${making})
