@@ -13,7 +13,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLACK, BLUE, GREY, ORANGE, SETTINGS, SKY_BLUE
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 with open("examples/sphere_on_plane.inp") as file:
     print("".join(file.readlines()[4:15]))
 
@@ -29,7 +29,8 @@ cases = list(microslip.run_contact_input("examples/sphere_on_plane.inp"))
 print("case  outcome        FN        FX   adhesion  slip   approach")
 for case in cases:
     totals = case.totals
-    print(f"{case.number:4}  {case.outcome:8} {totals.fn:8.4f}  {totals.fx:8.4f}   {totals.adhesion:8} {totals.slip:5}   {totals.approach:.5f}")
+    print(f"{case.number:4}  {case.outcome:8} {totals.fn:8.4f}  {totals.fx:8.4f}   "
+          f"{totals.adhesion:8} {totals.slip:5}   {totals.approach:.5f}")
 
 # %% [markdown]
 # A case that asks for something that is not supported is no error: its `outcome` says refused, `reasons` say why, and the others run.
@@ -39,7 +40,9 @@ for case in cases:
 # Elements are stored as in CONTACT, x ascending.
 
 # %%
-figure, panels = plt.subplots(1, 3, num="Adhesion (blue) and slip (orange) after the shift, after one step of rolling, and in steady rolling", figsize=(10, 3.6), layout="constrained", sharey=True)
+figure, panels = plt.subplots(
+    1, 3, num="Adhesion (blue) and slip (orange) after the shift, after one step of rolling, and in steady rolling",
+    figsize=(10, 3.6), sharey=True)
 for axes, case, title in zip(panels, cases[1:], ("shift", "one step rolled", "steady rolling")):
     x, y = np.meshgrid(1e3 * case.grid.x, 1e3 * case.grid.y)
     state, px = np.asarray(case.tangential.state), np.asarray(case.tangential.px)

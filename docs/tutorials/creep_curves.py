@@ -10,7 +10,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 contact = microslip.read_case("examples/wheel_on_rail.toml").contact
 solver = microslip.Fastsim2()
 limit = 0.3 * contact.normal_force  # mu Fn
@@ -27,7 +27,9 @@ curves = solver.solve_batch(contact, xi, lateral=0, spin=spins[:, None])
 coefficients = microslip.creepage_coefficients(contact.a / contact.b, contact.poisson_ratio)
 slope = coefficients.c11 * contact.shear_modulus * contact.a * contact.b  # N
 
-figure, (along, across) = plt.subplots(1, 2, num="Forces over the longitudinal creepage for three spins", figsize=(9.5, 3.8), layout="constrained")
+figure, (along, across) = plt.subplots(
+    1, 2, num="Forces over the longitudinal creepage for three spins",
+    figsize=(9.5, 3.8))
 for row, colour in enumerate((BLUE, ORANGE, GREEN)):
     along.plot(1e3 * xi, -curves.fx[row] / limit, color=colour, label=f"spin {spins[row]:g} /m")
     across.plot(1e3 * xi, -curves.fy[row] / limit, color=colour)
@@ -69,13 +71,14 @@ print(f"dFx/dxi by a difference: {change:.4g} N")
 # %%
 contact.friction = microslip.FrictionLaw.polach(0.3, ratio=0.4, decay=0.6)  # mu_0, A, B [s/m]
 creepages = np.linspace(0, 0.1, 400)
-figure, axes = plt.subplots(num="Creep curves with friction that falls with the slip velocity", figsize=(6.5, 3.8), layout="constrained")
+figure, axes = plt.subplots(num="Creep curves with friction that falls with the slip velocity", figsize=(6.5, 3.8))
 for speed, colour in ((5.0, BLUE), (15.0, ORANGE), (40.0, VERMILION)):
     contact.rolling_speed = speed
     falling = solver.solve_batch(contact, creepages, lateral=0, spin=0)
     axes.plot(100 * creepages, -falling.fx / limit, color=colour, label=f"{speed:g} m/s")
     best = np.argmax(-falling.fx)
-    print(f"{speed:4g} m/s: at most {-falling.fx[best] / limit:.3f} mu_0 Fn, at a creepage of {100 * creepages[best]:.2f} %")
+    print(f"{speed:4g} m/s: at most {-falling.fx[best] / limit:.3f} mu_0 Fn, "
+          f"at a creepage of {100 * creepages[best]:.2f} %")
 axes.set(xlabel="longitudinal creepage [%]", ylabel="$-F_x$ / ($\\mu_0 F_n$)")
 axes.legend()
 plt.show()

@@ -10,7 +10,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 case = microslip.read_case("examples/wheel_on_rail.toml")
 contact = case.contact
 limit = 0.3 * contact.normal_force
@@ -24,9 +24,10 @@ solver = microslip.EllipticContactSolver(32, 32)
 # %%
 solved = solver.solve(contact, force_x=-0.5 * limit)
 print(f"Fx = {solved.forces.fx:.1f} N at xi = {solved.creepage.longitudinal:.6f}")
-print(f"residual {solved.residual:.1e} after {solved.newton_steps} Newton steps and {solved.products} products; status {solved.forces.status.name}")
+print(f"residual {solved.residual:.1e} after {solved.newton_steps} Newton steps; status {solved.forces.status.name}")
 beyond = solver.solve(contact, force_x=-1.1 * limit)
-print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {np.hypot(beyond.forces.fx, beyond.forces.fy) / limit:.3f} mu Fn")
+share = np.hypot(beyond.forces.fx, beyond.forces.fy) / limit
+print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {share:.3f} mu Fn")
 
 # %% [markdown]
 # Look at `status`, always. Not converging, or a force beyond the friction limit, is no exception in microslip: the result says so.
@@ -41,9 +42,10 @@ steps, length = 72, contact.a / 16
 transient = solver.solve(contact, motion="transient", step=length, steps=steps)
 steady = microslip.EllipticContactSolver(32, 32, discretisation="classical").solve(contact)
 way = length * np.arange(1, steps + 1) / contact.a
-figure, axes = plt.subplots(num="Forces while the contact rolls its first lengths", figsize=(6.5, 3.8), layout="constrained")
+figure, axes = plt.subplots(num="Forces while the contact rolls its first lengths", figsize=(6.5, 3.8))
 for name, colour in (("fx", BLUE), ("fy", ORANGE)):
-    axes.plot(way, [-getattr(step.forces, name) / limit for step in transient.history], ".-", color=colour, label=f"$-F_{name[1]}$")
+    history = [-getattr(step.forces, name) / limit for step in transient.history]
+    axes.plot(way, history, ".-", color=colour, label=f"$-F_{name[1]}$")
     axes.axhline(-getattr(steady.forces, name) / limit, linestyle=":", color=colour, label=f"$-F_{name[1]}$, steady")
 axes.set(xlabel="way rolled / a", ylabel="force / ($\\mu F_n$)")
 axes.legend(ncols=2)
@@ -71,17 +73,21 @@ without = microslip.PatchRolling(pair, grid, smooth, normal_force=80e3)
 ellipse = without.solve(0.3, (0.0018, 0.0006, 0.4))
 print(f"smooth rail   Fx = {ellipse.forces.fx:.0f} N, Fy = {ellipse.forces.fy:.0f} N")
 print(f"with groove   Fx = {patch.forces.fx:.0f} N, Fy = {patch.forces.fy:.0f} N, status {patch.forces.status.name}")
-print(f"largest pressure: {1e-6 * rolling.normal.peak_pressure:.0f} MPa with the groove, {1e-6 * without.normal.peak_pressure:.0f} MPa without")
+print(f"largest pressure: {1e-6 * rolling.normal.peak_pressure:.0f} MPa with the groove, "
+      f"{1e-6 * without.normal.peak_pressure:.0f} MPa without")
 
 # %%
-figure, (left, right) = plt.subplots(1, 2, num="Two contact patches beside a groove: pressure, and traction over its bound", figsize=(10, 4), layout="constrained", sharey=True)
+figure, (left, right) = plt.subplots(
+    1, 2, num="Two contact patches beside a groove: pressure, and traction over its bound",
+    figsize=(10, 4), sharey=True)
 pressure = 1e-6 * rolling.normal.pressure
 x, y = 1e3 * grid.x, 1e3 * grid.y
 shown = left.pcolormesh(x, y, np.where(pressure > 0, pressure, np.nan), cmap="viridis", shading="nearest")
 figure.colorbar(shown, ax=left, label="pressure [MPa]")
 inside = np.asarray(patch.bound) > 0
 share = np.hypot(patch.px, patch.py)[inside] / np.asarray(patch.bound)[inside]
-shown = right.scatter(1e3 * np.asarray(patch.x)[inside], 1e3 * np.asarray(patch.y)[inside], c=share, s=9, marker="s", cmap="cividis", vmin=0, vmax=1)
+shown = right.scatter(1e3 * np.asarray(patch.x)[inside], 1e3 * np.asarray(patch.y)[inside], c=share,
+                      s=9, marker="s", cmap="cividis", vmin=0, vmax=1)
 figure.colorbar(shown, ax=right, label="traction / bound: 1 is slip")
 for axes in (left, right):
     axes.set(xlabel="x [mm], rolling to the right", aspect="equal", xlim=(-9, 9), ylim=(-8, 8))

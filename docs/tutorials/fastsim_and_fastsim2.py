@@ -15,7 +15,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLUE, GREEN, GREY, SETTINGS, VERMILION
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
 # %% [markdown]
 # ## One contact, row by row
@@ -24,9 +24,12 @@ plt.rcParams.update(SETTINGS)
 
 # %%
 contact = microslip.EllipticContact(6e-3, 6e-3, 82e9, 0.28, 82e3, 0.3, (0.001, 0, 0.6))
-rows = {"FASTSIM, 8 x 8": (microslip.Fastsim(8, 8), VERMILION, "s-"), "FASTSIM2, 8 x 8": (microslip.Fastsim2(8, 8), BLUE, "o-"),
+rows = {"FASTSIM, 8 x 8": (microslip.Fastsim(8, 8), VERMILION, "s-"),
+        "FASTSIM2, 8 x 8": (microslip.Fastsim2(8, 8), BLUE, "o-"),
         "FASTSIM2, 200 x 200": (microslip.Fastsim2(200, 200), GREY, "-")}
-figure, panels = plt.subplots(1, 2, num="Tractions of coarse grids along a row 0.75 mm beside the middle", figsize=(9.5, 3.8), layout="constrained")
+figure, panels = plt.subplots(
+    1, 2, num="Tractions of coarse grids along a row 0.75 mm beside the middle",
+    figsize=(9.5, 3.8))
 for name, (solver, colour, style) in rows.items():
     cells = solver.fields(contact)
     row = np.argmin(np.abs(cells.y[:, 0] - 0.75e-3))
@@ -52,7 +55,8 @@ count = 300
 a = 6e-3 * np.exp(random.uniform(-0.8, 0.8, count))
 b = 36e-6 / a
 angle, size = random.uniform(0, 2 * np.pi, count), random.uniform(0.3, 3, count)
-creepages = {"longitudinal": 8e-4 * size * np.cos(angle), "lateral": 8e-4 * size * np.sin(angle), "spin": random.normal(0, 0.15, count)}
+creepages = {"longitudinal": 8e-4 * size * np.cos(angle), "lateral": 8e-4 * size * np.sin(angle),
+             "spin": random.normal(0, 0.15, count)}
 limit = 0.3 * contact.normal_force
 
 
@@ -76,12 +80,15 @@ for name, (kind, options, _, _) in methods.items():
     print(f"{name:24}" + "".join(f"{error:10.5f}" for error in errors[name]))
 
 # %%
-figure, axes = plt.subplots(num="Discretisation errors over the number of cells in each direction", figsize=(6.5, 4.2), layout="constrained")
+figure, axes = plt.subplots(
+    num="Discretisation errors over the number of cells in each direction",
+    figsize=(6.5, 4.2))
 for name, (_, _, colour, style) in methods.items():
     axes.loglog(grids, errors[name], style, color=colour, label=name)
 for order, start in ((1, 0.06), (2, 0.006)):
-    axes.loglog(grids, start * (grids[0] / grids) ** float(order), ":", color=GREY)
-    axes.annotate(f"order {order}", (grids[-1], start * (grids[0] / grids[-1]) ** float(order)), color=GREY, xytext=(4, 0), textcoords="offset points")
+    line = start * (grids[0] / grids) ** float(order)
+    axes.loglog(grids, line, ":", color=GREY)
+    axes.annotate(f"order {order}", (grids[-1], line[-1]), color=GREY, xytext=(4, 0), textcoords="offset points")
 axes.set(xlabel="cells in each direction", ylabel="rms error / ($\\mu F_n$)", xlim=(4.5, 130))
 axes.set_xticks(grids, [str(n) for n in grids])
 axes.minorticks_off()
@@ -97,7 +104,8 @@ plt.show()
 # ## What it costs
 
 # %%
-for name, solver in (("FASTSIM, 80 x 80", microslip.Fastsim(80, 80)), ("FASTSIM2, 10 x 10", microslip.Fastsim2(10, 10))):
+for name, solver in (("FASTSIM, 80 x 80", microslip.Fastsim(80, 80)),
+                     ("FASTSIM2, 10 x 10", microslip.Fastsim2(10, 10))):
     fastest = min(forces(solver)[1] for _ in range(5))
     print(f"{name:18} {1e6 * fastest / count:6.1f} microseconds a contact")
 

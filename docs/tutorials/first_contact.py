@@ -14,7 +14,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLACK, BLUE, ORANGE, SETTINGS, SKY_BLUE, VERMILION
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
 # %% [markdown]
 # ## The ellipse
@@ -60,8 +60,11 @@ print(f"{forces.slip_area / (forces.slip_area + forces.adhesion_area):.0%} of th
 # %%
 cells = microslip.Fastsim2(40, 40).fields(contact)
 state = np.asarray(cells.state)
-figure, axes = plt.subplots(num="Adhesion (blue) and slip (orange); arrows are the tractions on the wheel", figsize=(6.5, 4.6), layout="constrained")
-for kind, colour, label in ((microslip.CellState.adhesion, SKY_BLUE, "adhesion"), (microslip.CellState.slip, ORANGE, "slip")):
+figure, axes = plt.subplots(
+    num="Adhesion (blue) and slip (orange); arrows are the tractions on the wheel",
+    figsize=(6.5, 4.6))
+for kind, colour, label in ((microslip.CellState.adhesion, SKY_BLUE, "adhesion"),
+                            (microslip.CellState.slip, ORANGE, "slip")):
     here = state == kind
     axes.plot(1e3 * cells.x[here], 1e3 * cells.y[here], "s", color=colour, markersize=5, label=label)
 few = (slice(1, None, 3), slice(1, None, 3))
@@ -79,10 +82,11 @@ plt.show()
 
 # %%
 row = len(state) // 2
-figure, axes = plt.subplots(num="Tractions along the middle of the contact, under their bound", figsize=(6.5, 3.6), layout="constrained")
+figure, axes = plt.subplots(num="Tractions along the middle of the contact, under their bound", figsize=(6.5, 3.6))
 x = 1e3 * cells.x[row]
 axes.plot(x, 1e-6 * cells.bound[row], color=BLACK, label="bound, $\\mu p_n$")
-axes.plot(x, 1e-6 * np.hypot(cells.px[row], cells.py[row]), color=VERMILION, linewidth=2.5, label="size of the traction")
+size = 1e-6 * np.hypot(cells.px[row], cells.py[row])
+axes.plot(x, size, color=VERMILION, linewidth=2.5, label="size of the traction")
 axes.plot(x, -1e-6 * cells.px[row], "--", color=BLUE, label="$-p_x$")
 axes.set(xlabel="x [mm], rolling to the right", ylabel="traction [MPa]")
 axes.legend()

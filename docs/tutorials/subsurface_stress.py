@@ -10,7 +10,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLACK, BLUE, GREY, SETTINGS, VERMILION
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 steel = microslip.Material.from_young(210e9, 0.28)
 pair = microslip.combine(steel, steel)
 hertz = microslip.hertz_from_load(microslip.gap_curvatures(0.46, np.inf, np.inf, 0.3), pair, 80e3)
@@ -40,7 +40,9 @@ alone = microslip.InteriorField(steel, 2, grid, pn=normal.pressure)
 
 # %%
 x, depth = np.linspace(-2 * hertz.a, 2 * hertz.a, 81), np.linspace(0.3e-3, 9e-3, 36)
-figure, panels = plt.subplots(1, 2, num="Von Mises' stress in the rail: pressure alone, and with the wheel braked to full sliding, friction 0.5", figsize=(10, 3.6), layout="constrained", sharey=True)
+figure, panels = plt.subplots(
+    1, 2, num="Von Mises' stress in the rail: pressure alone, and with the wheel braked to full sliding, friction 0.5",
+    figsize=(10, 3.6), sharey=True)
 for axes, field, title in zip(panels, (alone, braked), ("pressure alone", "full sliding, friction 0.5")):
     stress = 1e-6 * field.at(x, 0.0, depth[:, None]).von_mises
     drawn = axes.contourf(1e3 * x, -1e3 * depth, stress, levels=np.arange(0, 1051, 75), cmap="cividis", extend="max")
@@ -64,9 +66,12 @@ planes = np.linspace(top, 5e-3, 10)
 frictions = np.linspace(0, 0.6, 9)
 peaks = [microslip.InteriorLayers(rail(mu, (0.02, 0, 0)) if mu > 0 else alone).find_largest(planes) for mu in frictions]
 for mu, peak in list(zip(frictions, peaks))[::2]:
-    print(f"friction {mu:.2f}: {1e-6 * peak.value:4.0f} MPa at x = {1e3 * peak.x:5.2f} mm, {1e3 * peak.depth:.2f} mm deep")
+    print(f"friction {mu:.2f}: {1e-6 * peak.value:4.0f} MPa at x = {1e3 * peak.x:5.2f} mm, "
+          f"{1e3 * peak.depth:.2f} mm deep")
 
-figure, (left, right) = plt.subplots(1, 2, num="The largest stress in the rail over the coefficient of friction, in full sliding: how large, how deep", figsize=(9.5, 3.6), layout="constrained")
+figure, (left, right) = plt.subplots(
+    1, 2, num="The largest stress in the rail over the coefficient of friction, in full sliding: how large, how deep",
+    figsize=(9.5, 3.6))
 left.plot(frictions, [1e-6 * peak.value for peak in peaks], "o-", color=VERMILION)
 left.set(xlabel="coefficient of friction", ylabel="largest von Mises' stress [MPa]", ylim=(0, None))
 right.plot(frictions, [1e3 * peak.depth for peak in peaks], "o-", color=BLUE)

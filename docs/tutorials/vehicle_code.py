@@ -14,7 +14,7 @@ import microslip
 import numpy as np
 from microslip.picture_style import BLUE, GREY, SETTINGS, VERMILION
 
-plt.rcParams.update(SETTINGS)
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
 # %% [markdown]
 # ## The wheelset
@@ -35,7 +35,9 @@ hertz = microslip.hertz_from_load(microslip.gap_curvatures(radius, np.inf, np.in
 
 def wheel(side, speed):
     """Creepages = matrix @ (y, psi, y', psi') + constant."""
-    matrix = np.array([[-side * conicity / radius, 0, 0, -side * half_gauge / speed], [0, -1, 1 / speed, 0], [0, 0, 0, 1 / speed]])
+    matrix = np.array([[-side * conicity / radius, 0, 0, -side * half_gauge / speed],
+                       [0, -1, 1 / speed, 0],
+                       [0, 0, 0, 1 / speed]])
     return matrix, np.array([0, 0, -side * conicity / radius])
 
 
@@ -80,11 +82,12 @@ def rates(state, speed):
 speeds = np.linspace(10, 90, 81)
 growth = [np.linalg.eigvals(rates(np.zeros(4), speed)[1]).real.max() for speed in speeds]
 critical = np.interp(0, growth, speeds)
-figure, axes = plt.subplots(num="Growth rate of small disturbances over the speed", figsize=(6.5, 3.4), layout="constrained")
+figure, axes = plt.subplots(num="Growth rate of small disturbances over the speed", figsize=(6.5, 3.4))
 axes.plot(speeds, growth, color=BLUE)
 axes.axhline(0, color=GREY, linewidth=1)
 axes.axvline(critical, color=GREY, linestyle="--", linewidth=1)
-axes.annotate(f"critical speed\n{critical:.1f} m/s", (critical, 4), xytext=(-6, 0), textcoords="offset points", ha="right")
+axes.annotate(f"critical speed\n{critical:.1f} m/s", (critical, 4), xytext=(-6, 0), textcoords="offset points",
+              ha="right")
 axes.set(xlabel="speed [m/s]", ylabel="growth rate [1/s]")
 plt.show()
 
@@ -116,7 +119,9 @@ def run(speed, start, duration, step=1e-3):
 
 
 calls, inside, begin = 0, 0.0, time.perf_counter()
-figure, axes = plt.subplots(num="Lateral displacement after a disturbance of 3 mm, below and above the critical speed", figsize=(8, 3.4), layout="constrained")
+figure, axes = plt.subplots(
+    num="Lateral displacement after a disturbance of 3 mm, below and above the critical speed",
+    figsize=(8, 3.4))
 for ratio, colour in ((0.8, BLUE), (1.1, VERMILION)):
     lateral = run(ratio * critical, 3e-3, 2.5)[:, 0]
     axes.plot(1e-3 * np.arange(len(lateral)), 1e3 * lateral, color=colour, label=f"{ratio:g} of the critical speed")
@@ -124,7 +129,8 @@ passed = time.perf_counter() - begin
 axes.set(xlabel="time [s]", ylabel="lateral displacement [mm]")
 axes.legend(loc="upper left")
 plt.show()
-print(f"{calls} contacts with derivatives, {1e6 * inside / calls:.1f} microseconds each, {inside / passed:.0%} of the time")
+print(f"{calls} contacts with derivatives, {1e6 * inside / calls:.1f} microseconds each, "
+      f"{inside / passed:.0%} of the time")
 
 # %% [markdown]
 # **How to read it.** Below the critical speed the disturbance is forgotten, above it grows, until flanges would stop it (this wheelset has none). Here numpy's small matrices cost most of the time; in C++ the contact law does, and a simulated second takes 21 ms.
