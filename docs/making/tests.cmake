@@ -30,6 +30,10 @@ add_test(NAME docs_making COMMAND sh -c "${python_packages}; exec \"$0\" -m unit
   WORKING_DIRECTORY ${making})
 set_tests_properties(docs_making PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
 
+# With sanitizers tutorials take minutes and say nothing that the tests of the module do not.
+if(CMAKE_CXX_FLAGS MATCHES "sanitize")
+  return()
+endif()
 file(GLOB tutorials CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/tutorials/*.py)
 foreach(tutorial ${tutorials})
   get_filename_component(name ${tutorial} NAME_WE)
