@@ -1,6 +1,8 @@
 """Lets CMake build the compiled module for `pip install .`; everything else is in pyproject.toml."""
 
+import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -20,8 +22,10 @@ class CMakeBuild(build_ext):
         """Configures, builds, installs."""
         build = Path(self.build_temp).resolve()
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
-        subprocess.run(["cmake", "-S", ROOT, "-B", build, *OPTIONS], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "microslip_python", "--parallel"], check=True)
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        jobs = str(os.cpu_count() or 1)  # without a number make starts all compilers at once
+        subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *OPTIONS], check=True)
+        subprocess.run(["cmake", "--build", build, "--target", "microslip_python", "--parallel", jobs], check=True)
         subprocess.run(["cmake", "--install", build, "--prefix", package.parent, "--component", "python"], check=True)
 
 

@@ -1,8 +1,9 @@
-"""The documentation as a site: `tools/docs` builds it. Pages are the Markdown files of this folder."""
+"""The documentation as a site: `tools/docs` builds it. Pages are the Markdown files of this folder and the scripts of tutorials/."""
 
 import pathlib
 import re
 import shutil
+import sys
 
 folder = pathlib.Path(__file__).parent
 project = "microslip"
@@ -10,16 +11,20 @@ author = "the microslip authors"
 copyright = author  # noqa: A001 (Sphinx's name)
 release = re.search(r"VERSION (\d+\.\d+\.\d+)", (folder.parent / "CMakeLists.txt").read_text()).group(1)
 
-extensions = ["myst_parser", "sphinx.ext.mathjax"]
+sys.path.insert(0, str(folder / "making"))
+
+extensions = ["myst_parser", "sphinx.ext.mathjax", "pages"]
 myst_enable_extensions = ["dollarmath", "amsmath"]
 myst_heading_anchors = 4
 myst_dmath_double_inline = True
-source_suffix = [".md"]
-exclude_patterns = ["drawings"]
+source_suffix = {".md": "markdown", ".py": "markdown"}  # the .py are tutorials, see making/pages.py
+exclude_patterns = ["conf.py", "drawings", "making"]
 
 html_theme = "furo"
 html_title = f"microslip {release}"
 html_show_sphinx = False
+html_static_path = ["making/static"]
+html_css_files = ["site.css"]
 
 # Formulas are drawn by Debian's MathJax 2, copied into the site: it needs no network.
 mathjax = pathlib.Path("/usr/share/javascript/mathjax")

@@ -1,0 +1,101 @@
+# %% [markdown]
+# # The exact theory
+#
+# The exact theory takes both bodies as elastic half-spaces: a traction anywhere moves the surface everywhere. So nothing has to be assumed about the contact area or about springs, and shapes that are no ellipses, histories and given forces can be
+# treated. This tutorial shows three things that the simplified theory cannot do.
+
+# %%
+import matplotlib.pyplot as plt
+import microslip
+import numpy as np
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
+
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
+case = microslip.read_case("examples/wheel_on_rail.toml")
+contact = case.contact
+limit = 0.3 * contact.normal_force
+solver = microslip.EllipticContactSolver(32, 32)
+
+# %% [markdown]
+# ## Forces given
+#
+# In a measurement one knows the force, not the creepage. A force may take the place of the creepage in its direction: the creepage is then found.
+
+# %%
+solved = solver.solve(contact, force_x=-0.5 * limit)
+print(f"Fx = {solved.forces.fx:.1f} N at xi = {solved.creepage.longitudinal:.6f}")
+print(f"residual {solved.residual:.1e} after {solved.newton_steps} Newton steps; status {solved.forces.status.name}")
+beyond = solver.solve(contact, force_x=-1.1 * limit)
+share = np.hypot(beyond.forces.fx, beyond.forces.fy) / limit
+print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {share:.3f} mu Fn")
+
+# %% [markdown]
+# Look at `status`, always. Not converging, or a force beyond the friction limit, is no exception in microslip: the result says so.
+#
+# ## How steady rolling comes about
+#
+# Steady rolling is a limit. A contact that begins to roll from nothing needs some way until its tractions no longer change: how long? Transient rolling goes step by step and keeps the history.
+
+# %%
+contact.creepage = (0.0018, 0.0006, 0.4)
+steps, length = 72, contact.a / 16
+transient = solver.solve(contact, motion="transient", step=length, steps=steps)
+steady = microslip.EllipticContactSolver(32, 32, discretisation="classical").solve(contact)
+way = length * np.arange(1, steps + 1) / contact.a
+figure, axes = plt.subplots(num="Forces while the contact rolls its first lengths", figsize=(6.5, 3.8))
+for name, colour in (("fx", BLUE), ("fy", ORANGE)):
+    history = [-getattr(step.forces, name) / limit for step in transient.history]
+    axes.plot(way, history, ".-", color=colour, label=f"$-F_{name[1]}$")
+    axes.axhline(-getattr(steady.forces, name) / limit, linestyle=":", color=colour, label=f"$-F_{name[1]}$, steady")
+axes.set(xlabel="way rolled / a", ylabel="force / ($\\mu F_n$)")
+axes.legend(ncols=2)
+plt.show()
+
+# %% [markdown]
+# **How to read it.** After one length of the contact ($2a$) most of the force is there; after two of them the rest has gone. So a vehicle model may take steady rolling as long as creepages change slowly over some centimetres. Corrugation, with waves of that
+# length, is where it may not.
+#
+# ## A shape of one's own
+#
+# Worn profiles touch in areas that are no ellipses, or at two places at once. `PatchRolling` takes any undeformed distance `gap` between the surfaces, given at the centres of a regular grid. Here: a rail with a shallow groove along the middle of
+# its running surface.
+
+# %%
+steel = microslip.Material.from_young(210e9, 0.28)
+pair = microslip.combine(steel, steel)
+mx, my, size = 72, 72, 0.25e-3
+grid = microslip.ElementGrid(mx, my, -(mx - 1) / 2 * size, -(my - 1) / 2 * size, size, size)
+smooth = microslip.hertzian_gap(microslip.gap_curvatures(0.46, np.inf, np.inf, 0.3), grid)
+groove = 30e-6 * np.exp(-((grid.y[:, None] - 0.8e-3) / 1.5e-3) ** 2) + 0 * grid.x[None, :]
+rolling = microslip.PatchRolling(pair, grid, smooth + groove, normal_force=80e3)
+patch = rolling.solve(0.3, (0.0018, 0.0006, 0.4))
+without = microslip.PatchRolling(pair, grid, smooth, normal_force=80e3)
+ellipse = without.solve(0.3, (0.0018, 0.0006, 0.4))
+print(f"smooth rail   Fx = {ellipse.forces.fx:.0f} N, Fy = {ellipse.forces.fy:.0f} N")
+print(f"with groove   Fx = {patch.forces.fx:.0f} N, Fy = {patch.forces.fy:.0f} N, status {patch.forces.status.name}")
+print(f"largest pressure: {1e-6 * rolling.normal.peak_pressure:.0f} MPa with the groove, "
+      f"{1e-6 * without.normal.peak_pressure:.0f} MPa without")
+
+# %%
+figure, (left, right) = plt.subplots(
+    1, 2, num="Two contact patches beside a groove: pressure, and traction over its bound",
+    figsize=(10, 4), sharey=True)
+pressure = 1e-6 * rolling.normal.pressure
+x, y = 1e3 * grid.x, 1e3 * grid.y
+shown = left.pcolormesh(x, y, np.where(pressure > 0, pressure, np.nan), cmap="viridis", shading="nearest")
+figure.colorbar(shown, ax=left, label="pressure [MPa]")
+inside = np.asarray(patch.bound) > 0
+share = np.hypot(patch.px, patch.py)[inside] / np.asarray(patch.bound)[inside]
+shown = right.scatter(1e3 * np.asarray(patch.x)[inside], 1e3 * np.asarray(patch.y)[inside], c=share,
+                      s=9, marker="s", cmap="cividis", vmin=0, vmax=1)
+figure.colorbar(shown, ax=right, label="traction / bound: 1 is slip")
+for axes in (left, right):
+    axes.set(xlabel="x [mm], rolling to the right", aspect="equal", xlim=(-9, 9), ylim=(-8, 8))
+left.set_ylabel("y [mm]")
+plt.show()
+
+# %% [markdown]
+# **How to read it.** Left: the groove cuts the contact in two, each part with a larger pressure than the smooth rail has anywhere. Right: each patch has its own leading edge, where tractions begin at zero, and its own slip area. The
+# sum of the forces is yet within a per cent of that of the smooth rail. That is a common finding: **total forces forgive a wrong shape; stresses and wear do not.**
+#
+# The grid must be larger than the contact; if the contact reaches its border the result says so. How it is all solved is told in [the theory](../theory-exact.md).
