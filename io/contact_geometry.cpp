@@ -1,11 +1,13 @@
 #include "io/contact_geometry.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace microslip {
 namespace {
 
-constexpr int most_elements_along = 10000, most_points = 9999, most_heights = 10000;
+constexpr int most_elements_along = 10000, most_points = 9999, most_heights = 10000, most_patches = 100;
+constexpr int any_element = 999999; ///< indices of points may lie beyond the grid, which cuts them off
 
 /// Names of the numbers behind MX and MY.
 struct Names {
@@ -61,9 +63,23 @@ std::vector<double> read_waves(ContactWords& words) {
   return values;
 }
 
+/// The number of sub-patches, y between them, and by how much each of a pair acts on the other.
+std::vector<double> read_sub_patches(ContactWords& words) {
+  const int count = words.integer("NPATCH", 1, most_patches);
+  words.end_record();
+  const auto patches = static_cast<std::size_t>(count);
+  std::vector<double> values = {static_cast<double>(count)};
+  for (const auto& [field, number] : {std::pair{"YSEP", patches - 1}, {"FAC", patches * (patches - 1) / 2}}) {
+    if (number == 0) continue;
+    const auto part = words.reals(field, number);
+    values.insert(values.end(), part.begin(), part.end());
+  }
+  return values;
+}
+
 std::vector<double> read_indices(ContactWords& words, const char* axis, int count) {
   std::vector<double> indices;
-  for (int k = 0; k < count; ++k) indices.push_back(words.integer(axis, 1, most_elements_along));
+  for (int k = 0; k < count; ++k) indices.push_back(words.integer(axis, 1, any_element));
   words.end_record();
   return indices;
 }
@@ -86,8 +102,9 @@ ContactPoints read_block(ContactWords& words) {
   case 2:
   case 6:
     for (const char* axis : {"IX", "IY"}) {
-      for (const char* part : {"L", "INC", "H"})
-        points.range.push_back(words.integer(std::string(axis) + part, 1, most_elements_along));
+      const std::string name = axis;
+      const int low = words.integer(name + "L", 1, any_element), step = words.integer(name + "INC", 0, any_element);
+      points.range.insert(points.range.end(), {low, std::max(step, 1), words.integer(name + "H", low, any_element)});
       words.end_record();
     }
     break;
@@ -151,6 +168,7 @@ ContactGeometry read_geometry(ContactWords& words, const PotentialContact& poten
   if (g.base == 9) g.values = words.reals("H", potential.elements());
   if (g.planform == 2) g.plan_values = words.reals("PL", 6);
   if (g.planform == 3) g.plan_values = words.reals("PL", 8);
+  if (g.planform == 4) g.plan_values = read_sub_patches(words);
   return g;
 }
 

@@ -17,6 +17,7 @@ struct PotentialContact {
   double scale = 1; ///< of Hertz's ellipse
 
   bool is_hertzian() const { return kind < 0; }
+  bool is_line() const { return kind == -4 || kind == -5; }
   std::size_t elements() const { return static_cast<std::size_t>(mx) * static_cast<std::size_t>(my); }
 };
 
@@ -24,9 +25,8 @@ struct PotentialContact {
 struct ContactGeometry {
   int base = 0;                    ///< IBASE: 1 quadratic, 2 circle in x and points in y, 3 waves, 9 by element
   std::vector<double> values = {}; ///< 1: B1 to B6; 2: XM RM Y1 DY1, heights; 3: B1 to B8; 9: each element's
-  /// IPLAN: 1 all, 2 where a quadratic form is negative, 3 two rectangles, 4 sub-patches, whose data are not read
-  int planform = 1;
-  std::vector<double> plan_values = {}; ///< 2: six; 3: XL XH YL YH twice
+  int planform = 1; ///< IPLAN: 1 all, 2 where a quadratic form is negative, 3 two rectangles, 4 sub-patches
+  std::vector<double> plan_values = {}; ///< 2: six; 3: XL XH YL YH twice; 4: NPATCH, YSEP, FAC
 };
 
 /// Points of the interior field: one of CONTACT's blocks. Indices count from 1, lengths are in mm.

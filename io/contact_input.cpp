@@ -1,6 +1,7 @@
 #include "io/contact_input.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace microslip {
@@ -84,8 +85,8 @@ const ContactCase* ContactInputReader::next() {
 /// The number of the next module; 0 at the end.
 int ContactInputReader::read_module() {
   if (words_.at_end()) return 0;
-  const int module = words_.integer("MODULE", 0, 3);
-  if (module == 2) words_.fail("MODULE", 2, "must be 0, 1 or 3");
+  const int module = words_.integer("MODULE", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+  if (module != 0 && module != 1 && module != 3) words_.fail("MODULE", module, "must be 0, 1 or 3");
   complete_ = module == 0;
   if (complete_) return 0;
   const int element = words_.optional_integer("RE", 1, 1, 999);
@@ -143,7 +144,7 @@ void ContactInputReader::read_digits(ContactCase& c) {
   read_control(words_, "XHGIAOWR", third_word, d);
   words_.end_record();
   if (d.xflow == 1) {
-    words_.control("PSFLCIN", 7);
+    words_.control("PSFLCIN", 9); // versions differ in the number of digits
     words_.end_record();
   }
 }
@@ -337,6 +338,8 @@ void ContactInputReader::read_potential(ContactCase& c) {
     c.potential = read_potential_contact(words_);
     if (c.potential->is_hertzian()) now_->has_geometry = false;
   }
+  if (d.discns >= 1 && c.potential->is_hertzian() && d.norm == 0 && !(c.normal > 0))
+    words_.fail("PEN", c.normal, "must be > 0 with Hertz's geometry, IPOTCN < 0");
   if (d.discns >= 1) {
     c.formed_norm = d.norm;
     c.formed_normal = c.normal;
@@ -367,7 +370,6 @@ void ContactInputReader::read_geometry(ContactCase& c) {
   if (c.potential->is_hertzian() || keeps_geometry(c)) return;
   c.geometry = microslip::read_geometry(words_, *c.potential);
   now_->has_geometry = true;
-  if (c.geometry.planform == 4) c.unreadable = "IPLAN = 4 (weighted interaction of sub-patches)";
 }
 
 void ContactInputReader::read_friction_by_rows(ContactCase& c) {

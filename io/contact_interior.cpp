@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <numeric>
 
@@ -13,7 +14,8 @@ namespace {
 constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6, newton_per_mm2 = 1e6;
 constexpr std::size_t most_points = 2000000;
 
-/// The columns, or rows, of elements that a block names, from 0; `part` is 0 for x, 1 for y.
+/// The columns, or rows, of elements that a block names, from 0, as far as the grid has them; `part` is 0 for x, 1 for
+/// y.
 std::vector<int> elements_of(const ContactPoints& block, std::size_t part, int count) {
   std::vector<int> indices;
   if (block.kind == 1 || block.kind == 5) {
@@ -21,19 +23,28 @@ std::vector<int> elements_of(const ContactPoints& block, std::size_t part, int c
     std::iota(indices.begin(), indices.end(), 0);
   } else if (block.kind == 2 || block.kind == 6) {
     const int first = block.range[3 * part], step = block.range[3 * part + 1], last = block.range[3 * part + 2];
-    for (int k = first; k <= last; k += step) indices.push_back(k - 1);
+    for (int k = first; k <= std::min(last, count); k += step) indices.push_back(k - 1);
   } else {
     for (const double k : part == 0 ? block.x : block.y) indices.push_back(static_cast<int>(k) - 1);
   }
-  for (const int k : indices) require_between(part == 0 ? "ISUBS: IX" : "ISUBS: IY", k + 1, "-", 1, count);
+  std::erase_if(indices, [&](int k) { return k >= count; });
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  if (indices.empty()) throw Error(std::string("ISUBS: ") + (part == 0 ? "IX" : "IY") + ": no element of the grid");
   return indices;
+}
+
+std::vector<double> places(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  for (double& value : values) value *= mm;
+  return values;
 }
 
 InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
   InteriorGrid points;
   if (block.kind == 9) {
-    for (const double x : block.x) points.x.push_back(x * mm);
-    for (const double y : block.y) points.y.push_back(y * mm);
+    points.x = places(block.x);
+    points.y = places(block.y);
   } else {
     for (const int i : elements_of(block, 0, grid.mx)) points.x.push_back(grid.x(i));
     for (const int j : elements_of(block, 1, grid.my)) points.y.push_back(grid.y(j));
@@ -41,7 +52,7 @@ InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
   if (block.kind <= 3)
     for (int k = 0; k < static_cast<int>(block.z[0]); ++k) points.z.push_back((block.z[1] + k * block.z[2]) * mm);
   else
-    for (const double z : block.z) points.z.push_back(z * mm);
+    points.z = places(block.z);
   if (points.x.size() * points.y.size() > most_points / points.z.size())
     throw Error("ISUBS: more than two million points in a block");
   return points;

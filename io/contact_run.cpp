@@ -54,8 +54,12 @@ int element_state(const ContactOutcome& outcome, std::size_t element) {
 ContactOutcome ContactRun::solve(const ContactCase& c, Sequence& sequence) {
   ContactOutcome outcome;
   outcome.step = contact_step(c);
-  outcome.solution = is_simplified(c) ? solve_simplified(c, outcome.step, sequence.steps)
+  SpringState springs = sequence.springs.value_or(SpringState());
+  outcome.solution = is_simplified(c) ? solve_simplified(c, outcome.step, sequence.steps, springs)
                                       : sequence.steps.solve(outcome.step);
+  sequence.springs.reset();
+  if (is_simplified(c)) sequence.springs = std::move(springs);
+  if (outcome.step.frictionless) sequence.springs = SpringState();
   outcome.totals = contact_totals(c, outcome.step, outcome.solution);
   if (has_temperatures(c)) outcome.temperature = temperature(c, outcome);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
@@ -76,7 +80,9 @@ ContactOutcome ContactRun::run(const ContactCase& c) {
     outcome.kind = ContactOutcome::Kind::skipped;
     return outcome;
   }
-  if (reasons.empty() && goes_on(c) && sequence.lost > 0)
+  if (reasons.empty() && goes_on(c) && is_simplified(c) && !sequence.springs)
+    reasons.push_back("P = " + std::to_string(c.digits.pvtime) + " (FASTSIM goes on from FASTSIM only)");
+  if (reasons.empty() && goes_on(c) && !is_simplified(c) && sequence.lost > 0)
     reasons.push_back("P = " + std::to_string(c.digits.pvtime) + " (it goes on from case " +
                       std::to_string(sequence.lost) + ", which has left no tractions)");
   if (reasons.empty()) try {
@@ -87,6 +93,7 @@ ContactOutcome ContactRun::run(const ContactCase& c) {
       reasons.emplace_back(error.what());
     }
   sequence.lost = c.number;
+  sequence.springs.reset();
   return refused(std::move(reasons));
 }
 

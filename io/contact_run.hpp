@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/contact_fastsim.hpp"
 #include "io/contact_input.hpp"
 #include "io/contact_interior.hpp"
 #include "io/contact_totals.hpp"
@@ -41,6 +42,7 @@ private:
   struct Sequence {
     ContactSequence steps;
     int lost = 0; ///< number of the case that could not be run after the last one that was solved
+    std::optional<SpringState> springs = SpringState(); ///< of the last case if it was FASTSIM's, or without friction
   };
 
   ContactOutcome solve(const ContactCase& c, Sequence& sequence);

@@ -1,7 +1,10 @@
 #include "io/contact_set_up.hpp"
 
+#include "microslip/elasticity/half_ellipses.hpp"
 #include "microslip/error.hpp"
+#include "microslip/exact/approximate_pressure.hpp"
 #include "microslip/exact/memory_need.hpp"
+#include "microslip/exact/tangential_totals.hpp"
 #include "microslip/friction/traction_bound.hpp"
 
 #include <algorithm>
@@ -14,13 +17,6 @@ namespace {
 
 constexpr double mm = 1e-3, per_mm = 1e3, newton_per_mm2 = 1e6;
 
-/// Hertz's solution for the potential contact, SI.
-struct HertzianShape {
-  double a = 0, b = 0; ///< semi-axes; for a line contact b is half its length
-  GapCurvatures gap = {};
-  double approach = 0, normal_force = 0;
-};
-
 HertzContact hertz_with(const GapCurvatures& gap, const CombinedMaterial& material, const NormalLoad& load) {
   return load.given == NormalLoad::Given::force ? hertz_from_load(gap, material, load.value)
                                                 : hertz_from_approach(gap, material, load.value);
@@ -31,6 +27,11 @@ GapCurvatures gap_of_ellipse(double a, double b, const CombinedMaterial& materia
   const bool by_force = load.given == NormalLoad::Given::force;
   const double force = by_force ? load.value : load.value / hertz_from_ellipse(a, b, material, 1).approach;
   return hertz_from_ellipse(a, b, material, force).gap;
+}
+
+/// IPOTCN = -6.
+HalfEllipses half_ellipses(const PotentialContact& p, double normal_force) {
+  return {p.values[0] * mm, p.values[1] * mm, p.values[2] * mm, normal_force};
 }
 
 GapCurvatures gap_of(const PotentialContact& p, const CombinedMaterial& material, const NormalLoad& load) {
@@ -46,6 +47,8 @@ GapCurvatures gap_of(const PotentialContact& p, const CombinedMaterial& material
     return gap_of_ellipse(first * mm, second * mm, material, load);
   case -4:
     return {first * per_mm, 0};
+  case -6: // given by its contact alone
+    return {0, 0};
   default: { // -5: p0 = 2 fn/(pi a) = E* A a
     const double a = first * mm, force_per_length = load.value / (2 * second * mm);
     return {2 * force_per_length / (std::numbers::pi * a * a * material.contact_modulus()), 0};
@@ -61,7 +64,11 @@ NormalLoad load_of(int norm, double value) {
 /// The ellipse, or the strip, for a load.
 HertzianShape shape_of(const PotentialContact& p, const CombinedMaterial& material, const GapCurvatures& gap,
                        const NormalLoad& load) {
-  if (p.kind <= -4) {
+  if (p.kind == -6) {
+    const HalfEllipses contact = half_ellipses(p, load.value);
+    return {contact.a, contact.half_width(), gap, 0, load.value};
+  }
+  if (p.is_line()) {
     const double length = 2 * p.values[1] * mm;
     const LineContact line = line_contact_from_load(gap.x, material, load.value / length);
     return {line.half_width, length / 2, gap, 0, load.value};
@@ -70,8 +77,17 @@ HertzianShape shape_of(const PotentialContact& p, const CombinedMaterial& materi
   return {hertz.a, hertz.b, hertz.gap, hertz.approach, hertz.normal_force};
 }
 
+/// By how much the rows of a line contact reach beyond its length: a whole number of them within it, and an even one
+/// beyond.
+double scale_of_rows(const PotentialContact& p) {
+  if (p.scale <= 1) return 1;
+  int within = std::max(1, static_cast<int>(std::lround(p.my / p.scale)));
+  if ((p.my - within) % 2 != 0) ++within;
+  return static_cast<double>(p.my) / within;
+}
+
 ElementGrid hertzian_grid(const PotentialContact& p, const HertzianShape& shape) {
-  const double half_y = p.kind <= -4 ? shape.b : shape.b * p.scale, half_x = shape.a * p.scale;
+  const double half_y = shape.b * (p.is_line() ? scale_of_rows(p) : p.scale), half_x = shape.a * p.scale;
   ElementGrid grid{p.mx, p.my, 0, 0, 2 * half_x / p.mx, 2 * half_y / p.my};
   grid.x0 = -half_x + grid.dx / 2;
   grid.y0 = -half_y + grid.dy / 2;
@@ -100,30 +116,20 @@ double quadratic_form(const double* b, double x, double y) {
   return b[0] * x * x + b[1] * x * y + b[2] * y * y + b[3] * x + b[4] * y + b[5];
 }
 
-/// Between points at y1, y1 + spacing, ...
+/// Straight lines between points at y1, y1 + spacing, ..., and on beyond them.
 double interpolated(const double* heights, std::size_t count, double y1, double spacing, double y) {
   if (count == 1) return heights[0];
   const double place = (y - y1) / spacing, last = static_cast<double>(count - 1);
-  if (!(place >= -1e-9 && place <= last + 1e-9))
-    throw Error("IBASE = 2: the heights do not reach the elements at y = " + std::to_string(y) + " mm");
   const auto k = static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last - 1));
   const double share = place - static_cast<double>(k);
   return (1 - share) * heights[k] + share * heights[k + 1];
 }
 
-/// Distance of a circle of radius r, negative for a hollow one, from its tangent.
-double circle(double r, double x) {
-  if (std::abs(x) > std::abs(r))
-    throw Error("RM = " + std::to_string(r) + ": the circle does not reach the elements at XM + " + std::to_string(x) +
-                " mm");
-  return x * x / (r + std::copysign(std::sqrt(r * r - x * x), r));
-}
-
-/// The undeformed distance [mm] at a place [mm].
+/// The undeformed distance [mm] at a place [mm]. A circle is the parabola of its curvature, as in CONTACT.
 double distance(const ContactGeometry& g, double x, double y) {
   const double* v = g.values.data();
   if (g.base == 1) return quadratic_form(v, x, y);
-  if (g.base == 2) return circle(v[1], x - v[0]) + interpolated(v + 4, g.values.size() - 4, v[2], v[3], y);
+  if (g.base == 2) return (x - v[0]) * (x - v[0]) / (2 * v[1]) + interpolated(v + 4, g.values.size() - 4, v[2], v[3], y);
   return v[0] * std::sin(v[1] * (x - v[2])) - v[3] * std::sin(v[4] * (x - v[5])) + x * x / v[6] + y * y / v[7];
 }
 
@@ -151,7 +157,8 @@ void set_given_geometry(const ContactGeometry& g, ContactStep& step) {
 }
 
 /// A strip of half-width a: the ellipse, or the parabola of the same force.
-double line_pressure(TractionBound shape, const HertzianShape& strip, double x) {
+double line_pressure(TractionBound shape, const HertzianShape& strip, double x, double y) {
+  if (std::abs(y) > strip.b) return 0;
   const double force_per_length = strip.normal_force / (2 * strip.b), xi = x / strip.a;
   const double height = std::max(0.0, 1 - xi * xi);
   if (shape == TractionBound::parabolic) return 0.75 * force_per_length / strip.a * height;
@@ -168,8 +175,29 @@ GivenPressure hertzian_pressure(const ContactCase& c, const ContactStep& step) {
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i)
       given.pressure.push_back(
-          p.kind <= -4 ? line_pressure(bound, shape, grid.x(i))
-                       : traction_bound(bound, shape.a, shape.b, shape.normal_force, 1, grid.x(i), grid.y(j)));
+          p.is_line() ? line_pressure(bound, shape, grid.x(i), grid.y(j))
+                      : traction_bound(bound, shape.a, shape.b, shape.normal_force, 1, grid.x(i), grid.y(j)));
+  return given;
+}
+
+/// B = 4.
+GivenPressure half_elliptic_pressure(const ContactCase& c, const ElementGrid& grid) {
+  const HalfEllipses contact = half_ellipses(*c.potential, c.normal);
+  GivenPressure given{{}, 0, c.normal, {}};
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) given.pressure.push_back(contact.pressure(grid.x(i), grid.y(j)));
+  return given;
+}
+
+/// B = 5, 6: KPEC and ANALYN.
+GivenPressure approximate_pressure(const ContactCase& c, const ContactStep& step) {
+  std::vector<double> gap = step.gap;
+  constexpr double never = 1e20; // [m]
+  for (std::size_t k = 0; k < step.excluded.size(); ++k)
+    if (step.excluded[k]) gap[k] = never;
+  const auto method = c.digits.bound == 5 ? kik_piotrowski_pressure : analyn_pressure;
+  GivenPressure given{method(step.bodies.material, step.grid, gap, step.load.value), step.load.value, 0, {}};
+  for (const double p : given.pressure) given.normal_force += p * step.grid.element_area();
   return given;
 }
 
@@ -244,6 +272,14 @@ double set_friction(const ContactCase& c, ContactStep& step) {
   return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
 }
 
+/// CONTACT's solvers, but for SteadyGS, correct steps that are longer than the elements, as if the edge were at the centre
+/// of the element ahead of the contact.
+bool corrects_leading_edge(const ContactCase& c, const ContactStep& step) {
+  constexpr double rounding = 1e-3;
+  return !takes_element_length(c) && step.motion.step > (1 + rounding) * step.grid.dx && rolls_along_x(c) &&
+         step.bodies.are_elastic() && !step.bodies.are_coupled();
+}
+
 void set_motion(const ContactCase& c, ContactStep& step) {
   const ContactDigits& d = c.digits;
   const bool shifts = d.tang == 1;
@@ -262,7 +298,11 @@ void set_motion(const ContactCase& c, ContactStep& step) {
   if (shifts) return;
   motion.step = takes_element_length(c) ? step.grid.dx : c.rolling->dq * mm;
   motion.spin_offset = c.rolling->facphi;
-  motion.direction = std::cos(c.rolling->chi) > 0 ? RollingDirection::forward : RollingDirection::backward;
+  if (rolls_along_x(c))
+    motion.direction = std::cos(c.rolling->chi) > 0 ? RollingDirection::forward : RollingDirection::backward;
+  else
+    motion.heading = c.rolling->chi;
+  if (corrects_leading_edge(c, step)) motion.leading_edge = LeadingEdge{.theta = 1, .where_possible = true};
   motion.rolling_speed = c.rolling->veloc * mm;
 }
 
@@ -272,15 +312,14 @@ void set_extra_slip(const ContactCase& c, ContactStep& step) {
   const ElementGrid& grid = step.grid;
   const bool shifts = c.digits.tang == 1;
   const double unit = shifts ? mm : 1, turn = c.phi * (shifts ? 1 : per_mm);
-  const double way = std::cos(shifts ? 0 : c.rolling->chi) > 0 ? step.motion.step : -step.motion.step;
-  const double ahead = shifts ? 0 : step.motion.spin_offset * way;
+  const Vec2 ahead = shifts ? Vec2{} : way_of(step.motion, step.motion.spin_offset * signed_step(step.motion, grid));
   step.extra_slip_x.assign(grid.count(), 0);
   step.extra_slip_y.assign(grid.count(), 0);
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
-      if (c.extra == 2) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead - c.spin_x * mm);
-      if (c.extra == 3) step.extra_slip_x[k] = turn * (grid.y(j) - c.spin_y * mm);
+      if (c.extra == 2) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead.x - c.spin_x * mm);
+      if (c.extra == 3) step.extra_slip_x[k] = turn * (grid.y(j) + ahead.y - c.spin_y * mm);
       if (c.extra == 9) step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
     }
 }
@@ -316,7 +355,16 @@ Bodies bodies_of(const ContactCase& c) {
 }
 
 bool takes_element_length(const ContactCase& c) {
-  return c.digits.tang == 3 && c.solver.method != 2;
+  return (c.digits.tang == 3 && c.solver.method != 2) || (c.digits.tang >= 2 && c.digits.mater == 4);
+}
+
+bool rolls_along_x(const ContactCase& c) {
+  return std::abs(std::sin(c.rolling->chi)) <= 0.01;
+}
+
+std::optional<HertzianShape> hertzian_shape(const ContactCase& c, const ContactStep& step) {
+  if (!c.potential->is_hertzian()) return {};
+  return shape_of(*c.potential, step.bodies.material, *gap_curvatures(c), step.load);
 }
 
 std::optional<GapCurvatures> gap_curvatures(const ContactCase& c) {
@@ -342,6 +390,8 @@ ContactStep contact_step(const ContactCase& c) {
   if (c.material->coefficients == 3) step.grid.shape = ElementShape::bilinear;
   if (c.digits.bound == 1) step.given = sheet_pressure(c, step);
   if (c.digits.bound == 2 || c.digits.bound == 3) step.given = hertzian_pressure(c, step);
+  if (c.digits.bound == 4) step.given = half_elliptic_pressure(c, step.grid);
+  if (c.digits.bound >= 5) step.given = approximate_pressure(c, step);
   step.frictionless = c.digits.tang == 0;
   if (!step.frictionless) {
     set_motion(c, step);

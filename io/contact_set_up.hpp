@@ -13,13 +13,24 @@ CombinedMaterial combined_material(const ContactCase& c);
 /// The same with what deforms late.
 Bodies bodies_of(const ContactCase& c);
 
-/// Whether the step of steady rolling is the elements' length whatever the file says: CONTACT takes another one only
-/// with its solver ConvexGS, G = 2.
+/// Whether the step of rolling is the elements' length whatever the file says: in steady rolling CONTACT takes another
+/// one only with its solver ConvexGS, G = 2, and with a layer, M = 4, never.
 bool takes_element_length(const ContactCase& c);
+/// Whether a case that rolls does so along +x or -x: CHI of 0 or 180 degrees, to .01.
+bool rolls_along_x(const ContactCase& c);
 
 /// The gap A x^2 + B y^2 of a case, if it has that form [1/m]: Hertzian geometry, or a quadratic one about the origin.
 /// B is 0 for a line contact.
 std::optional<GapCurvatures> gap_curvatures(const ContactCase& c);
+
+/// Hertz's solution for the potential contact and a load, SI.
+struct HertzianShape {
+  double a = 0, b = 0; ///< semi-axes; for a line contact b is half its length, for two half ellipses that of both
+  GapCurvatures gap = {};
+  double approach = 0, normal_force = 0;
+};
+/// That of a case with Hertzian geometry for its load.
+std::optional<HertzianShape> hertzian_shape(const ContactCase& c, const ContactStep& step);
 
 /// A case that can be solved (see unsupported) as a problem in SI units. Throws Error, without the file's name, for
 /// what no single value can tell: curvatures or radii that give no contact on the grid, numbers that overflow.

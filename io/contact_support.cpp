@@ -24,9 +24,10 @@ struct Refusal {
 };
 
 constexpr Refusal refusals[] = {
-    {"B = 4", "two half ellipses, SDEC", [](const ContactCase& c) { return c.digits.bound == 4; }},
-    {"B = 5", "approximate normal problem, KPEC", [](const ContactCase& c) { return c.digits.bound == 5; }},
-    {"B = 6", "approximate normal problem, ANALYN", [](const ContactCase& c) { return c.digits.bound == 6; }},
+    {"B = 4", "two half ellipses, SDEC, without IPOTCN = -6 and N = 1",
+     [](const ContactCase& c) { return c.digits.bound == 4 && (c.potential->kind != -6 || c.digits.norm != 1); }},
+    {"B > 4", "approximate normal problem, KPEC or ANALYN, with the force given, N = 1",
+     [](const ContactCase& c) { return c.digits.bound > 4 && c.digits.norm == 1; }},
     {"L = 6", "friction that depends on the temperature",
      [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 6; }},
     {"C = 4", "half-space coefficients corrected for conformal contact",
@@ -34,19 +35,24 @@ constexpr Refusal refusals[] = {
     {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",
      [](const ContactCase& c) { return c.digits.mater == 1 && c.digits.tang != 3; }},
-    {"T = 1", "a shift with FASTSIM or FaStrip",
+    {"T = 1", "a shift with FASTSIM or FaStrip, as in CONTACT",
      [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 1; }},
-    {"T = 2", "transient rolling with FASTSIM or FaStrip",
-     [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 2; }},
-    {"F > 0", "forces given with FASTSIM or FaStrip",
-     [](const ContactCase& c) { return is_simplified(c) && c.digits.force > 0; }},
-    {"E > 0", "extra rigid slip with FASTSIM or FaStrip",
-     [](const ContactCase& c) { return is_simplified(c) && has_tractions(c) && c.extra > 0; }},
-    {"CHI", "rolling in a direction other than 0 or 180 degrees",
-     [](const ContactCase& c) { return rolls(c) && std::abs(std::sin(c.rolling->chi)) > 0.01; }},
-    {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5",
-     [](const ContactCase& c) { return c.potential->kind <= -4 && c.potential->kind >= -5 && c.formed_norm == 0; }},
-    {"IPOTCN = -6", "two half ellipses, SDEC", [](const ContactCase& c) { return c.potential->kind == -6; }},
+    {"T = 2", "transient rolling with FaStrip, as in CONTACT",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.mater >= 5 && c.digits.tang == 2; }},
+    {"P = 1", "what goes on from the pressure alone, of bodies of different materials",
+     [](const ContactCase& c) {
+       return c.digits.pvtime == 1 && (c.digits.tang == 1 || c.digits.tang == 2) && bodies_of(c).are_coupled();
+     }},
+    {"P = 3", "a step once more with FASTSIM",
+     [](const ContactCase& c) { return is_simplified(c) && c.digits.pvtime == 3 && c.digits.tang == 2; }},
+    {"CHI", "steady rolling, or rolling on a layer, in a direction other than 0 or 180 degrees; CONTACT takes 0 then",
+     [](const ContactCase& c) { return (c.digits.tang == 3 || c.digits.mater == 4) && rolls(c) && !rolls_along_x(c); }},
+    {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5, as in CONTACT",
+     [](const ContactCase& c) { return c.potential->is_line() && (c.formed_norm == 0 || c.digits.norm == 0); }},
+    {"IPLAN = 4", "weighted interaction of sub-patches",
+     [](const ContactCase& c) { return !c.potential->is_hertzian() && c.geometry.planform == 4; }},
+    {"IPOTCN = -6", "two half ellipses, SDEC, without B = 4",
+     [](const ContactCase& c) { return c.potential->kind == -6 && c.digits.bound != 4; }},
 };
 
 } // namespace
@@ -64,13 +70,16 @@ std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step)
   std::vector<std::string> notes;
   if (d.heat > 0)
     notes.emplace_back("H > 0: temperatures lie below CONTACT's, which counts the heat of an element itself twice");
+  if (has_tractions(c) && !is_simplified(c) && c.solver.maxout == 1 && step.bodies.are_coupled())
+    notes.emplace_back("MAXOUT = 1: both problems are solved at once; CONTACT solves each of them once");
   if (d.damping > 0) notes.emplace_back("M2 > 0: damping forces are not computed");
   if (is_simplified(c) && d.mater >= 6)
     notes.emplace_back(
         "M = 6, 7: made after a description of CONTACT's method; no result of CONTACT's is at hand to compare");
   const double dx = step.grid.dx * 1e3;
   if (takes_element_length(c) && std::abs(c.rolling->dq - dx) > 1e-3 * dx)
-    notes.emplace_back("T = 3: DQ is DX, as with CONTACT's SteadyGS");
+    notes.emplace_back(c.digits.mater == 4 ? "M = 4: DQ is DX, as in CONTACT"
+                                           : "T = 3: DQ is DX, as with CONTACT's SteadyGS");
   return notes;
 }
 

@@ -43,6 +43,9 @@ void check(const ContactCase& c) {
   if ((d.tang == 1 || d.tang == 2) && d.pvtime != 1 && d.pvtime != 2)
     refuse("P = " + std::to_string(d.pvtime) + " (it goes on from another case)");
   if (c.extra != 0) refuse("E = " + std::to_string(c.extra) + " (extra rigid slip)");
+  if (d.tang == 2 && !rolls_along_x(c)) refuse("CHI (rolling at an angle to the x axis)");
+  if (d.tang >= 2 && !is_simplified(c) && contact_step(c).motion.leading_edge)
+    refuse("DQ > DX (with the leading edge's correction of CONTACT)");
   if (d.varfrc == 3 || c.friction.by_row) refuse("V = 3 (friction that differs from row to row)");
   if (d.bound != 0 && !is_simplified(c)) refuse("B = " + std::to_string(d.bound) + " (a given pressure)");
   if (is_simplified(c) && (d.tang != 3 || d.force != 0 || (d.bound != 2 && d.bound != 3)))

@@ -6,6 +6,8 @@
 #include "tests/contact_input_cases.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -173,12 +175,145 @@ TEST(ContactFastsim, NamesParametersOutOfRange) {
   EXPECT_EQ(reason("1. 1. -1.").find("BETAMF = -1"), 0U);
 }
 
-TEST(ContactFastsim, RefusesOtherMotionsAndForcesGiven) {
-  std::string transient = simplified({}, ".001 0 0"), given = transient;
-  transient.replace(transient.find("223100"), 6, "222100");
-  given.replace(given.find("223100"), 6, "223110");
-  EXPECT_EQ(run_cases(transient).at(0).outcome.reasons.at(0), "T = 2 (transient rolling with FASTSIM or FaStrip)");
-  EXPECT_EQ(run_cases(given).at(0).outcome.reasons.at(0), "F > 0 (forces given with FASTSIM or FaStrip)");
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// Forces as they are printed, over .3 times 5000 N.
+std::string given_forces(const ContactTotals& t, const char* phi) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%.14g %.14g %s", t.fx / 1500, t.fy / 1500, phi);
+  return text;
+}
+
+/// Creepages are found from the forces that they give, in every model whose flexibilities do not depend on them.
+TEST(ContactFastsim, ForcesOfCreepagesGiveTheCreepagesBack) {
+  for (const std::string chi : {"0", "180d"})
+    for (const std::string kinematics : {".0011 -.0007 .0004", ".0001 0 0", "-.003 .0012 -.0002", ".004 .004 .001"}) {
+      const std::string text = simplified({"2", "0", "2"}, kinematics, "2.5e-5 .8 .9 1.", chi);
+      const ContactTotals given = solve(text).totals;
+      const std::string phi = kinematics.substr(kinematics.rfind(' '));
+      const ContactOutcome both =
+          solve(with(with(text, kinematics, given_forces(given, phi.c_str())), "223100", "223120"));
+      EXPECT_EQ(both.solution.status, Status::ok) << kinematics;
+      EXPECT_EQ(both.totals.x_name, "CREEP X");
+      std::istringstream numbers(kinematics);
+      double xi = 0, eta = 0;
+      numbers >> xi >> eta;
+      EXPECT_NEAR(both.totals.x, xi, 1e-6 * std::abs(xi));
+      EXPECT_NEAR(both.totals.y, eta, 1e-6 * std::abs(xi));
+      EXPECT_NEAR(both.totals.fx, given.fx, 1e-4);
+      EXPECT_NEAR(both.totals.mz, given.mz, 1e-2);
+    }
+}
+
+/// Every force that friction bears has its creepage, near full sliding too. FaStrip's forces jump where an element comes
+/// to adhere; what lies in a jump is missed by no more than the jump.
+TEST(ContactFastsim, AnyForceWithinFrictionIsFound) {
+  for (const std::string material : {"3", "5", "6", "7"})
+    for (const double size : {.1, .5, .8, .9, .98})
+      for (const double direction : {0., 1., 2.5, 4.})
+        for (const std::string phi : {"0", "2d-4"}) {
+          char force[80];
+          std::snprintf(force, sizeof force, "%.6f %.6f ", size * std::cos(direction), size * std::sin(direction));
+          const ContactOutcome o = solve(with(simplified({"2", "0", material}, force + phi, material < "6" ? "1. 1. 1." : ""),
+                                              "223100", "223120"));
+          const bool found = o.solution.status == Status::ok;
+          EXPECT_TRUE(found || material != "3") << force << phi;
+          const double miss = found ? 1e-6 : 0.01;
+          EXPECT_NEAR(o.totals.fx / 1500, size * std::cos(direction), miss) << material << " " << force << phi;
+          EXPECT_NEAR(o.totals.fy / 1500, size * std::sin(direction), miss) << material << " " << force << phi;
+        }
+}
+
+TEST(ContactFastsim, OneForceGivenLeavesTheOtherCreepage) {
+  const ContactOutcome o = solve(with(simplified({}, "-.6 .0004 .0001"), "223100", "223110"));
+  EXPECT_NEAR(o.totals.fx, -900, 1e-4);
+  EXPECT_EQ(o.solution.tangential.creepage.lateral, .0004);
+  EXPECT_GT(o.totals.x, 0);
+  EXPECT_LT(o.totals.fy, 0);
+}
+
+TEST(ContactFastsim, AForceBeyondFrictionSlidesInItsDirection) {
+  const auto cases = run_cases(with(simplified({}, "-.9 .8 0"), "223100", "223120"));
+  const ContactOutcome& o = cases.at(0).outcome;
+  EXPECT_EQ(o.solution.status, Status::no_solution);
+  EXPECT_EQ(o.totals.adhesion, 0);
+  EXPECT_NEAR(std::hypot(o.totals.fx, o.totals.fy), 1500, 15);
+  EXPECT_NEAR(o.totals.fy / o.totals.fx, -8. / 9, 1e-9);
+  EXPECT_NEAR(o.totals.mz, 0, 1e-6);
+  EXPECT_NEAR(o.solution.tangential.residual, std::hypot(.9, .8) * 1500 / std::hypot(o.totals.fx, o.totals.fy) - 1, 1e-9);
+}
+
+/// The slip that a file adds to all elements is like a creepage; without the spin's parts, no spin.
+TEST(ContactFastsim, ExtraRigidSlip) {
+  const auto extra = [](const std::string& digit, const std::string& kinematics, const std::string& slip = "") {
+    return solve(with(simplified({"2", "0", "3"}, kinematics), "22320\n", "2232" + digit + "\n") + slip).totals;
+  };
+  const auto extra_one = [](const std::string& kinematics, const std::string& slip) {
+    return solve(with(simplified({"2", "0", "2"}, kinematics, "2.5e-5 1. 1. 1."), "22220\n", "22229\n") + slip).totals;
+  };
+  std::string slip;
+  for (int k = 0; k < 24 * 24; ++k) slip += " 3d-4 -2d-4\n";
+  const ContactTotals added = extra_one("2d-4 1d-4 3d-4", slip);
+  const ContactTotals whole = solve(simplified({"2", "0", "2"}, "5d-4 -1d-4 3d-4", "2.5e-5 1. 1. 1.")).totals;
+  EXPECT_NEAR(added.fx, whole.fx, 1e-6);
+  EXPECT_NEAR(added.fy, whole.fy, 1e-6);
+  EXPECT_NEAR(added.mz, whole.mz, 1e-6);
+  EXPECT_NEAR(extra("2", "0 0 4d-4").fy, 0, 1e-6);
+  EXPECT_GT(std::abs(extra("3", "0 0 4d-4").fy), 10);
+  EXPECT_NEAR(extra("3", "0 0 4d-4").fx, 0, 1e-6);
+}
+
+/// Transient rolling in steps of an element arrives at steady rolling once the first particles have gone through.
+TEST(ContactFastsim, TransientRollingBecomesSteady) {
+  for (const std::string chi : {"0", "180d"}) {
+    const std::string extra = "2.5e-5 1. 1. 1.", kinematics = ".0011 -.0007 .0004";
+    const ContactTotals steady = solve(simplified({"2", "0", "2"}, kinematics, extra, chi)).totals;
+    std::string text = with(simplified({"2", "0", "2"}, kinematics, extra, chi), "223100", "222100");
+    for (int k = 0; k < 24; ++k)
+      text += " 3 MODULE\n 022100\n 100200\n 0100331\n 5000. " + kinematics + "\n";
+    const auto cases = run_cases(text);
+    ASSERT_EQ(cases.size(), 25U);
+    EXPECT_GT(std::abs(cases[1].outcome.totals.fx), 1.1 * std::abs(cases[0].outcome.totals.fx));
+    EXPECT_NEAR(cases.back().outcome.totals.fx, steady.fx, 1e-9);
+    EXPECT_NEAR(cases.back().outcome.totals.mz, steady.mz, 1e-9);
+    EXPECT_EQ(cases.back().outcome.totals.slip, steady.slip);
+  }
+}
+
+TEST(ContactFastsim, GoesOnFromItselfAndFromRestOnly) {
+  const std::string transient = with(simplified({}, ".001 0 0"), "223100", "222100");
+  const std::string next = " 3 MODULE\n 022100\n 100300\n 0100331\n 5000. .001 0 0\n";
+  const std::string rest = " 3 MODULE\n 220100\n 100000\n 0100331\n 5000. 0 0 0\n";
+  const std::string exact = " 3 MODULE\n 203100\n 100000\n 0100331\n 5000. .001 0 0\n";
+  const auto cases = run_cases(transient + next + rest + next + exact + next);
+  EXPECT_EQ(cases.at(3).outcome.totals.fx, cases.at(0).outcome.totals.fx);
+  EXPECT_NE(cases.at(1).outcome.totals.fx, cases.at(0).outcome.totals.fx);
+  EXPECT_EQ(cases.at(4).outcome.kind, ContactOutcome::Kind::solved);
+  EXPECT_EQ(cases.at(5).outcome.reasons.at(0), "P = 0 (FASTSIM goes on from FASTSIM only)");
+}
+
+TEST(ContactFastsim, RefusesWhatContactDoes) {
+  const auto reasons = [](const std::string& text) { return run_cases(text).at(0).outcome.reasons; };
+  const std::string shift = " 3 MODULE\n 221100\n 022320\n 0000331\n 100 100 30 1 1e-7\n 5000. 1d-3 0 0\n .3 .3\n"
+                            " .28 .28 82000. 82000.\n 1. 1. 1.\n -3\n 24 24 2. 3. 1.2\n";
+  EXPECT_EQ(reasons(shift).at(0), "T = 1 (a shift with FASTSIM or FaStrip, as in CONTACT)");
+  const std::string strips = with(simplified({"2", "0", "5"}, ".001 0 0"), "223100", "222100");
+  EXPECT_EQ(reasons(strips).at(0), "T = 2 (transient rolling with FaStrip, as in CONTACT)");
+}
+
+/// Two equal half ellipses are Hertz's.
+TEST(ContactFastsim, HalfEllipses) {
+  const auto half = [](const std::string& widths) {
+    const std::string text = with(simplified({}, ".0006 -.0007 .0005"), "223100", "243100");
+    return solve(with(text, "-3\n 24 24 2. 3. 1.2", "-6\n 24 24 2. " + widths + " 1.2")).totals;
+  };
+  const ContactTotals whole = solve(simplified({}, ".0006 -.0007 .0005")).totals, even = half("3. 3.");
+  EXPECT_NEAR(even.fx, whole.fx, 1e-6);
+  EXPECT_NEAR(even.fy, whole.fy, 1e-6);
+  EXPECT_NEAR(even.mz, whole.mz, 1e-6);
+  EXPECT_GT(std::abs(half("2. 4.").mz - half("4. 2.").mz), 100);
 }
 
 /// What the exact theory would go on from is not there.

@@ -137,7 +137,7 @@ TEST(ContactInputFile, ValuesOutOfRangeAreNamed) {
   expect_message(replaced(first_shift, " 1                   IPOTCN", " 0"),
                  "a.inp:9: IPOTCN = 0: must be in -6 to -1 or 1 to 4");
   expect_message(replaced(first_shift, " 1 1  ", " 5 1"), "a.inp:11: IBASE = 5: must be one of 1, 2, 3, 9");
-  expect_message(" 7 MODULE\n", "a.inp:1: MODULE = 7: must be in 0 to 3");
+  expect_message(" 7 MODULE\n", "a.inp:1: MODULE = 7: must be 0, 1 or 3");
 }
 
 TEST(ContactInputFile, EveryTruncatedFileIsRefusedOrLacksWholeCases) {

@@ -61,7 +61,7 @@ TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
   const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
   const Material steel = {82e9, 0.28};
   for (std::size_t k = 0; k < 2; ++k) {
-    const InteriorField field(steel, k == 0 ? Body::first : Body::second, o.step.grid, tractions);
+    const InteriorField field(steel, k == 0 ? Body::second : Body::first, o.step.grid, tractions);
     const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3});
     EXPECT_DOUBLE_EQ(o.interior.at(0).states.at(k).uz, expected.uz);
     EXPECT_DOUBLE_EQ(o.interior.at(0).states.at(k).stress.xz, expected.stress.xz);
@@ -77,9 +77,22 @@ TEST(ContactInterior, PointsAreKept) {
   EXPECT_TRUE(cases.at(2).outcome.interior.empty());
 }
 
-TEST(ContactInterior, NamesElementsThatAreNotThere) {
-  const auto cases = run_cases(with_points(" 2\n 3 2 17\n 4 1 5\n 2 .1 .2"));
-  EXPECT_EQ(cases.at(0).outcome.reasons.at(0), "ISUBS: IX = 17 [-]: must be in [1, 16]");
+TEST(ContactInterior, NamesBlocksWithoutElements) {
+  const auto cases = run_cases(with_points(" 2\n 17 2 20\n 4 1 5\n 2 .1 .2"));
+  EXPECT_EQ(cases.at(0).outcome.reasons.at(0), "ISUBS: IX: no element of the grid");
+}
+
+/// What lies beyond the grid is cut off; lists are put in order.
+TEST(ContactInterior, BlocksAreCutOffAndSorted) {
+  const auto blocks = interior_of(with_points(" 2\n 13 2 99999\n 4 0 5\n 2 .1 .2\n 7\n 4 1\n 7 3 7 900\n 4\n 2\n .3 .1\n"
+                                              " 9\n 2 1 2\n .2 -.1\n .3\n .4 -.2"));
+  const ElementGrid grid = run_cases(with_points("")).at(0).outcome.step.grid;
+  EXPECT_EQ(blocks.at(0).points.x, (std::vector<double>{grid.x(12), grid.x(14)}));
+  EXPECT_EQ(blocks[0].points.y, (std::vector<double>{grid.y(3), grid.y(4)}));
+  EXPECT_EQ(blocks.at(1).points.x, (std::vector<double>{grid.x(2), grid.x(6)}));
+  EXPECT_LT(blocks[1].points.z[0], blocks[1].points.z[1]);
+  EXPECT_LT(blocks.at(2).points.x[0], blocks[2].points.x[1]);
+  EXPECT_LT(blocks[2].points.z[0], blocks[2].points.z[1]);
 }
 
 std::vector<std::vector<double>> table(std::istream& text) {

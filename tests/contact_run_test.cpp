@@ -116,14 +116,14 @@ TEST(ContactRun, BilinearElements) {
 
 TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
-  const std::string approximate = with(steady_rolling(".05 1d-3 0 0"), "203100", "253000");
+  const std::string approximate = with(steady_rolling("100. 1d-3 0 0"), "203100", "253100");
   const std::string from_file = with_coefficients_from_a_file(first_shift);
   const auto cases = run_cases(first_shift + from_file + next + approximate + first_shift + next);
   ASSERT_EQ(cases.size(), 6u);
   const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
   EXPECT_EQ(cases[1].outcome.reasons, std::vector<std::string>{"C = 9 (influence coefficients from a file)"});
-  EXPECT_EQ(cases[3].outcome.reasons, std::vector<std::string>{"B = 5 (approximate normal problem, KPEC)"});
+  EXPECT_EQ(cases[3].outcome.reasons, std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
 }
 
 TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
@@ -159,6 +159,44 @@ TEST(ContactRun, SkippedCasesLeaveNoTrace) {
   const auto cases = run_cases(first_shift + skipped + next), without = run_cases(first_shift + next);
   EXPECT_EQ(cases.at(1).outcome.kind, Kind::skipped);
   EXPECT_EQ(cases.at(2).outcome.totals.x, without.at(1).outcome.totals.x);
+}
+
+/// B = 5, 6 on a circle of Hertz: nearly his force and pressure, and what FASTSIM and the exact theory make of them.
+TEST(ContactRun, ApproximatePressures) {
+  std::string text = " 3 MODULE\n 203000\n 022020\n 0000331\n 100 100 30 1 1e-7\n .05 4d-4 0 0\n .3 .3\n 0 .2 30000.\n"
+                     " .28 .28 82000. 82000.\n 1\n 36 36 -9. -9. .5 .5\n 1 1\n .001 0 .001 0 0 0\n";
+  const ContactTotals exact = run_cases(text).at(0).outcome.totals;
+  for (const std::string bound : {"25", "26"}) {
+    const ContactTotals quick = run_cases(with(text, "203000", bound + "3000")).at(0).outcome.totals;
+    EXPECT_NEAR(quick.fn / exact.fn, 1, 0.02) << bound;
+    EXPECT_NEAR(quick.fx / exact.fx, 1, 0.02) << bound;
+    EXPECT_NEAR(quick.peak_pressure / exact.peak_pressure, 1, 0.02) << bound;
+    const std::string simplified =
+        with(with(with(text, "203000", bound + "3000"), "022020", "022320"), "82000.\n", "82000.\n 1. 1. 1.\n");
+    EXPECT_NEAR(run_cases(simplified).at(0).outcome.totals.fx / exact.fx, 1, 0.1) << bound;
+  }
+}
+
+/// Steps of rolling along y are those along x, seen from the side: x -> y, y -> -x.
+TEST(ContactRun, RollingAlongYIsRollingAlongXTurned) {
+  const auto steps = [](const std::string& first, const std::string& second, const std::string& third) {
+    const auto text = [](const std::string& control, const std::string& digits, const std::string& kinematics) {
+      return " 3 MODULE\n " + control + "\n " + digits + "\n 0000331\n 100 100 30 1 1e-9\n 100. " + kinematics;
+    };
+    const std::string fixed = "\n .28 .28 82000. 82000.\n";
+    return run_cases(text("202100", "022020", first) + "\n .3 .3\n " + third + fixed + " -3\n 16 16 1. 1. 1.33333\n" +
+                     text("002100", "100000", second) + "\n");
+  };
+  const auto along_x = steps("3d-4 -1d-4 1d-4", "2d-4 1d-4 2d-4", "0 .11 30000.");
+  const auto along_y = steps("1d-4 3d-4 1d-4", "-1d-4 2d-4 2d-4", "90d .11 30000.");
+  for (std::size_t k = 0; k < 2; ++k) {
+    const ContactTotals &a = along_x.at(k).outcome.totals, &b = along_y.at(k).outcome.totals;
+    EXPECT_NEAR(b.fx, -a.fy, 1e-5);
+    EXPECT_NEAR(b.fy, a.fx, 1e-5);
+    EXPECT_NEAR(b.mz, a.mz, 1e-5);
+    EXPECT_NEAR(b.friction, a.friction, 1e-6 * std::abs(a.friction));
+    EXPECT_EQ(b.slip, a.slip);
+  }
 }
 
 TEST(ContactRun, AnApproachGivesHertzsForce) {

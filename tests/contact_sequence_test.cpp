@@ -54,6 +54,71 @@ TEST(ContactSequence, AStepGoesOnFromTheLastOne) {
   EXPECT_LT(second.tangential.creepage.longitudinal, way);
 }
 
+/// Two steps of transient rolling of a sphere on a square grid.
+ContactStepSolution rolled(ContactStep step, const Creepage& creepage, double heading) {
+  step.motion.motion = ContactMotion::transient;
+  step.motion.creepage = creepage;
+  step.motion.heading = heading;
+  step.motion.step = 0.13e-3;
+  step.force_x.reset();
+  ContactSequence sequence;
+  sequence.solve(step);
+  step.start = StepStart::previous;
+  return sequence.solve(step);
+}
+
+/// x -> y, y -> -x: also for unlike bodies, a layer between them and friction that falls and has a memory.
+TEST(ContactSequence, RollingAtAnAngleIsRollingAlongXTurned) {
+  constexpr double right_angle = 1.5707963267948966;
+  for (int variant = 0; variant < 4; ++variant) {
+    ContactStep step = sphere(grid_of(18, -1.7e-3));
+    if (variant == 1) step.bodies.material.dissimilarity = 0.15;
+    if (variant == 2) step.bodies.layer.flexibility = 3e-13;
+    if (variant == 3) {
+      step.friction = {FrictionLaw::exponential(0.2, {.drop = 0.1, .half_velocity = 1e-3})};
+      step.friction_memory = {1e-5, 1e-3};
+    }
+    const auto along_x = rolled(step, {8e-3, 4e-3, 0.5}, 0), along_y = rolled(step, {-4e-3, 8e-3, 0.5}, right_angle);
+    const ContactForces &a = along_x.tangential.forces, &b = along_y.tangential.forces;
+    EXPECT_GT(along_x.slip_elements, 5) << variant;
+    EXPECT_NEAR(b.fx, -a.fy, 1e-6 * force) << variant;
+    EXPECT_NEAR(b.fy, a.fx, 1e-6 * force) << variant;
+    EXPECT_NEAR(b.mz, a.mz, 1e-9 * force) << variant;
+    EXPECT_EQ(along_y.slip_elements, along_x.slip_elements) << variant;
+  }
+}
+
+/// A way of two elements obliquely: previous displacements are those of the elements that lie there.
+TEST(ContactSequence, RollingAtAnAngleTakesDisplacementsFromWhereParticlesWere) {
+  const ElementGrid grid = grid_of(18, -1.7e-3);
+  ContactStep step = sphere(grid);
+  step.motion.motion = ContactMotion::transient;
+  step.motion.creepage = {1e-3, 0.5e-3, 0};
+  step.motion.step = 0.2e-3 * std::sqrt(2);
+  step.motion.heading = 0.78539816339744831;
+  step.force_x.reset();
+  ContactSequence sequence;
+  const auto first = sequence.solve(step);
+  step.start = StepStart::previous;
+  const auto second = sequence.solve(step);
+  for (int j = 4; j < 14; ++j)
+    for (int i = 4; i < 14; ++i) {
+      const auto k = static_cast<std::size_t>(j) * 18 + i, from = k + 18 + 1;
+      if (!(second.normal.pressure[k] > 0)) continue;
+      const TangentialSolution& t = second.tangential;
+      EXPECT_NEAR(t.sx[k], 1e-3 + (t.ux[k] - first.tangential.ux[from]) / step.motion.step, 1e-9);
+      EXPECT_NEAR(t.sy[k], 0.5e-3 + (t.uy[k] - first.tangential.uy[from]) / step.motion.step, 1e-9);
+    }
+}
+
+TEST(ContactSequence, OnlyTransientRollingHasAHeading) {
+  ContactStep step = sphere(grid_of(18, -1.7e-3));
+  step.motion.heading = 0.5;
+  EXPECT_THROW(ContactSequence().solve(step), Error);
+  step.motion.motion = ContactMotion::steady;
+  EXPECT_THROW(ContactSequence().solve(step), Error);
+}
+
 TEST(ContactSequence, ARepeatedStepIsTheSame) {
   ContactSequence sequence;
   ContactStep step = sphere(grid_of(18, -1.7e-3));

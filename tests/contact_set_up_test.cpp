@@ -74,6 +74,37 @@ TEST(ContactSetUp, HertzianLinesHaveTheLengthGiven) {
   EXPECT_NEAR(by_width.gap[0] / by_curvature.gap[0], 1, 1e-12);
 }
 
+/// A whole number of rows lies within the length, as many as SCALE says or one more, and as many beyond either end.
+TEST(ContactSetUp, RowsOfHertzianLinesReachBeyondTheirEnds) {
+  const auto rows_within = [](const std::string& rows, const std::string& scale) {
+    const ElementGrid grid = step_of("-4\n 12 " + rows + " .001 5. " + scale).grid;
+    EXPECT_NEAR(grid.y0, -(grid.my - 1) * grid.dy / 2, 1e-15);
+    return 10e-3 / grid.dy;
+  };
+  EXPECT_NEAR(rows_within("8", "1.5"), 6, 1e-9);
+  EXPECT_NEAR(rows_within("9", "1.3"), 7, 1e-9);
+  EXPECT_NEAR(rows_within("9", ".7"), 9, 1e-9);
+  EXPECT_NEAR(rows_within("2", "9."), 2, 1e-9);
+  const ContactStep step = step_of("-4\n 12 8 .001 5. 1.5", "", "220100");
+  EXPECT_EQ(step.given->pressure[6], 0);
+  EXPECT_GT(step.given->pressure[12 + 6], 0);
+}
+
+TEST(ContactSetUp, HalfEllipsesHaveTheirOwnWidths) {
+  const ContactStep step = step_of("-6\n 12 40 2. 1. 3. 1.2", "", "240100");
+  EXPECT_NEAR(step.grid.dx, 2 * 1.2 * 2e-3 / 12, 1e-15);
+  EXPECT_NEAR(step.grid.dy, 2 * 1.2 * 2e-3 / 40, 1e-15);
+  double sum = 0, longest = 0, at = 0;
+  for (int j = 0; j < 40; ++j) {
+    double row = 0;
+    for (int i = 0; i < 12; ++i) row += step.given->pressure[static_cast<std::size_t>(j) * 12 + i];
+    if (row > longest) longest = row, at = step.grid.y(j);
+    sum += row;
+  }
+  EXPECT_NEAR(sum * step.grid.element_area(), 10, 0.1);
+  EXPECT_NEAR(at, -1e-3, step.grid.dy); // 1 mm from the edge at -2 mm, 3 mm from that at +2 mm
+}
+
 TEST(ContactSetUp, GeometriesAreThoseOfTheirFormulas) {
   const std::string grid = "1\n 3 3 -1.5 -1.5 1. 1."; // centres at -1, 0, 1 mm
   const auto gap = [&](const std::string& geometry, int i, int j) {
@@ -81,13 +112,13 @@ TEST(ContactSetUp, GeometriesAreThoseOfTheirFormulas) {
   };
   EXPECT_NEAR(gap("1 1\n 1 2 3 4 5 6", 2, 2), 21, 1e-12);
   EXPECT_NEAR(gap("1 1\n 1 2 3 4 5 6", 0, 2), 1 - 2 + 3 - 4 + 5 + 6, 1e-12);
-  EXPECT_NEAR(gap("2 1\n 3 .5 10 -2 2\n 0 .1 .4", 2, 2), 10 - std::sqrt(100 - 0.25) + 0.25, 1e-12);
-  EXPECT_NEAR(gap("2 1\n 1 .5 -10 0 0\n .3", 2, 0), -10 + std::sqrt(100 - 0.25) + 0.3, 1e-12);
+  EXPECT_NEAR(gap("2 1\n 3 .5 10 -2 2\n 0 .1 .4", 2, 2), 0.25 / 20 + 0.25, 1e-12);
+  EXPECT_NEAR(gap("2 1\n 1 .5 -10 0 0\n .3", 2, 0), -0.25 / 20 + 0.3, 1e-12);
+  EXPECT_NEAR(gap("2 1\n 2 0 10 -.5 .5\n .2 .3", 1, 2), 0.5, 1e-12); // straight on beyond the heights
+  EXPECT_NEAR(gap("2 1\n 2 0 10 -.5 .5\n .2 .3", 1, 0), 0.1, 1e-12);
   EXPECT_NEAR(gap("3 1\n .1 2 .5 .2 3 .25 50 40", 2, 0), .1 * std::sin(1.) - .2 * std::sin(2.25) + 1 / 50. + 1 / 40.,
               1e-12);
   EXPECT_EQ(gap("9 1\n 1 2 3 4 5 6 7 8 9", 2, 1), 6);
-  EXPECT_THROW(step_of(grid, "2 1\n 2 0 10 0 .5\n 0 1"), Error); // heights end at y = .5
-  EXPECT_THROW(step_of(grid, "2 1\n 1 0 .5 0 .5\n 0"), Error);   // a circle of .5 mm
 }
 
 TEST(ContactSetUp, PlanformsExcludeElements) {
@@ -152,9 +183,40 @@ TEST(ContactSetUp, WhatIsNotSupportedIsNamed) {
     return unsupported(first_case(steady_rolling("100. 1d-3 0 0", rolling, control)));
   };
   EXPECT_TRUE(reasons("0 .1 1.", "203100").empty());
+  EXPECT_TRUE(reasons("45d .1 1.", "202100").empty());
   EXPECT_EQ(reasons("45d .1 1.", "203100"),
-            (std::vector<std::string>{"CHI (rolling in a direction other than 0 or 180 degrees)"}));
-  EXPECT_EQ(reasons("0 .1 1.", "253100"), (std::vector<std::string>{"B = 5 (approximate normal problem, KPEC)"}));
+            (std::vector<std::string>{"CHI (steady rolling, or rolling on a layer, in a direction other than 0 or 180 "
+                                      "degrees; CONTACT takes 0 then)"}));
+  EXPECT_EQ(reasons("0 .1 1.", "253100"),
+            (std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"}));
+  EXPECT_EQ(reasons("0 .1 1.", "243100"),
+            (std::vector<std::string>{"B = 4 (two half ellipses, SDEC, without IPOTCN = -6 and N = 1)"}));
+}
+
+/// Of CONTACT's solvers for rolling SteadyGS takes steps of DX, and so do those for a layer; the others correct the leading
+/// edge where a step is longer.
+TEST(ContactSetUp, StepsOfRolling) {
+  const auto step = [](const std::string& rolling, const std::string& control, const std::string& method = "0",
+                       const std::string& layer = "") {
+    std::string text = steady_rolling("100. 1d-3 0 0", rolling, control);
+    text.replace(text.find("0000331"), 7, "0" + method + "00331");
+    if (method == "2") text.insert(text.find(" 100. 1d-3"), " .9 .9 1 1.\n");
+    if (!layer.empty()) {
+      text.replace(text.find("022020"), 6, "022420");
+      text.insert(text.find(" -3\n"), layer);
+    }
+    return contact_step(first_case(text)).motion;
+  };
+  EXPECT_NEAR(step("0 .5 1.", "203100").step, 1e-3 / 6, 1e-8);
+  EXPECT_NEAR(step("0 .5 1.", "203100", "2").step, .5e-3, 1e-15);
+  EXPECT_TRUE(step("0 .5 1.", "203100", "2").leading_edge);
+  EXPECT_NEAR(step("0 .5 1.", "202100").step, .5e-3, 1e-15);
+  EXPECT_TRUE(step("180d .5 1.", "202100").leading_edge);
+  EXPECT_EQ(step("180d .5 1.", "202100").leading_edge->theta, 1);
+  EXPECT_FALSE(step("0 .1 1.", "202100").leading_edge);
+  EXPECT_FALSE(step("30d .5 1.", "202100").leading_edge);
+  EXPECT_NEAR(step("30d .5 1.", "202100").heading, std::acos(-1.) / 6, 1e-12);
+  EXPECT_NEAR(step("0 .5 1.", "202100", "0", " 8200. 1. 0 0\n").step, 1e-3 / 6, 1e-8);
 }
 
 } // namespace

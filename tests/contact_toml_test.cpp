@@ -100,6 +100,9 @@ TEST(ContactToml, FaStrip) {
 }
 
 TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
+  expect_refused(steady_rolling("100. 1d-3 0 0", "30d .1 1.", "202100"), "CHI (rolling at an angle to the x axis)");
+  expect_refused(steady_rolling("100. 1d-3 0 0", "0 .5 1.", "202100"),
+                 "DQ > DX (with the leading edge's correction of CONTACT)");
   expect_refused(with(first_shift, ".01 0 .01", ".01 0 0"), "a contact that is not an ellipse");
   expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");
   expect_refused(with_coefficients_from_a_file(first_shift), "C = 9 (influence coefficients from a file)");

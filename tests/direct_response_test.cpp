@@ -62,7 +62,7 @@ TEST(DirectResponse, IsTheSumOverPairs) {
         moved.y[k] /= 3;
       }
       expect_same(apply(DirectResponse(TangentialKernel::growth(steel, grid, step)), p), growth);
-      expect_same(apply(DirectResponse(TangentialKernel::displacement(steel, grid, step, 3)), p), moved);
+      expect_same(apply(DirectResponse(TangentialKernel::displacement(steel, grid, {step, 0}, 3)), p), moved);
     }
   }
 }

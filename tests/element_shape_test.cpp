@@ -206,8 +206,8 @@ TEST(ElementShape, DelayedDeformationOfTents) {
   Bodies late(material);
   late.delayed = {{material, ratio, distance}};
   const auto delayed_at = [&](double shift) {
-    const CoupledKernel all = CoupledKernel::displacement(late, grid, shift);
-    const CoupledKernel elastic = CoupledKernel::displacement(material, grid, shift);
+    const CoupledKernel all = CoupledKernel::displacement(late, grid, {shift, 0});
+    const CoupledKernel elastic = CoupledKernel::displacement(material, grid, {shift, 0});
     const auto of = [](const CoupledKernel& k, int i, int j) {
       return std::vector<double>{k.slip.xx.at(i, j), k.slip.xy.at(i, j), k.slip.yy.at(i, j), k.xz.at(i, j),
                                  k.zz.at(i, j)};

@@ -35,11 +35,11 @@ struct FrictionCase {
 
   TangentialKernel kernel() const {
     return input.motion == ContactMotion::steady ? TangentialKernel::growth(material, grid, step())
-                                                 : TangentialKernel::displacement(material, grid, 0, length());
+                                                 : TangentialKernel::displacement(material, grid, {}, length());
   }
   TangentialResponse response() const {
     return input.motion == ContactMotion::steady ? TangentialResponse::growth(material, grid, step())
-                                                 : TangentialResponse::displacement(material, grid, 0, length());
+                                                 : TangentialResponse::displacement(material, grid, {}, length());
   }
 
   PlaneFields free_slip() const {

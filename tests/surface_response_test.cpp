@@ -101,7 +101,7 @@ TEST(SurfaceResponse, DisplacementAtShiftedPoints) {
       SCOPED_TRACE(text(grid) + ", shift " + std::to_string(elements));
       const double shift = elements * grid.dx, length = 3.2;
       const Field px = random_field(grid, 1), py = random_field(grid, 2);
-      PlaneFields u = apply(TangentialResponse::displacement(steel, grid, shift, length), px, py);
+      PlaneFields u = apply(TangentialResponse::displacement(steel, grid, {shift, 0}, length), px, py);
       const PlaneFields exact = dense_displacement(steel, grid, px, py, shift);
       for (Field* field : {&u.x, &u.y})
         for (double& value : *field) value *= length;
@@ -141,7 +141,7 @@ TEST(SurfaceResponse, DiagonalIsWhatAnElementDoesToItself) {
     EXPECT_GT(d, 0);
   }
   const Influence self = influence(steel, grid.dx, grid.dy, 0, 0);
-  EXPECT_NEAR(TangentialResponse::displacement(steel, grid, 0, 2).diagonal(), (self.xx + self.yy) / 4, 1e-14 * self.xx);
+  EXPECT_NEAR(TangentialResponse::displacement(steel, grid, {}, 2).diagonal(), (self.xx + self.yy) / 4, 1e-14 * self.xx);
 }
 
 /// Betti: q.Ap = p.Aq; and the elastic energy p.Ap/2 is positive.

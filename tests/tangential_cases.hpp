@@ -92,7 +92,7 @@ inline double diagonal(const Problem& p, const TangentialInput& input) {
   const double step = signed_step(p, input);
   return input.motion == ContactMotion::steady
              ? TangentialResponse::growth(p.material, p.grid, step).diagonal()
-             : TangentialResponse::displacement(p.material, p.grid, 0, std::abs(step)).diagonal();
+             : TangentialResponse::displacement(p.material, p.grid, {}, std::abs(step)).diagonal();
 }
 
 /// All contact conditions, and the totals by their definitions.

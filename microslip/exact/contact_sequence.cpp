@@ -109,7 +109,10 @@ double time_of(const ContactStep& step) {
 /// Where the particles of the elements were before a step.
 ElementGrid origin_of_particles(const ContactStep& step) {
   ElementGrid origin = step.grid;
-  if (step.motion.motion == ContactMotion::transient) origin.x0 += signed_step(step.motion, step.grid);
+  if (step.motion.motion != ContactMotion::transient) return origin;
+  const Vec2 way = way_of(step.motion, signed_step(step.motion, step.grid));
+  origin.x0 += way.x;
+  origin.y0 += way.y;
   return origin;
 }
 

@@ -41,7 +41,7 @@ CoupledResponse& CoupledContact::slip_response(const TangentialInput& motion, do
   if (motion_ != motion.motion || step_ != step) {
     slip_response_ = std::make_unique<CoupledResponse>(
         motion.motion == ContactMotion::steady ? CoupledResponse::growth(bodies_, grid_, step)
-                                               : CoupledResponse::displacement(bodies_, grid_, 0, std::abs(step)));
+                                               : CoupledResponse::displacement(bodies_, grid_, {}, std::abs(step)));
     motion_ = motion.motion;
     step_ = step;
   }
@@ -57,7 +57,7 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
-  CoupledResponse::displacement(bodies_, grid_, shift ? 0 : step, shift ? 1 : std::abs(step))
+  CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step))
       .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)}, std::array{std::span(ux), std::span(uy)});
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
 }

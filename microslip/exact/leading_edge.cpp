@@ -34,7 +34,9 @@ std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::spa
     const auto in_contact = [&](int i) { return i >= 0 && i < grid.mx && bound[at(i)] > 0; };
     for (int lead = 0; lead < grid.mx; ++lead) {
       if (!in_contact(lead) || in_contact(lead + ahead)) continue;
-      if (lead + 2 * ahead < 0 || lead + 2 * ahead >= grid.mx)
+      const bool has_room = lead + 2 * ahead >= 0 && lead + 2 * ahead < grid.mx;
+      if (!has_room && edge.where_possible) continue;
+      if (!has_room)
         throw Error("grid: the leading edge's correction needs two elements ahead of the contact");
       const double distance = distance_to_edge(grid, edge, ahead, lead, j);
       for (int i = lead; in_contact(i); i -= ahead) {

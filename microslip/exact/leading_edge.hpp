@@ -15,6 +15,7 @@ struct LeadingEdge {
   double theta = 0.5;
   /// Or its true place, x for each row of the grid [m]; empty: by theta. For rows with one interval of contact.
   std::span<const double> true_edge = {};
+  bool where_possible = false; ///< whether rows without two elements ahead of the contact go without the correction
 };
 
 /// An element whose particles have come into contact during the step.
@@ -27,7 +28,7 @@ struct EnteringElement {
 
 /// The elements of contact (bound > 0) whose particles come from beyond the edge; `step` is +dq for rolling along +x,
 /// -dq for -x. (R16) with theta = 1/2 has the same extrapolation; for other theta it goes to the edge that theta means.
-/// Throws Error if the grid has not two elements ahead of the contact, or a true edge is not ahead of a leading
+/// Throws Error if the grid has not two elements ahead of the contact, unless `where_possible`, or a true edge is not ahead of a leading
 /// element's centre.
 std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::span<const double> bound, double step,
                                                const LeadingEdge& edge);

@@ -18,12 +18,17 @@ Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid
   return grid.line ? line_influence(material, grid.dx, x, far) : influence(material, grid.dx, grid.dy, x, y);
 }
 
+/// Of an element of the length `side`, for a point at `place` from its centre: 1 within it, half on its edge.
+double share_within(double place, double side) {
+  constexpr double rounding = 1e-9;
+  const double distance = 2 * std::abs(place) / side;
+  return distance < 1 - rounding ? 1 : distance < 1 + rounding ? 0.5 : 0;
+}
+
 /// A layer is sheared where the traction is: on the element itself, and half on its edges.
 void add_layer(double flexibility, double dx, double first, std::vector<Influence>& row) {
-  constexpr double rounding = 1e-9;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    const double distance = 2 * std::abs(first + static_cast<double>(i) * dx) / dx;
-    const double share = distance < 1 - rounding ? 1 : distance < 1 + rounding ? 0.5 : 0;
+    const double share = share_within(first + static_cast<double>(i) * dx, dx);
     row[i].xx += share * flexibility;
     row[i].yy += share * flexibility;
   }
@@ -38,14 +43,14 @@ Influence far_away(const DelayedPart& part, const RowInfluence& influence, const
   return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
 }
 
-/// The influence of an element on the points of row j, `shift` further along x, at all offsets from 1 - mx on.
-std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, double shift, int j) {
-  const double y = j * grid.dy, first = (1 - grid.mx) * grid.dx + shift;
+/// The influence of an element on the points of row j, `shift` further, at all offsets from 1 - mx on.
+std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, int j) {
+  const double y = j * grid.dy + shift.y, first = (1 - grid.mx) * grid.dx + shift.x;
   const int count = 2 * grid.mx - 1;
   std::vector<Influence> row;
   row.reserve(static_cast<std::size_t>(count));
   for (int i = 1 - grid.mx; i < grid.mx; ++i)
-    row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift, y));
+    row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift.x, y));
   for (const DelayedPart& part : bodies.delayed) {
     const auto influence = [&](double x) { return influence_at(part.material, grid, x, y); };
     const std::vector<Influence> late = delayed_row(part, influence, grid.dx, first, count);
@@ -55,15 +60,18 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
       row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz - far.zz;
     }
   }
-  if (j == 0 && bodies.layer.flexibility > 0) add_layer(bodies.layer.flexibility, grid.dx, first, row);
+  const double sheared = grid.line ? 1 : share_within(y, grid.dy);
+  if (sheared > 0 && bodies.layer.flexibility > 0)
+    add_layer(sheared * bodies.layer.flexibility, grid.dx, first, row);
   return row;
 }
 
 /// What a particle's displacement contributes to its slip: (u(x + shift) - u(x + before))/length, or without the second
 /// term.
 struct SlipRate {
-  double shift = 0, length = 1;
-  std::optional<double> before = {};
+  Vec2 shift = {};
+  double length = 1;
+  std::optional<Vec2> before = {};
 };
 
 /// Calls at(i, j, slip, here) for all offsets of a grid: what the influence makes of slip, and the influence itself.
@@ -113,7 +121,7 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
 }
 
 SlipRate growth_over(double step) {
-  return {.shift = 0, .length = std::abs(step), .before = step};
+  return {.shift = {}, .length = std::abs(step), .before = Vec2{step, 0}};
 }
 
 } // namespace
@@ -130,7 +138,7 @@ double normal_coefficient(const CombinedMaterial& material, const ElementGrid& g
   return influence_at(material, grid, i * grid.dx, j * grid.dy).zz;
 }
 
-TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const ElementGrid& grid, double shift,
+TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
                                                 double length) {
   return tangential_kernel(bodies, grid, {.shift = shift, .length = length});
 }
@@ -138,7 +146,7 @@ TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGri
   return tangential_kernel(bodies, grid, growth_over(step));
 }
 
-CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, double shift, double length) {
+CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length) {
   return coupled_kernel(bodies, grid, {.shift = shift, .length = length});
 }
 CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {

@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/exact/element_grid.hpp"
+#include "microslip/vec2.hpp"
 
 #include <span>
 #include <vector>
@@ -50,7 +51,7 @@ struct TangentialKernel {
   double diagonal() const { return (xx.at(0, 0) + yy.at(0, 0)) / 2; }
 
   /// As TangentialResponse::displacement and TangentialResponse::growth.
-  static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
+  static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                        double length = 1);
   static TangentialKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
 };
@@ -62,7 +63,7 @@ struct CoupledKernel {
   OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
 
   /// As CoupledResponse::displacement and CoupledResponse::growth.
-  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
+  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                     double length = 1);
   static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
 };

@@ -15,7 +15,7 @@ TangentialResponse::TangentialResponse(const TangentialKernel& kernel)
       xy_(transform_.kernel_spectrum(kernel.xy.values())), yy_(transform_.kernel_spectrum(kernel.yy.values())),
       diagonal_(kernel.diagonal()) {}
 
-TangentialResponse TangentialResponse::displacement(const Bodies& bodies, const ElementGrid& grid, double shift,
+TangentialResponse TangentialResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
                                                     double length) {
   return TangentialResponse(TangentialKernel::displacement(bodies, grid, shift, length));
 }
@@ -38,7 +38,7 @@ CoupledResponse::CoupledResponse(const CoupledKernel& kernel)
       zy_(transform_.kernel_spectrum(kernel.zy.values())), zz_(transform_.kernel_spectrum(kernel.zz.values())),
       slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)) {}
 
-CoupledResponse CoupledResponse::displacement(const Bodies& bodies, const ElementGrid& grid, double shift,
+CoupledResponse CoupledResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
                                               double length) {
   return CoupledResponse(CoupledKernel::displacement(bodies, grid, shift, length));
 }

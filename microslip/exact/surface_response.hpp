@@ -4,6 +4,7 @@
 #include "microslip/exact/element_grid.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
+#include "microslip/vec2.hpp"
 
 #include <array>
 #include <span>
@@ -55,8 +56,8 @@ protected:
 /// slip, D p.
 class TangentialResponse : public SlipResponse {
 public:
-  /// u at the points `shift` [m] further along x, over the way `length` [m]: D = A(x + shift)/length.
-  static TangentialResponse displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
+  /// u at the points `shift` [m] further, over the way `length` [m]: D = A(x + shift)/length.
+  static TangentialResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                          double length = 1);
   /// Growth of u for particles that come from x + step, over the way |step| [m]: D = (A(x) - A(x + step))/|step|.
   static TangentialResponse growth(const Bodies& bodies, const ElementGrid& grid, double step);
@@ -78,8 +79,8 @@ private:
 /// difference. For any two bodies.
 class CoupledResponse {
 public:
-  /// Slip: u at the points `shift` [m] further along x, over the way `length` [m].
-  static CoupledResponse displacement(const Bodies& bodies, const ElementGrid& grid, double shift = 0,
+  /// Slip: u at the points `shift` [m] further, over the way `length` [m].
+  static CoupledResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                       double length = 1);
   /// Slip: growth of u for particles that come from x + step, over the way |step| [m].
   static CoupledResponse growth(const Bodies& bodies, const ElementGrid& grid, double step);

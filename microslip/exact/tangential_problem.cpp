@@ -36,6 +36,9 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   if (input.force_y) require_finite("force_y", *input.force_y, "N");
   require_between("step", input.step, "m", 0, std::numeric_limits<double>::max());
   require_between("spin_offset", input.spin_offset, "-", 0, 1);
+  require_finite("heading", input.heading, "rad");
+  if (input.heading != 0 && (input.motion != ContactMotion::transient || input.leading_edge))
+    throw Error("heading", input.heading, "rad", "0 but for transient rolling without the leading edge's correction");
   require_positive("rolling_speed", input.rolling_speed, "m/s");
   require_between("tolerance", input.tolerance, "-", 1e-14, 1);
 }
@@ -67,7 +70,7 @@ SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, dou
   } else if (motion_ != input.motion || step_ != step) {
     slip_response_ = std::make_unique<TangentialResponse>(
         input.motion == ContactMotion::steady ? TangentialResponse::growth(bodies_, grid_, step)
-                                              : TangentialResponse::displacement(bodies_, grid_, 0, std::abs(step)));
+                                              : TangentialResponse::displacement(bodies_, grid_, {}, std::abs(step)));
     step_ = step;
   }
   motion_ = input.motion;
@@ -84,7 +87,8 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   const TangentialState& before = *input.previous;
   const double length = shift ? 1 : std::abs(step);
   Field ux(cx.size()), uy(cx.size());
-  TangentialResponse::displacement(bodies_, grid_, shift ? 0 : step, length).apply(before.px, before.py, ux, uy);
+  const Vec2 way = way_of(input, shift ? 0 : step);
+  TangentialResponse::displacement(bodies_, grid_, way, length).apply(before.px, before.py, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
     displacement_.apply(before.px, before.py, here_x, here_y);

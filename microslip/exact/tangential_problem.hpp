@@ -36,6 +36,8 @@ struct TangentialInput {
   double step = 0;                        ///< dq [m], the way rolled in a step; 0: the elements' length
   double spin_offset = 1.0 / 6; ///< where in the step the rigid slip is taken, 0 to 1 from the element's centre on
   RollingDirection direction = RollingDirection::forward;
+  /// Transient rolling: the angle from the direction along x to that of rolling, towards +y with forward [rad].
+  double heading = 0;
   std::optional<LeadingEdge> leading_edge;   ///< rolling: with its correction (R13); none: without
   double rolling_speed = 1;                  ///< V [m/s], for the frictional power
   /// Slip of each element on top of the rigid slip of the creepages; empty: none. In a shift [m], else [-].
@@ -97,7 +99,7 @@ private:
   TangentialResponse displacement_;
   std::unique_ptr<SlipResponse> slip_response_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
-  double step_ = 0;
+  double step_ = 0; ///< with its sign
   FrictionNewton newton_;
 };
 

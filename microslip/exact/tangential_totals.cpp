@@ -20,14 +20,19 @@ double signed_step(const TangentialInput& input, const ElementGrid& grid) {
   return input.direction == RollingDirection::forward ? length : -length;
 }
 
+Vec2 way_of(const TangentialInput& input, double step) {
+  if (input.heading == 0) return {step, 0};
+  return {step * std::cos(input.heading), step * std::sin(input.heading)};
+}
+
 void find_rigid_slip(const ElementGrid& grid, const TangentialInput& input, const Creepage& creepage, double step,
                      std::span<double> cx, std::span<double> cy) {
-  const double ahead = input.motion == ContactMotion::shift ? 0 : input.spin_offset * step;
+  const Vec2 ahead = way_of(input, input.motion == ContactMotion::shift ? 0 : input.spin_offset * step);
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
-      cx[k] = creepage.longitudinal - creepage.spin * grid.y(j);
-      cy[k] = creepage.lateral + creepage.spin * (grid.x(i) + ahead);
+      cx[k] = creepage.longitudinal - creepage.spin * (grid.y(j) + ahead.y);
+      cy[k] = creepage.lateral + creepage.spin * (grid.x(i) + ahead.x);
       if (!input.extra_x.empty()) cx[k] += input.extra_x[k];
       if (!input.extra_y.empty()) cy[k] += input.extra_y[k];
     }

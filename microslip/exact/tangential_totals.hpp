@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/tangential_problem.hpp"
+#include "microslip/vec2.hpp"
 
 #include <span>
 
@@ -8,6 +9,9 @@ namespace microslip {
 
 /// dq: the way rolled in a step [m], as given or the elements' length; negative along -x.
 double signed_step(const TangentialInput& input, const ElementGrid& grid);
+
+/// Its parts along x and y; they differ from (step, 0) with a heading only.
+Vec2 way_of(const TangentialInput& input, double step);
 
 /// Slip without tractions: that of the creepages, at the elements' centres and `spin_offset` of the step [m] ahead of them,
 /// and the extra slip. Along -x the step is negative.
