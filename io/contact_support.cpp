@@ -16,6 +16,10 @@ bool rolls(const ContactCase& c) {
   return c.digits.tang >= 2;
 }
 
+bool is_heated(const ContactCase& c) {
+  return has_tractions(c) && c.friction.law == 6;
+}
+
 /// A value of a digit, or of a number beside it, that is not supported.
 struct Refusal {
   const char* digit;
@@ -27,8 +31,14 @@ constexpr Refusal refusals[] = {
     {"B = 4", "two half ellipses, SDEC", [](const ContactCase& c) { return c.digits.bound == 4; }},
     {"B = 5", "approximate normal problem, KPEC", [](const ContactCase& c) { return c.digits.bound == 5; }},
     {"B = 6", "approximate normal problem, ANALYN", [](const ContactCase& c) { return c.digits.bound == 6; }},
-    {"L = 6", "friction that depends on the temperature",
-     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 6; }},
+    {"L = 6", "friction that depends on the temperature, without H = 1 or 3",
+     [](const ContactCase& c) { return is_heated(c) && c.digits.heat == 0 && c.digits.tang == 3; }},
+    {"L = 6", "friction that depends on the temperature, with other than steady rolling",
+     [](const ContactCase& c) { return is_heated(c) && c.digits.tang != 3; }},
+    {"L = 6", "friction that depends on the temperature, with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_heated(c) && is_simplified(c); }},
+    {"L = 6", "friction that depends on the temperature, with a layer that yields",
+     [](const ContactCase& c) { return is_heated(c) && c.digits.mater == 4 && c.material->model_data[2] > 0; }},
     {"C = 4", "half-space coefficients corrected for conformal contact",
      [](const ContactCase& c) { return c.material->coefficients == 4; }},
     {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},
