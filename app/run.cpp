@@ -113,6 +113,8 @@ void print_totals(const ContactCase& c, const ContactOutcome& outcome) {
   counts.add("NADH", std::to_string(t.adhesion));
   counts.add("NSLIP", std::to_string(t.slip));
   counts.add("residual", fmt::format("{:.1e}", outcome.solution.tangential.residual));
+  if (outcome.solution.friction_rounds > 0)
+    counts.add("friction", fmt::format("{:.1e}", outcome.solution.friction_residual));
   counts.add("status", std::string(to_string(outcome.solution.status)));
   counts.print();
 }

@@ -152,6 +152,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.add("elastic energy of the tractions", contact.elastic_energy, "J");
   table.add("peak pressure", 1e-6 * contact.peak_pressure, "MPa");
   table.add("peak traction", 1e-6 * contact.peak_traction, "MPa");
+  if (!contact.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
   table.add("residual", contact.residual, "-",
             fmt::format("{} Newton steps, {} products", contact.newton_steps, contact.products));
   table.add("status", status);
@@ -176,6 +177,9 @@ std::string explain(const RollingCase& input, const RollingContactResult& result
     return "the given force is beyond what friction can carry; full sliding is shown";
   if (result.status == Status::not_converged && result.exact && result.exact->limit)
     return fmt::format("the accuracy is not reached: estimated error {:.2g}", result.exact->limit->error);
+  if (result.status == Status::not_converged && result.exact && result.exact->contact.friction_residual > friction_tolerance)
+    return fmt::format("friction and slip do not go together after {} rounds: the slip changes by {:.2g} of itself",
+                       result.exact->contact.friction_rounds, result.exact->contact.friction_residual);
   if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
     return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.residual,
                        input.tolerance);

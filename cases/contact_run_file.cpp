@@ -118,6 +118,9 @@ int ContactRunFile::add_elements(const ContactCase& c, const ContactOutcome& out
   add_field("undeformed_gap", outcome.step.gap, "m", "undeformed distance h");
   add_field("pressure", normal.pressure, "Pa", "p_n");
   add_field("bound", tangential.bound, "Pa", "traction bound g = mu p_n");
+  const std::vector<double> none(outcome.step.grid.count());
+  add_field("mu", outcome.solution.friction.empty() ? none : outcome.solution.friction, "-",
+            "coefficient of friction; 0 without tractions");
   add_field("px", tangential.tractions.px, "Pa", "traction on body 1");
   add_field("py", tangential.tractions.py, "Pa", "traction on body 1");
   add_field("un", normal.displacement, "m", "normal displacement difference");

@@ -89,8 +89,8 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   if (input.interior.count() > 0 && std::isfinite(result.contact.fields.forces.fx)) {
     const int mx = result.limit ? result.limit->elements : input.options.mx;
     const int my = result.limit ? result.limit->elements : input.options.my;
-    result.interior = interior_states(input.body1.material, input.body2.material, result.contact, 2 * contact.a / mx,
-                                      2 * contact.b / my, input.interior);
+    result.interior = interior_states(interior_body(input, input.body1), interior_body(input, input.body2),
+                                      result.contact, 2 * contact.a / mx, 2 * contact.b / my, input.interior);
   }
   const bool ok = result.contact.fields.forces.status == Status::ok;
   auto options = exact_options(input);
@@ -107,15 +107,26 @@ void write_body(ResultFile& file, const BodyInput& body, const std::string& numb
   scalar("transverse_radius", body.transverse_radius, "m", "radius in the lateral plane");
   scalar("shear_modulus", body.material.shear_modulus, "Pa", "shear modulus G");
   scalar("poisson_ratio", body.material.poisson_ratio, "-", "Poisson's ratio");
-  if (body.creep.ratio == 0) return;
-  scalar("creep_ratio", body.creep.ratio, "-", "share by which deformation grows with time");
-  scalar("creep_time", body.creep.time, "s", "time in which it grows");
+  if (body.creep.ratio > 0) {
+    scalar("creep_ratio", body.creep.ratio, "-", "share by which deformation grows with time");
+    scalar("creep_time", body.creep.time, "s", "time in which it grows");
+  }
+  if (!body.thermal) return;
+  scalar("bulk_temperature", body.thermal->bulk_temperature, "deg C", "temperature before the contact");
+  scalar("conductivity", body.thermal->conductivity, "W/(m K)", "thermal conductivity");
+  scalar("density", body.thermal->density, "kg/m^3", "density");
+  scalar("heat_capacity", body.thermal->heat_capacity, "J/(kg K)", "specific heat capacity");
 }
 
 void write_friction(ResultFile& file, const RollingCase& input) {
   const auto& law = input.friction;
   file.text("inputs/friction_law", input.friction_law, "friction as a function of the slip velocity");
   file.scalar("inputs/friction_coefficient", law.static_coefficient(), "-", "friction coefficient mu without slip");
+  if (const auto& effect = input.temperature_effect) {
+    file.scalar("inputs/thermal_change", effect->change, "-", "what heat adds to the friction coefficient");
+    file.scalar("inputs/thermal_begin", effect->begin, "deg C", "temperature from which on it does");
+    file.scalar("inputs/thermal_range", effect->range, "K", "over which the change comes");
+  }
   if (law.kind() == FrictionLaw::Kind::coulomb) return;
   file.scalar("inputs/kinetic_coefficient", law.kinetic_coefficient(), "-", "friction coefficient at large slip");
   for (std::size_t i = 0; i < law.terms().size(); ++i) {
@@ -241,8 +252,12 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   scalar("elastic_energy", contact.elastic_energy, "J", "of the tangential tractions");
   scalar("residual", contact.residual, "-", "of the tangential problem, relative");
   scalar("newton_steps", contact.newton_steps, "-", "iterations of Newton's method");
-  if (contact.friction_rounds > 0)
+  if (contact.friction_rounds > 0) {
     scalar("friction_rounds", contact.friction_rounds, "-", "problems solved until friction went with the slip");
+    scalar("friction_residual", contact.friction_residual, "-", "last change of the slip, relative");
+  }
+  if (!contact.temperature1.empty())
+    scalar("highest_temperature", contact.highest_temperature, "deg C", "of the surfaces in contact");
   scalar("products", static_cast<double>(contact.products), "-", "products with the matrix of influence coefficients");
   const ResultFile::Shape shape = {static_cast<std::size_t>(contact.fields.my),
                                    static_cast<std::size_t>(contact.fields.mx)};
@@ -250,6 +265,12 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   file.array("exact/fields/gap", result.gap, "m", "deformed distance of the bodies", shape);
   file.array("exact/fields/ux", contact.ux, "m", "displacement difference, longitudinal", shape);
   file.array("exact/fields/uy", contact.uy, "m", "displacement difference, lateral", shape);
+  const auto optional_field = [&](const char* name, const std::vector<double>& values, const char* unit, const char* what) {
+    if (!values.empty()) file.array(std::string("exact/fields/") + name, values, unit, what, shape);
+  };
+  optional_field("mu", contact.friction, "-", "coefficient of friction");
+  optional_field("temperature1", contact.temperature1, "deg C", "of body 1's surface");
+  optional_field("temperature2", contact.temperature2, "deg C", "of body 2's surface");
 }
 
 void write_limit(ResultFile& file, const AccurateContact& limit) {

@@ -4,9 +4,12 @@
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <system_error>
+#include <tuple>
 
 namespace microslip {
 namespace {
@@ -14,9 +17,13 @@ namespace {
 constexpr int most_steps = 1000000;
 constexpr std::size_t most_interior_points = 2000000;
 
+constexpr std::string_view thermal_keys[] = {"bulk_temperature", "conductivity", "density", "heat_capacity"};
+
 BodyInput read_body(const TomlSection& body) {
-  body.allow({"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus", "poisson_ratio",
-              "creep_ratio", "creep_time"});
+  TomlSection::Words keys = {"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus",
+                             "poisson_ratio",  "creep_ratio",       "creep_time"};
+  keys.insert(keys.end(), std::begin(thermal_keys), std::end(thermal_keys));
+  body.allow(keys);
   BodyInput input;
   input.rolling_radius = body.radius("rolling_radius");
   input.transverse_radius = body.radius("transverse_radius");
@@ -27,6 +34,12 @@ BodyInput read_body(const TomlSection& body) {
       key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
   if (body.has("creep_ratio") || body.has("creep_time"))
     input.creep = {body.between("creep_ratio", "-", 0, 1e6), body.between("creep_time", "s", 0, 1e12)};
+  const auto has = [&](std::string_view thermal) { return body.has(thermal); };
+  if (std::any_of(std::begin(thermal_keys), std::end(thermal_keys), has))
+    input.thermal = {.bulk_temperature = body.finite("bulk_temperature", "deg C"),
+                     .conductivity = body.positive("conductivity", "W/(m K)"),
+                     .density = body.positive("density", "kg/m^3"),
+                     .heat_capacity = body.positive("heat_capacity", "J/(kg K)")};
   return input;
 }
 
@@ -47,10 +60,17 @@ void read_load(const TomlSection& load, RollingCase& input) {
 }
 
 constexpr std::string_view memory_keys[] = {"memory_distance", "memory_speed"};
+constexpr std::string_view effect_keys[] = {"thermal_change", "thermal_begin", "thermal_range"};
 
-/// Allows the keys of a law that falls with the slip velocity.
-void allow_falling(const TomlSection& friction, TomlSection::Words keys) {
-  keys.insert(keys.end(), std::begin(memory_keys), std::end(memory_keys));
+bool has_effect(const TomlSection& friction) {
+  return std::any_of(std::begin(effect_keys), std::end(effect_keys), [&](auto key) { return friction.has(key); });
+}
+
+/// Allows the keys of a law, of the temperature's effect, and of the memory of friction that changes.
+void allow_law(const TomlSection& friction, TomlSection::Words keys) {
+  keys.insert(keys.end(), std::begin(effect_keys), std::end(effect_keys));
+  const bool changes = friction.has("law") && friction.text("law", "") != "coulomb";
+  if (changes || has_effect(friction)) keys.insert(keys.end(), std::begin(memory_keys), std::end(memory_keys));
   friction.allow(keys);
 }
 
@@ -58,7 +78,7 @@ void allow_falling(const TomlSection& friction, TomlSection::Words keys) {
 using FallingLaw = FrictionLaw (*)(double kinetic, FrictionTerm first, FrictionTerm second);
 
 FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) {
-  allow_falling(friction, {"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
+  allow_law(friction, {"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
   const auto kinetic = friction.between("kinetic_coefficient", "-", 0, FrictionLaw::largest_coefficient);
   const auto term = [&](std::string_view drop, std::string_view half_velocity) {
     return FrictionTerm{friction.between(drop, "-", 0, FrictionLaw::largest_coefficient),
@@ -73,7 +93,7 @@ FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) 
 }
 
 FrictionLaw read_polach(const TomlSection& friction) {
-  allow_falling(friction, {"law", "static_coefficient", "ratio", "decay"});
+  allow_law(friction, {"law", "static_coefficient", "ratio", "decay"});
   const auto coefficient = friction.between("static_coefficient", "-", 0, FrictionLaw::largest_coefficient);
   const auto ratio = friction.between("ratio", "-", 0, 1);
   const auto decay = friction.positive("decay", "s/m");
@@ -83,7 +103,7 @@ FrictionLaw read_polach(const TomlSection& friction) {
 }
 
 FrictionLaw read_coulomb(const TomlSection& friction) {
-  friction.allow({"law", "coefficient"});
+  allow_law(friction, {"law", "coefficient"});
   return FrictionLaw::coulomb(friction.between("coefficient", "-", 0, FrictionLaw::largest_coefficient));
 }
 
@@ -96,6 +116,13 @@ void read_friction(const TomlSection& friction, RollingCase& input) {
   if (law == "rational") input.friction = read_falling_friction(friction, FrictionLaw::rational);
   if (law == "exponential") input.friction = read_falling_friction(friction, FrictionLaw::exponential);
   if (law == "polach") input.friction = read_polach(friction);
+  if (has_effect(friction)) {
+    const double cold = input.friction.static_coefficient(), least = input.friction.kinetic_coefficient();
+    input.temperature_effect = {.change = friction.between("thermal_change", "-", -least,
+                                                           FrictionLaw::largest_coefficient - cold),
+                                .begin = friction.finite("thermal_begin", "deg C"),
+                                .range = friction.positive("thermal_range", "K")};
+  }
   if (friction.has("memory_distance")) input.friction_memory.distance = friction.between("memory_distance", "m", 0, 1e6);
   if (friction.has("memory_speed")) input.friction_memory.slowest = friction.between("memory_speed", "m/s", 0, 1e6);
 }
@@ -142,7 +169,7 @@ void refuse_at(const TomlSection& section, std::string_view name, std::string_vi
 
 bool needs_classical(const RollingCase& input) {
   const Bodies bodies = bodies_of(input);
-  return input.friction_law != "coulomb" || bodies.are_coupled() || !bodies.are_elastic() ||
+  return input.friction_law != "coulomb" || input.body1.thermal || bodies.are_coupled() || !bodies.are_elastic() ||
          bodies.layer.flexibility > 0;
 }
 
@@ -154,7 +181,8 @@ void check_exact(const TomlSection& motion, const TomlSection& solution, Rolling
             "must be steady with viscoelastic bodies");
   refuse_at(solution, "solution", "discretisation",
             is_classical && solution.has("discretisation") && input.discretisation == Discretisation::second_order,
-            "must be classical for bodies of different materials, viscoelastic ones, a layer and falling friction");
+            "must be classical for bodies of different materials, viscoelastic ones, a layer, falling friction and "
+            "temperatures");
   if (is_classical) input.discretisation = Discretisation::classical;
   refuse_at(solution, "solution", "elements",
             input.elements == ElementShape::bilinear && input.discretisation != Discretisation::classical,
@@ -163,6 +191,22 @@ void check_exact(const TomlSection& motion, const TomlSection& solution, Rolling
                          input.discretisation == Discretisation::second_order;
   refuse_at(solution, "solution", "accuracy", input.accuracy && !has_limit,
             "needs steady rolling without motion.step, of second order");
+}
+
+/// Temperatures are those of steady rolling and need the data of both bodies; friction that depends on them needs them,
+/// and does not go with a layer that yields.
+void check_thermal(const TomlSection& root, const RollingCase& input) {
+  const auto friction = root.required_section("friction"), motion = root.required_section("motion");
+  const bool has1 = input.body1.thermal.has_value(), has2 = input.body2.thermal.has_value();
+  for (const auto& [name, other, alone] : {std::tuple{"body1", "body2", has1 && !has2}, {"body2", "body1", has2 && !has1}})
+    refuse_at(root.required_section(name), name, "bulk_temperature", alone,
+              "needs the thermal data of " + std::string(other) + ", too");
+  refuse_at(friction, "friction", "thermal_change", input.temperature_effect && !has1,
+            "needs the thermal data of both bodies: bulk_temperature, conductivity, density, heat_capacity");
+  refuse_at(friction, "friction", "thermal_change", input.temperature_effect && input.layer.yields(),
+            "does not go with a layer that yields");
+  refuse_at(motion, "motion", "kind", has1 && input.motion.kind != ContactMotion::steady,
+            "must be steady with thermal data of the bodies");
 }
 
 /// FaStrip needs Hertz's pressure and does not know a reduced slope.
@@ -193,10 +237,12 @@ void check_simplified(const TomlSection& root, const RollingCase& input) {
   for (const auto* key : {"force_longitudinal", "force_lateral", "step"})
     refuse_at(motion, "motion", key, motion.has(key), exact);
   for (const auto key : memory_keys) refuse_at(friction, "friction", key, friction.has(key), exact);
+  for (const auto key : effect_keys) refuse_at(friction, "friction", key, friction.has(key), exact);
   refuse_at(root, "case", "layer", root.has("layer"), exact);
   for (const auto* name : {"body1", "body2"}) {
     const auto body = root.required_section(name);
     refuse_at(body, name, "creep_ratio", body.has("creep_ratio"), exact);
+    for (const auto key : thermal_keys) refuse_at(body, name, key, body.has(key), exact);
   }
 }
 
@@ -258,16 +304,31 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   } catch (const Error& error) {
     throw Error(name + ": [body1], [body2] and [load] together: " + error.what());
   }
-  if (input.theory == Theory::exact)
+  if (input.theory == Theory::exact) {
+    check_thermal(root, input);
     check_exact(root.required_section("motion"), root.optional_section("solution"), input);
-  else
+  } else {
     check_simplified(root, input);
+  }
   return input;
 }
 
+namespace {
+
+/// Negative for rolling along -x.
+double rolling_velocity(const RollingCase& input) {
+  return input.options.direction == RollingDirection::forward ? input.rolling_speed : -input.rolling_speed;
+}
+
+} // namespace
+
+InteriorBody interior_body(const RollingCase& input, const BodyInput& body) {
+  return {body.material, delay_of(body.creep, rolling_velocity(input))};
+}
+
 Bodies bodies_of(const RollingCase& input) {
-  const double speed = input.options.direction == RollingDirection::forward ? input.rolling_speed : -input.rolling_speed;
-  Bodies bodies = viscoelastic(input.body1.material, input.body1.creep, input.body2.material, input.body2.creep, speed);
+  Bodies bodies = viscoelastic(input.body1.material, input.body1.creep, input.body2.material, input.body2.creep,
+                               rolling_velocity(input));
   bodies.layer = input.layer;
   return bodies;
 }
@@ -294,6 +355,8 @@ EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& h
 }
 
 ExactOptions exact_options(const RollingCase& input) {
+  std::optional<ThermalBodies> thermal;
+  if (input.body1.thermal) thermal = {*input.body1.thermal, *input.body2.thermal};
   return {.mx = input.options.mx,
           .my = input.options.my,
           .discretisation = input.discretisation,
@@ -303,7 +366,9 @@ ExactOptions exact_options(const RollingCase& input) {
           .bodies = bodies_of(input),
           .coupling = input.coupling,
           .friction_memory = input.friction_memory,
-          .slip_start = input.slip_start};
+          .slip_start = input.slip_start,
+          .thermal = thermal,
+          .temperature_effect = input.temperature_effect};
 }
 
 std::string read_case_text(const std::filesystem::path& path) {

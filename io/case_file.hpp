@@ -20,6 +20,7 @@ struct BodyInput {
   double transverse_radius = 0; ///< [m], in the lateral plane
   Material material = {};
   Creep creep = {}; ///< none: an elastic body
+  std::optional<ThermalBody> thermal = {};
 };
 
 /// What a case file says, in SI units; the annotated example in examples/ shows every key.
@@ -33,6 +34,7 @@ struct RollingCase {
   std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
   FrictionLaw friction = {};
   FrictionMemory friction_memory = {};      ///< of the exact theory
+  std::optional<TemperatureEffect> temperature_effect = {}; ///< of the exact theory, with thermal data of both bodies
   Creepage creepage = {};   ///< for a shift the rigid shift [m] and rotation [rad]
   double rolling_speed = 0; ///< [m/s]
   ExactMotion motion = {};  ///< what is not steady rolling with given creepages needs the exact theory
@@ -57,6 +59,8 @@ RollingCase parse_case(std::string_view text, const std::string& name);
 
 /// The bodies of a case: elastic, or viscoelastic in steady rolling.
 Bodies bodies_of(const RollingCase& input);
+/// One of them, for its interior field.
+InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.

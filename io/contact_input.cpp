@@ -236,6 +236,8 @@ std::vector<double> ContactInputReader::read_friction_set(int law) {
       words_.fail("FKIN", set[1], "must be FSTAT; a static coefficient above the kinetic one is not supported");
   } else if (law == 6) {
     set = {coefficient("FREF"), words_.real("TREF"), words_.real("DFHEAT"), words_.positive("DTHEAT")};
+    if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
+      words_.fail("DFHEAT", set[2], "must keep FREF + DFHEAT in [0, 10]");
   } else {
     for (const char* field : {"FKIN", "FIN1", "SABSH1", "FIN2", "SABSH2"})
       set.push_back(words_.between(field, 0, 1e12));

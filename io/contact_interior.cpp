@@ -1,5 +1,6 @@
 #include "io/contact_interior.hpp"
 
+#include "io/contact_set_up.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -58,8 +59,12 @@ InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
   return points;
 }
 
-Material material_of(double shear, double poisson) {
-  return {shear * newton_per_mm2, poisson};
+/// FG and TC of a viscoelastic body make a part of its displacements come late.
+InteriorBody body_of(const ContactCase& c, std::size_t body) {
+  const ContactMaterial& m = *c.material;
+  const Material material = {(body == 0 ? m.shear1 : m.shear2) * newton_per_mm2, body == 0 ? m.poisson1 : m.poisson2};
+  if (c.digits.mater != 1) return material;
+  return {material, delay_of(creep_of(c, body), rolling_velocity(c))};
 }
 
 std::string row(const std::vector<double>& values) {
@@ -74,11 +79,10 @@ std::vector<ContactInterior> contact_interior(const ContactCase& c, const Contac
                                               const ContactStepSolution& solution) {
   std::vector<ContactInterior> fields;
   if (c.digits.stress == 0) return fields;
-  const ContactMaterial& m = *c.material;
   const TangentialState& tractions = solution.tangential.tractions;
   for (const ContactPoints& block : c.points) {
     const InteriorGrid points = points_of(block, step.grid);
-    auto states = interior_states(material_of(m.shear1, m.poisson1), material_of(m.shear2, m.poisson2), step.grid,
+    auto states = interior_states(body_of(c, 0), body_of(c, 1), step.grid,
                                   {tractions.px, tractions.py, solution.normal.pressure}, points);
     fields.push_back({points, std::move(states)});
   }

@@ -13,29 +13,6 @@ bool goes_on(const ContactCase& c) {
   return (c.digits.tang == 1 || c.digits.tang == 2) && (c.digits.pvtime == 0 || c.digits.pvtime == 3);
 }
 
-bool has_temperatures(const ContactCase& c) {
-  return c.digits.heat > 0 && c.digits.tang == 3;
-}
-
-/// BKTEMP, HEATCP, LAMBDA and DENS in SI.
-ThermalBody thermal_body(const std::array<double, 4>& data) {
-  constexpr double per_mm = 1e3, per_mm3 = 1e9;
-  return {.bulk_temperature = data[0],
-          .conductivity = data[2] * per_mm,
-          .density = data[3] * per_mm3,
-          .heat_capacity = data[1]};
-}
-
-SurfaceTemperature temperature(const ContactCase& c, const ContactOutcome& outcome) {
-  const TangentialSolution& t = outcome.solution.tangential;
-  const TangentialInput& motion = outcome.step.motion;
-  std::vector<double> heat;
-  for (std::size_t k = 0; k < outcome.step.grid.count(); ++k)
-    heat.push_back(-motion.rolling_speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
-  return surface_temperature(outcome.step.grid, motion.direction, motion.rolling_speed, thermal_body(c.heat->body1),
-                             thermal_body(c.heat->body2), outcome.solution.normal.pressure, heat);
-}
-
 ContactOutcome refused(std::vector<std::string> reasons) {
   ContactOutcome outcome;
   outcome.kind = ContactOutcome::Kind::refused;
@@ -61,7 +38,7 @@ ContactOutcome ContactRun::solve(const ContactCase& c, Sequence& sequence) {
   if (is_simplified(c)) sequence.springs = std::move(springs);
   if (outcome.step.frictionless) sequence.springs = SpringState();
   outcome.totals = contact_totals(c, outcome.step, outcome.solution);
-  if (has_temperatures(c)) outcome.temperature = temperature(c, outcome);
+  outcome.temperature = temperatures_of(outcome.step, outcome.solution);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
   outcome.interior = contact_interior(c, outcome.step, outcome.solution);
   outcome.notes = left_out(c, outcome.step);

@@ -249,7 +249,7 @@ void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
 /// The law in force, with a set of its numbers as they stand in the file.
 FrictionLaw friction_law(int law, const std::vector<double>& set) {
   if (set.empty()) return FrictionLaw();
-  if (law == 0) return FrictionLaw::coulomb(set[0]);
+  if (law == 0 || law == 6) return FrictionLaw::coulomb(set[0]);
   constexpr double least_velocity = 1e-4; // [mm/s], where a file says 0
   const auto term = [&](std::size_t k) {
     return FrictionTerm{.drop = set[k], .half_velocity = std::max(set[k + 1], least_velocity) * mm};
@@ -257,6 +257,24 @@ FrictionLaw friction_law(int law, const std::vector<double>& set) {
   if (law == 2) return FrictionLaw::linear(set[0], term(1), term(3));
   if (law == 3) return FrictionLaw::rational(set[0], term(1), term(3));
   return FrictionLaw::exponential(set[0], term(1), term(3));
+}
+
+/// BKTEMP, HEATCP, LAMBDA and DENS in SI.
+ThermalBody thermal_body(const std::array<double, 4>& data) {
+  constexpr double per_mm3 = 1e9;
+  return {.bulk_temperature = data[0],
+          .conductivity = data[2] * per_mm,
+          .density = data[3] * per_mm3,
+          .heat_capacity = data[1]};
+}
+
+/// H > 0 and L = 6, whose sets are FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
+void set_temperatures(const ContactCase& c, ContactStep& step) {
+  if (c.digits.heat == 0 || c.digits.tang != 3) return;
+  step.thermal = {thermal_body(c.heat->body1), thermal_body(c.heat->body2)};
+  if (c.friction.law != 6) return;
+  for (const auto& set : c.friction.sets)
+    step.temperature_effect.push_back({.change = set[2], .begin = set[1], .range = set[3]});
 }
 
 /// Friction by rows; what FX and FY are relative to, over Fn.
@@ -346,12 +364,19 @@ InterfaceLayer interface_layer(const std::vector<double>& v) {
 Bodies bodies_of(const ContactCase& c) {
   const ContactMaterial& m = *c.material;
   const Material body1 = {m.shear1 * newton_per_mm2, m.poisson1}, body2 = {m.shear2 * newton_per_mm2, m.poisson2};
-  const auto& v = m.model_data;
   Bodies elastic = combine(body1, body2);
-  if (c.digits.mater == 4) elastic.layer = interface_layer(v);
-  if (c.digits.mater != 1) return elastic; // else FG1, FG2, TC1, TC2
-  const double speed = c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
-  return viscoelastic(body1, {v[0], v[2]}, body2, {v[1], v[3]}, speed);
+  if (c.digits.mater == 4) elastic.layer = interface_layer(m.model_data);
+  if (c.digits.mater != 1) return elastic;
+  return viscoelastic(body1, creep_of(c, 0), body2, creep_of(c, 1), rolling_velocity(c));
+}
+
+Creep creep_of(const ContactCase& c, std::size_t body) {
+  const auto& data = c.material->model_data; // FG1, FG2, TC1, TC2
+  return {data[body], data[2 + body]};
+}
+
+double rolling_velocity(const ContactCase& c) {
+  return c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
 }
 
 bool takes_element_length(const ContactCase& c) {
@@ -396,6 +421,7 @@ ContactStep contact_step(const ContactCase& c) {
   if (!step.frictionless) {
     set_motion(c, step);
     set_extra_slip(c, step);
+    set_temperatures(c, step);
   }
   return step;
 }

@@ -12,6 +12,10 @@ namespace microslip {
 CombinedMaterial combined_material(const ContactCase& c);
 /// The same with what deforms late.
 Bodies bodies_of(const ContactCase& c);
+/// How body 1 (0) or 2 (1) of viscoelastic ones (M = 1) creeps.
+Creep creep_of(const ContactCase& c, std::size_t body);
+/// V [m/s], negative for rolling along -x.
+double rolling_velocity(const ContactCase& c);
 
 /// Whether the step of rolling is the elements' length whatever the file says: in steady rolling CONTACT takes another
 /// one only with its solver ConvexGS, G = 2, and with a layer, M = 4, never.

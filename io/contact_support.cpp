@@ -16,6 +16,10 @@ bool rolls(const ContactCase& c) {
   return c.digits.tang >= 2;
 }
 
+bool is_heated(const ContactCase& c) {
+  return has_tractions(c) && c.friction.law == 6;
+}
+
 /// A value of a digit, or of a number beside it, that is not supported.
 struct Refusal {
   const char* digit;
@@ -28,8 +32,14 @@ constexpr Refusal refusals[] = {
      [](const ContactCase& c) { return c.digits.bound == 4 && (c.potential->kind != -6 || c.digits.norm != 1); }},
     {"B > 4", "approximate normal problem, KPEC or ANALYN, with the force given, N = 1",
      [](const ContactCase& c) { return c.digits.bound > 4 && c.digits.norm == 1; }},
-    {"L = 6", "friction that depends on the temperature",
-     [](const ContactCase& c) { return has_tractions(c) && c.friction.law == 6; }},
+    {"L = 6", "friction that depends on the temperature, without H = 1 or 3",
+     [](const ContactCase& c) { return is_heated(c) && c.digits.heat == 0 && c.digits.tang == 3; }},
+    {"L = 6", "friction that depends on the temperature, with other than steady rolling",
+     [](const ContactCase& c) { return is_heated(c) && c.digits.tang != 3; }},
+    {"L = 6", "friction that depends on the temperature, with FASTSIM or FaStrip",
+     [](const ContactCase& c) { return is_heated(c) && is_simplified(c); }},
+    {"L = 6", "friction that depends on the temperature, with a layer that yields",
+     [](const ContactCase& c) { return is_heated(c) && c.digits.mater == 4 && c.material->model_data[2] > 0; }},
     {"C = 4", "half-space coefficients corrected for conformal contact",
      [](const ContactCase& c) { return c.material->coefficients == 4; }},
     {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},

@@ -36,6 +36,7 @@ void check(const ContactCase& c) {
   const ContactDigits& d = c.digits;
   if (!c.unreadable.empty()) refuse(c.unreadable);
   for (const std::string& reason : unsupported(c)) refuse(reason);
+  if (is_simplified(c) && d.heat > 0) refuse("H = " + std::to_string(d.heat) + " (temperatures with FASTSIM or FaStrip)");
   if (is_simplified(c) && d.mater != 3 && d.mater != 5)
     refuse("M = " + std::to_string(d.mater) + " (a form of FASTSIM or FaStrip that case files do not have)");
   if (is_simplified(c) && is_fastrip(c) && !is_plain(c))
@@ -87,11 +88,20 @@ std::string layer(const ContactCase& c) {
   return text + line("hardening", v[3] * newton_per_mm2 / mm);
 }
 
+/// What body 1 (0) or 2 (1) is for heat.
+std::string thermal(const ContactCase& c, std::size_t body) {
+  const ContactStep step = contact_step(c);
+  if (!step.thermal) return "";
+  const ThermalBody& b = body == 0 ? step.thermal->body1 : step.thermal->body2;
+  return line("bulk_temperature", b.bulk_temperature) + line("conductivity", b.conductivity) +
+         line("density", b.density) + line("heat_capacity", b.heat_capacity);
+}
+
 /// The first body has all of the curvature, the second is flat.
 std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
   const ContactMaterial& m = *c.material;
   const auto material = [&](std::size_t body, double shear, double poisson) {
-    const std::string text = line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson);
+    const std::string text = line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson) + thermal(c, body);
     if (c.digits.mater != 1) return text; // else FG1, FG2, TC1, TC2
     return text + line("creep_ratio", m.model_data[body]) + line("creep_time", m.model_data[2 + body]);
   };
@@ -104,12 +114,16 @@ std::string friction(const ContactCase& c) {
   const auto& set = c.friction.sets[0];
   if (c.digits.tang == 0) return line("coefficient", 0);
   if (c.friction.law == 0) return line("coefficient", set[0]);
+  const std::string memory =
+      is_simplified(c) ? "" : line("memory_distance", set[set.size() - 2] * mm) + line("memory_speed", set.back() * mm);
+  if (c.friction.law == 6)
+    return line("coefficient", set[0]) + line("thermal_change", set[2]) + line("thermal_begin", set[1]) +
+           line("thermal_range", set[3]) + memory;
   constexpr const char* laws[] = {"", "", "linear", "rational", "exponential"};
   std::string text = quoted_line("law", laws[c.friction.law]) + line("kinetic_coefficient", set[0]) +
                      line("drop", set[1]) + line("half_velocity", set[2] * mm);
   if (set[3] > 0) text += line("second_drop", set[3]) + line("second_half_velocity", set[4] * mm);
-  if (is_simplified(c)) return text;
-  return text + line("memory_distance", set[set.size() - 2] * mm) + line("memory_speed", set.back() * mm);
+  return text + memory;
 }
 
 std::string motion(const ContactCase& c) {

@@ -136,7 +136,8 @@ TEST(CaseFile, NamesTheNearestKnownWord) {
             "w.toml:18: motion.velocity: unknown key; must be kind, creepage_longitudinal, force_longitudinal, "
             "creepage_lateral, force_lateral, spin, rolling_speed, direction or step");
   EXPECT_EQ(message_of(with("coefficient = 0.3", "coefficient = 0.3\ndrop = 0.1")),
-            "w.toml:16: friction.drop: unknown key; must be law or coefficient");
+            "w.toml:16: friction.drop: unknown key; must be law, coefficient, thermal_change, thermal_begin or "
+            "thermal_range");
 }
 
 TEST(CaseFile, ReadsWhatTheExactTheoryTakes) {
@@ -220,11 +221,12 @@ TEST(CaseFile, RefusesWhatATheoryCannotDo) {
   EXPECT_EQ(parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml").discretisation, Discretisation::classical);
   EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\"\ndiscretisation = \"second_order\""),
             "w.toml:23: solution.discretisation: must be classical for bodies of different materials, viscoelastic ones, a "
-            "layer and falling friction");
+            "layer, falling friction and temperatures");
   EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\"\naccuracy = 1e-3"),
             "w.toml:23: solution.accuracy: needs steady rolling without motion.step, of second order");
   EXPECT_EQ(message_of(with("coefficient = 0.3", "coefficient = 0.3\nmemory_distance = 1e-6")),
-            "w.toml:16: friction.memory_distance: unknown key; must be law or coefficient");
+            "w.toml:16: friction.memory_distance: unknown key; must be law, coefficient, thermal_change, thermal_begin or "
+            "thermal_range");
 }
 
 TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
@@ -234,7 +236,7 @@ TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
   EXPECT_EQ(slow.body1.creep.ratio, 1.5);
   EXPECT_EQ(slow.discretisation, Discretisation::classical);
   ASSERT_EQ(bodies_of(slow).delayed.size(), 1u);
-  EXPECT_DOUBLE_EQ(bodies_of(slow).delayed[0].distance, 0.3);
+  EXPECT_DOUBLE_EQ(bodies_of(slow).delayed[0].delay.distance, 0.3);
   EXPECT_NE(message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
             std::string::npos);
   const RollingCase layered = parse_case(with("rolling_speed = 30", "rolling_speed = 30" + layer + exact), "w.toml");
@@ -245,6 +247,46 @@ TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
   EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer + "yield_stress = -1\n" + exact))
                 .find("layer.yield_stress = -1 [Pa]: must be positive"),
             std::string::npos);
+}
+
+TEST(CaseFile, ReadsTemperatures) {
+  const std::string thermal = "bulk_temperature = 20\nconductivity = 50\ndensity = 7850\nheat_capacity = 450";
+  const std::string exact = "\n[solution]\ntheory = \"exact\"\n";
+  const auto text = [&](const std::string& friction, const std::string& body1, const std::string& body2) {
+    std::string all = with("coefficient = 0.3", "coefficient = 0.3\n" + friction);
+    all.replace(all.find("poisson_ratio = 0.28"), 20, "poisson_ratio = 0.28\n" + body1);
+    return all.replace(all.find("poisson_ratio = 0.3\n"), 20, "poisson_ratio = 0.3\n" + body2 + "\n") + exact;
+  };
+  const std::string effect = "thermal_change = -0.2\nthermal_begin = 100\nthermal_range = 400\n";
+  const RollingCase input = parse_case(text(effect + "memory_distance = 1e-6", thermal, thermal), "w.toml");
+  EXPECT_EQ(input.body1.thermal->density, 7850);
+  EXPECT_EQ(input.body2.thermal->bulk_temperature, 20);
+  EXPECT_EQ(input.temperature_effect->change, -0.2);
+  EXPECT_EQ(input.temperature_effect->begin, 100);
+  EXPECT_EQ(input.temperature_effect->range, 400);
+  EXPECT_EQ(input.friction_memory.distance, 1e-6);
+  EXPECT_EQ(input.discretisation, Discretisation::classical);
+  EXPECT_EQ(exact_options(input).thermal->body2.conductivity, 50);
+  const RollingCase only_temperatures = parse_case(text("", thermal, thermal), "w.toml");
+  EXPECT_TRUE(exact_options(only_temperatures).thermal);
+  EXPECT_FALSE(exact_options(only_temperatures).temperature_effect);
+  const auto expect_refused = [](const std::string& refused, const std::string& why) {
+    EXPECT_NE(message_of(refused).find(why), std::string::npos) << message_of(refused);
+  };
+  expect_refused(text(effect, "", ""), "friction.thermal_change: needs the thermal data of both bodies");
+  expect_refused(text(effect, thermal, ""), "body1.bulk_temperature: needs the thermal data of body2, too");
+  expect_refused(text(effect, "", thermal), "body2.bulk_temperature: needs the thermal data of body1, too");
+  expect_refused(text("", "density = 7850", thermal), "[body1]: bulk_temperature is missing");
+  expect_refused(text("thermal_change = -0.4\nthermal_begin = 100\nthermal_range = 400\n", thermal, thermal),
+                 "friction.thermal_change = -0.4 [-]: must be in [-0.3, 9.7]");
+  std::string other = text(effect, thermal, thermal);
+  expect_refused(other + "discretisation = \"second_order\"", "must be classical for");
+  expect_refused(other + "[layer]\nshear_modulus = 8e9\nthickness = 1e-5\nyield_stress = 1e8\n",
+                 "friction.thermal_change: does not go with a layer that yields");
+  other.replace(other.find("rolling_speed = 30"), 18, "rolling_speed = 30\nkind = \"transient\"");
+  expect_refused(other, "motion.kind: must be steady with thermal data of the bodies");
+  const auto simplified = text(effect, thermal, thermal);
+  expect_refused(simplified.substr(0, simplified.find("[solution]")), "needs solution.theory = \"exact\"");
 }
 
 TEST(CaseFile, FaStripTakesWhatItNeeds) {

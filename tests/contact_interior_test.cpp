@@ -68,6 +68,33 @@ TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
   }
 }
 
+/// M = 1: displacements come late, stresses do not.
+TEST(ContactInterior, OfViscoelasticBodies) {
+  for (const std::string chi : {"0", "180d"}) {
+    std::string text = with_points(" 9\n 1 1 2\n .15\n -.2\n .4 -.4");
+    text.replace(text.find("0 .1 30000."), 11, chi + " .1 30000.");
+    text.replace(text.find("022020"), 6, "022120");
+    const std::string material = "82000. 82000.\n";
+    text.insert(text.find(material) + material.size(), " .5 2. 3d-5 1d-5\n");
+    const auto cases = run_cases(text);
+    const ContactOutcome& o = cases.at(0).outcome;
+    ASSERT_EQ(o.kind, ContactOutcome::Kind::solved);
+    const TangentialState& t = o.solution.tangential.tractions;
+    const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
+    const Material steel = {82e9, 0.28};
+    const double velocity = chi == "0" ? 30 : -30;
+    const Creep creeps[] = {{0.5, 3e-5}, {2, 1e-5}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const InteriorField field(steel, k == 0 ? Body::first : Body::second, o.step.grid, tractions,
+                                delay_of(creeps[k], velocity));
+      const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3}), found = o.interior.at(0).states.at(k);
+      EXPECT_DOUBLE_EQ(found.ux, expected.ux);
+      EXPECT_DOUBLE_EQ(found.uz, expected.uz);
+      EXPECT_DOUBLE_EQ(found.stress.xz, expected.stress.xz);
+    }
+  }
+}
+
 TEST(ContactInterior, PointsAreKept) {
   const std::string next = " 3 MODULE\n 203101\n 100000\n 0000331\n 100 100 30 1 1e-7\n 200. 2d-4 0 0\n";
   const std::string none = " 3 MODULE\n 203100\n 100000\n 0000331\n 100 100 30 1 1e-7\n 200. 2d-4 0 0\n";

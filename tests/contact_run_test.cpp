@@ -230,5 +230,55 @@ TEST(ContactRun, SurfaceTemperatures) {
   EXPECT_EQ(o.temperature->body2[15], 120);
 }
 
+/// A wheel that slides at 6 m/s, mu = .3 cold and .05 from 200 degrees on; with memory if wanted.
+std::string heated_sliding(const std::string& law = ".3 50. -.25 150.", const std::string& memory = "0 0") {
+  std::string text = with(steady_rolling("1000. 2d-1 0 0"), " .3 .3\n", " " + law + "\n " + memory + "\n");
+  text = with(with(text, "022020", "622020"), "0000331", "3000331");
+  return with(text, " -3\n", " 20. 450. 50e-3 7.85e-6\n 20. 450. 50e-3 7.85e-6\n -3\n");
+}
+
+TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
+  const auto cases = run_cases(heated_sliding() + heated_sliding(".3 1d4 -.25 150.") + heated_sliding(".3 -100. -.25 100."));
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_EQ(cases.at(k).outcome.kind, Kind::solved);
+    ASSERT_EQ(cases[k].outcome.solution.status, Status::ok);
+  }
+  const ContactOutcome& o = cases[0].outcome;
+  EXPECT_GT(o.totals.temperature.value(), 60);
+  int warm = 0;
+  for (std::size_t k = 0; k < o.step.grid.count(); ++k) {
+    if (!(o.solution.normal.pressure[k] > 0)) continue;
+    const double share = std::clamp((o.temperature->body1[k] - 50) / 150, 0.0, 1.0);
+    EXPECT_NEAR(o.solution.friction[k], 0.3 - 0.25 * share, 1e-5);
+    warm += share > 0;
+  }
+  EXPECT_GT(warm, 10);
+  EXPECT_LT(std::abs(o.totals.x), 0.99);
+  // Cold and hot everywhere: FX over FREF FN.
+  EXPECT_NEAR(cases[1].outcome.totals.x, -1, 1e-6);
+  EXPECT_NEAR(cases[2].outcome.totals.x, -0.05 / 0.3, 1e-6);
+}
+
+/// A memory that is long against the contact keeps friction what it was before; a short one changes nothing.
+TEST(ContactRun, FrictionThatDependsOnTheTemperatureHasMemory) {
+  const auto cases = run_cases(heated_sliding(".3 50. -.25 150.", "1d3 0") + heated_sliding(".3 50. -.25 150.", "1d-8 0") +
+                               heated_sliding());
+  EXPECT_NEAR(cases.at(0).outcome.totals.x, -1, 1e-3);
+  EXPECT_NEAR(cases.at(1).outcome.totals.x, cases.at(2).outcome.totals.x, 1e-5);
+}
+
+TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
+  const auto reason = [](const std::string& text) { return run_cases(text).at(0).outcome.reasons.at(0); };
+  const std::string start = "L = 6 (friction that depends on the temperature, with";
+  const std::string cold = with(with(heated_sliding(), "3000331", "0000331"),
+                                " 20. 450. 50e-3 7.85e-6\n 20. 450. 50e-3 7.85e-6\n", "");
+  EXPECT_EQ(reason(cold), start + "out H = 1 or 3)");
+  EXPECT_EQ(reason(with(cold, "203100", "202100")), start + " other than steady rolling)");
+  const std::string layer = with(with(heated_sliding(), "622020", "622420"), "82000. 82000.\n", "82000. 82000.\n 8d4 .01 100. 0\n");
+  EXPECT_EQ(reason(with(layer, " -3\n", " 1.\n -3\n")), start + " a layer that yields)");
+  const std::string fastsim = with(with(heated_sliding(), "622020", "622320"), "82000. 82000.\n", "82000. 82000.\n 1. 1. 1.\n");
+  EXPECT_EQ(reason(with(fastsim, "203100", "223100")), start + " FASTSIM or FaStrip)");
+}
+
 } // namespace
 } // namespace microslip

@@ -70,6 +70,15 @@ TEST(ContactToml, ForcesAndShifts) {
   EXPECT_EQ(converted(with(first_shift, "201110", "200100")).friction.static_coefficient(), 0);
 }
 
+TEST(ContactToml, FrictionThatDependsOnTheTemperature) {
+  std::string text = with(steady_rolling("1000. 2d-1 0 0"), " .3 .3\n", " .3 50. -.25 150.\n 0 0\n");
+  text = with(with(text, "022020", "622020"), "0000331", "3000331");
+  text = with(text, " -3\n", " 20. 450. 50e-3 7.85e-6\n 30. 450. 50e-3 7.85e-6\n -3\n");
+  const ContactTotals t = run_cases(text).at(0).outcome.totals;
+  EXPECT_NEAR(forces_of(converted(text)).fx, t.fx, 1e-4 * 300);
+  EXPECT_LT(std::abs(t.fx), 290);
+}
+
 TEST(ContactToml, BilinearElements) {
   EXPECT_EQ(converted(first_shift).elements, ElementShape::constant);
   EXPECT_EQ(converted(with(first_shift, "022020", "023020")).elements, ElementShape::bilinear);

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -198,6 +199,100 @@ TEST(InteriorField, BilinearElements) {
                 1e-12);
     }
   }
+}
+
+// --- bodies whose deformation comes late
+
+/// The elastic displacements at a point, and the integral of those of its past by the midpoint rule in t = 1 - exp(-q/l).
+InteriorState by_brute_force(const InteriorField& elastic, const InteriorPoint& p, const Delay& delay) {
+  constexpr int n = 20000;
+  InteriorState sum = elastic.at(p);
+  for (int k = 0; k < n; ++k) {
+    const double q = -std::abs(delay.distance) * std::log(1 - (k + 0.5) / n);
+    const InteriorState past = elastic.at({p.x + std::copysign(q, delay.distance), p.y, p.depth});
+    sum.ux += delay.ratio / n * past.ux;
+    sum.uy += delay.ratio / n * past.uy;
+    sum.uz += delay.ratio / n * past.uz;
+  }
+  return sum;
+}
+
+TEST(InteriorField, LateDisplacementsAreTheIntegralOverThePast) {
+  const ElementGrid grid = rectangles(3, 2);
+  const Load load = random_load(grid, 8);
+  for (const Body body : {Body::first, Body::second})
+    for (const double distance : {2e-4, 3e-3, -5e-4})
+      for (const InteriorPoint& p : {InteriorPoint{-1.1e-3, 2.13e-3, 0}, {-8e-4, 2e-3, 1e-4}, {1e-3, 2.4e-3, 7e-4}}) {
+        const Delay delay = {1.6, distance};
+        const InteriorField elastic(steel, body, grid, load.tractions());
+        const InteriorField late(steel, body, grid, load.tractions(), delay);
+        EXPECT_LT(difference(nine(late.at(p)), nine(by_brute_force(elastic, p, delay)), 1e6 * grid.dx / 82e9, 1e6), 2e-4);
+      }
+}
+
+/// Long after the contact's time it is as if nothing came late, shortly after it all has come; stresses are elastic.
+TEST(InteriorField, LateDisplacementsHaveElasticLimits) {
+  const ElementGrid grid = rectangles(7, 4);
+  const Load load = random_load(grid, 9);
+  const InteriorPoint p = {-5e-4, 2.1e-3, 3e-4};
+  const InteriorState elastic = InteriorField(steel, Body::first, grid, load.tractions()).at(p);
+  const auto late = [&](const Delay& delay) {
+    return InteriorField(steel, Body::first, grid, load.tractions(), delay).at(p);
+  };
+  const double unit = std::abs(elastic.ux) + std::abs(elastic.uy) + std::abs(elastic.uz);
+  for (const auto& [delay, factor] :
+       {std::pair<Delay, double>{{0.8, 0}, 1.8}, {{0.8, 1e-9}, 1.8}, {{0.8, -1e-9}, 1.8}, {{0.8, 1e4}, 1}, {{0, 1}, 1}}) {
+    const InteriorState s = late(delay);
+    EXPECT_NEAR(s.ux, factor * elastic.ux, 2e-5 * unit);
+    EXPECT_NEAR(s.uy, factor * elastic.uy, 2e-5 * unit);
+    EXPECT_NEAR(s.uz, factor * elastic.uz, 2e-5 * unit);
+    EXPECT_EQ(stress_difference(s.stress, elastic.stress), 0);
+  }
+}
+
+TEST(InteriorField, LayersOfLateDisplacementsAreTheSumsAtTheCentres) {
+  for (const ElementGrid& grid : {rectangles(9, 5), rectangles(4, 1), strips(8)})
+    for (const double distance : {4e-4, -2e-3}) {
+      const Load load = random_load(grid, 10);
+      const InteriorField field(steel, Body::second, grid, load.tractions(), {0.7, distance});
+      InteriorLayers layers(field, 1);
+      for (const double depth : {0.0, 2e-4}) {
+        const auto states = layers.at_depth(depth);
+        for (int j = 0; j < layers.grid().my; ++j)
+          for (int i = 0; i < layers.grid().mx; ++i) {
+            const InteriorState sum = field.at({layers.grid().x(i), layers.grid().y(j), depth});
+            EXPECT_LT(difference(nine(states[static_cast<std::size_t>(j) * layers.grid().mx + i]), nine(sum),
+                                 1e6 * grid.mx * grid.dx / 82e9, 1e6), 1e-8) << text(grid) << ", " << i << ", " << j;
+          }
+      }
+    }
+}
+
+/// u1 - u2 at the surface is what the contact problem of viscoelastic bodies is solved with, of one or of two creeps.
+TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
+  const Creep slow = {1.5, 2e-4}, quick = {0.4, 5e-6};
+  const Material brass = {40e9, 0.33};
+  for (const double velocity : {3.0, -3.0})
+    for (const Creep& creep2 : {slow, quick})
+      for (const ElementGrid& grid : {rectangles(9, 6), strips(12)}) {
+        SCOPED_TRACE(text(grid));
+        const Load load = random_load(grid, 11);
+        const Bodies bodies = viscoelastic(steel, slow, brass, creep2, velocity);
+        std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
+        CoupledResponse::displacement(bodies, grid).apply({load.px, load.py, load.pn},
+                                                          std::array{std::span(ux), std::span(uy), std::span(uz)});
+        const auto of = [&](const Material& material, Body body, const Creep& creep) {
+          return InteriorLayers(InteriorField(material, body, grid, load.tractions(), delay_of(creep, velocity)))
+              .at_depth(0);
+        };
+        const auto one = of(steel, Body::first, slow), two = of(brass, Body::second, creep2);
+        const double tolerance = 1e-8 * 1e6 * grid.mx * std::max(grid.dx, 1e-3) / 40e9;
+        for (std::size_t k = 0; k < ux.size(); ++k) {
+          EXPECT_NEAR(one[k].ux - two[k].ux, ux[k], tolerance);
+          EXPECT_NEAR(one[k].uy - two[k].uy, uy[k], tolerance);
+          EXPECT_NEAR(one[k].uz - two[k].uz, uz[k], tolerance);
+        }
+      }
 }
 
 TEST(InteriorField, FarBelowOnlyTheResultantCounts) {

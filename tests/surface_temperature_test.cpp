@@ -40,7 +40,7 @@ double mean_temperature(const ThermalBody& body1, const ThermalBody& body2) {
 TEST(SurfaceTemperature, ConstantHeatInAStrip) {
   const int n = 60, first = 10, last = 35;
   const double dx = 1e-4, q = 2e8, length = (last - first) * dx;
-  const auto t = surface_temperature(row_of(n, dx), RollingDirection::backward, speed, steel, brass,
+  const auto t = surface_temperature(row_of(n, dx), RollingDirection::backward, speed, {steel, brass},
                                      constant(first, last, n, 1e9), constant(first, last, n, q));
   const double b1 = steel.effusivity(), b2 = brass.effusivity(), mean = mean_temperature(steel, brass);
   const double per_heat = 2 * q / ((b1 + b2) * std::sqrt(pi * speed));
@@ -70,7 +70,7 @@ TEST(SurfaceTemperature, HeatLikeHertzsPressure) {
     const ElementGrid grid = {across, 1, -a + a / across, 0, 2 * a / across, 1e-3};
     std::vector<double> heat;
     for (int i = 0; i < across; ++i) heat.push_back(q0 * std::sqrt(1 - std::pow(grid.x(i) / a, 2)));
-    const auto t = surface_temperature(grid, RollingDirection::forward, speed, steel, steel, heat, heat);
+    const auto t = surface_temperature(grid, RollingDirection::forward, speed, {steel, steel}, heat, heat);
     const double error = std::abs(t.highest - 20 - peak) / peak;
     EXPECT_LT(error, 0.3 / across);
     EXPECT_LT(error, last_error);
@@ -88,14 +88,14 @@ TEST(SurfaceTemperature, BodiesAndDirectionsMayBeSwapped) {
     pressure[i] = 1e8;
     heat[i] = 1e7 * i;
   }
-  const auto t = surface_temperature(grid, RollingDirection::forward, speed, steel, brass, pressure, heat);
-  const auto swapped = surface_temperature(grid, RollingDirection::forward, speed, brass, steel, pressure, heat);
+  const auto t = surface_temperature(grid, RollingDirection::forward, speed, {steel, brass}, pressure, heat);
+  const auto swapped = surface_temperature(grid, RollingDirection::forward, speed, {brass, steel}, pressure, heat);
   const auto mirror = [&](std::vector<double> field) {
     for (int j = 0; j < rows; ++j) std::reverse(field.begin() + j * n, field.begin() + (j + 1) * n);
     return field;
   };
   const auto back =
-      surface_temperature(grid, RollingDirection::backward, speed, steel, brass, mirror(pressure), mirror(heat));
+      surface_temperature(grid, RollingDirection::backward, speed, {steel, brass}, mirror(pressure), mirror(heat));
   for (int k = 0; k < n * rows; ++k) {
     EXPECT_NEAR(swapped.body2[k], t.body1[k], 1e-9);
     EXPECT_NEAR(swapped.body1[k], t.body2[k], 1e-9);
@@ -141,7 +141,7 @@ TEST(SurfaceTemperature, TwoContactsInARowAgreeWithHeatConductionInDepth) {
     pressure.push_back(touches(grid.x(i)) ? 1 : 0);
     heat.push_back(2 * pressure.back());
   }
-  const auto t = surface_temperature(grid, RollingDirection::backward, 1, cold, warm, pressure, heat);
+  const auto t = surface_temperature(grid, RollingDirection::backward, 1, {cold, warm}, pressure, heat);
   Rods rods{1, 4};
   int steps = 0;
   for (int i = 0; i < elements; ++i) {
@@ -155,14 +155,14 @@ TEST(SurfaceTemperature, TwoContactsInARowAgreeWithHeatConductionInDepth) {
 TEST(SurfaceTemperature, NamesWhatIsOutOfRange) {
   const std::vector<double> field(10, 1);
   const auto solve = [&](const ThermalBody& body, double at_speed) {
-    return surface_temperature(row_of(10, 1e-4), RollingDirection::forward, at_speed, steel, body, field, field);
+    return surface_temperature(row_of(10, 1e-4), RollingDirection::forward, at_speed, {steel, body}, field, field);
   };
   expect_error([&] { solve({20, 0, 7850, 450}, 1); }, "body2.conductivity", "[W/(m K)]");
   expect_error([&] { solve({20, 50, -1, 450}, 1); }, "body2.density", "[kg/m^3]");
   expect_error([&] { solve({20, 50, 7850, 0}, 1); }, "body2.heat_capacity", "[J/(kg K)]");
   expect_error([&] { solve({INFINITY, 50, 7850, 450}, 1); }, "body2.bulk_temperature", "[deg C]");
   expect_error([&] { solve(steel, 0); }, "rolling_speed", "[m/s]");
-  EXPECT_THROW(surface_temperature(row_of(9, 1e-4), RollingDirection::forward, 1, steel, steel, field, field), Error);
+  EXPECT_THROW(surface_temperature(row_of(9, 1e-4), RollingDirection::forward, 1, {steel, steel}, field, field), Error);
 }
 
 } // namespace

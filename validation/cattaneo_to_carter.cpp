@@ -1,5 +1,7 @@
 #include "validation/cattaneo_to_carter.hpp"
 
+#include "microslip/error.hpp"
+#include "microslip/exact/accurate_contact.hpp"
 #include "microslip/exact/marching.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
@@ -75,6 +77,23 @@ double steady_creepage(int refined, const std::optional<LeadingEdge>& edge) {
   return HertzianSolve(material, fine, gap, normal_force).solve(friction, input).creepage.longitudinal;
 }
 
+/// Steady rolling at second order, on n x n elements across.
+double second_order_creepage(int n) {
+  const HertzContact hertz = hertz_from_load(gap, material, normal_force);
+  EllipticContact contact;
+  contact.a = hertz.a;
+  contact.b = hertz.b;
+  contact.shear_modulus = material.shear_modulus;
+  contact.poisson_ratio = material.poisson_ratio;
+  contact.normal_force = hertz.normal_force;
+  contact.friction = FrictionLaw::coulomb(friction);
+  ExactMotion motion;
+  motion.force_x = -force_share * friction * normal_force;
+  const ExactContact s = EllipticContactSolver({.mx = n, .my = n, .tolerance = tolerance}).solve(contact, motion);
+  if (s.fields.forces.status != Status::ok) throw Error("steady rolling at second order: not converged");
+  return s.creepage.longitudinal;
+}
+
 void report_edge(Report& report) {
   report.heading("Steady creepage on 28, 56, 112 elements across, and its limit from the last two");
   for (const bool corrected : {false, true}) {
@@ -86,6 +105,9 @@ void report_edge(Report& report) {
                     corrected ? "with the leading edge's correction   " : "without the leading edge's correction",
                     coarse, fine, finest, limit(fine, 2, finest, 4)));
   }
+  const double coarse = second_order_creepage(28), fine = second_order_creepage(56), finest = second_order_creepage(112);
+  report.line(fmt::format("second order                           {:.4e}  {:.4e}  {:.4e}  {:.4e}", coarse, fine, finest,
+                          limit_of_second_order(fine, finest)));
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #include "validation/contact_cases.hpp"
 
 #include "io/contact_run.hpp"
+#include "io/contact_set_up.hpp"
 #include "microslip/error.hpp"
+#include "microslip/exact/accurate_contact.hpp"
 #include "validation/report.hpp"
 
 #include <algorithm>
@@ -71,6 +73,24 @@ double rounding(const std::string& text) {
   return 0.5 * std::pow(10.0, power - decimals);
 }
 
+/// Extremes of the stresses inside the bodies that CONTACT prints for a case, one block of points after the other, in the
+/// order of interior_extremes.
+std::map<int, std::vector<double>> read_extremes(const std::string& name) {
+  std::map<int, std::vector<double>> extremes;
+  std::ifstream in(fs::path(input_folder) / (name + ".ref_out"));
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string first, second, equals;
+    double value = 0;
+    words >> first >> second;
+    if (first == "Case" && !second.empty()) number = std::stoi(second);
+    if (first != "MAX" && first != "MIN" && first != "ABSMAX") continue;
+    if (second.starts_with("SIG") && words >> equals >> value) extremes[number].push_back(value);
+  }
+  return extremes;
+}
+
 /// A quantity of a case, ours beside theirs.
 struct Comparison {
   std::string name;
@@ -123,11 +143,73 @@ std::vector<Comparison> compare(const ContactOutcome& o, const Printed& printed)
   return all;
 }
 
+/// A case of steady rolling that both discretisations can take, with part of the contact in adhesion: -Fx, -Fy over mu Fn.
+struct SteadyCase {
+  std::string name;
+  EllipticContact contact;
+  ExactOptions options; ///< second order, as many elements across as the case has
+  double fx, fy;        ///< classical
+};
+
+std::optional<SteadyCase> steady_case(const std::string& name, const ContactCase& c, const ContactOutcome& o) {
+  const ContactStep& step = o.step;
+  const auto gap = gap_curvatures(c);
+  const bool is_plain = c.digits.tang == 3 && c.digits.mater == 0 && c.friction.law == 0 && !c.friction.by_row &&
+                        c.digits.force == 0 && c.extra == 0 && !step.bodies.are_coupled() && !step.given;
+  if (!is_plain || !gap || !(gap->y > 0) || o.solution.adhesion_elements == 0 || o.solution.slip_elements == 0) return {};
+  const CombinedMaterial& material = step.bodies.material;
+  const HertzContact hertz = hertz_from_load(*gap, material, o.totals.fn);
+  const auto across = [](double axis, double element) { return static_cast<int>(std::lround(2 * axis / element)); };
+  return SteadyCase{.name = fmt::format("{}, case {}", name, c.number),
+                     .contact = {.a = hertz.a,
+                                 .b = hertz.b,
+                                 .shear_modulus = material.shear_modulus,
+                                 .poisson_ratio = material.poisson_ratio,
+                                 .normal_force = hertz.normal_force,
+                                 .friction = step.friction[0],
+                                 .creepage = step.motion.creepage,
+                                 .rolling_speed = step.motion.rolling_speed},
+                     .options = {.mx = across(hertz.a, step.grid.dx),
+                                 .my = across(hertz.b, step.grid.dy),
+                                 .direction = step.motion.direction,
+                                 .tolerance = 1e-7},
+                     .fx = o.totals.x,
+                     .fy = o.totals.y};
+}
+
+/// Which discretisation is nearer to the limit of nested grids, for the cases of rolling with adhesion and slip.
+bool compare_discretisations(Report& report, const std::vector<SteadyCase>& cases, const Progress& progress) {
+  constexpr double accuracy = 2e-4;
+  report.heading("Errors of Fx, Fy in mu Fn against the limit on nested grids: elements across, classical, second order");
+  double sum_classical = 0, sum_second = 0;
+  int nearer = 0;
+  for (const SteadyCase& c : cases) {
+    const double limit = c.contact.friction.static_coefficient() * c.contact.normal_force;
+    const AccurateContact exact = AccurateContactSolver(accuracy, c.options).solve(c.contact);
+    const ContactForces second = EllipticContactSolver(c.options).solve(c.contact).fields.forces;
+    const Vec2 to_classical = {c.fx - exact.forces.fx / limit, c.fy - exact.forces.fy / limit};
+    const Vec2 to_second = {(second.fx - exact.forces.fx) / limit, (second.fy - exact.forces.fy) / limit};
+    const double classical = std::hypot(to_classical.x, to_classical.y), own = std::hypot(to_second.x, to_second.y);
+    report.line(fmt::format("{:<26} {:>3} x {:<3}  {:>8.5f} {:>8.5f}   {:>8.5f} {:>8.5f}", c.name, c.options.mx, c.options.my,
+                            to_classical.x, to_classical.y, to_second.x, to_second.y));
+    sum_classical += classical * classical;
+    sum_second += own * own;
+    nearer += own < classical && exact.forces.status == Status::ok;
+    if (progress && !progress(double(&c - cases.data() + 1) / double(cases.size()))) return false;
+  }
+  const auto count = static_cast<double>(cases.size());
+  report.line(fmt::format("rms: classical {:.5f}, second order {:.5f}", std::sqrt(sum_classical / count),
+                          std::sqrt(sum_second / count)));
+  report.figure("second order is nearer", fmt::format("{}", nearer), fmt::format("{}", cases.size()),
+                nearer == static_cast<int>(cases.size()));
+  return true;
+}
+
 /// The cases of a file, one after the other.
 class FileComparison {
 public:
   FileComparison(Report& report, std::string name, const std::map<int, Printed>& printed)
-      : report_(report), name_(std::move(name)), printed_(printed) {}
+      : report_(report), name_(std::move(name)), printed_(printed), extremes_(read_extremes(name_)) {}
 
   /// False if it was asked to stop.
   bool run(const Progress& progress) {
@@ -145,6 +227,7 @@ public:
     finish();
     return true;
   }
+  const std::vector<SteadyCase>& rolling_cases() const { return rolling_; }
 
 private:
   void take(const ContactCase& c, const ContactOutcome& o) {
@@ -156,10 +239,31 @@ private:
     if (o.kind != ContactOutcome::Kind::solved) return;
     ++solved_;
     converged_ += o.solution.status == Status::ok;
+    note_extremes(c.number, o);
+    if (auto rolling = steady_case(name_, c, o)) rolling_.push_back(std::move(*rolling));
     const auto found = printed_.find(c.number);
     if (found == printed_.end()) return;
     ++compared_;
     for (const Comparison& comparison : compare(o, found->second)) note(c.number, comparison);
+  }
+
+  /// Stresses are printed to three decimals [N/mm2].
+  void note_extremes(int number, const ContactOutcome& o) {
+    const auto theirs = extremes_.find(number);
+    if (theirs == extremes_.end()) return;
+    std::vector<std::pair<std::string, double>> ours;
+    for (const auto& [points, states] : o.interior)
+      for (const auto& [name, value, point] : interior_extremes(states)) ours.emplace_back(name, value * 1e-6);
+    for (std::size_t k = 0; k < std::min(ours.size(), theirs->second.size()); ++k) {
+      ++stresses_;
+      const auto& [name, value] = ours[k];
+      const double printed = theirs->second[k];
+      if (std::abs(value - printed) <= 0.501e-3)
+        ++stresses_to_the_digit_;
+      else
+        report_.figure(fmt::format("case {}, {}", number, name), fmt::format("{:.4f}", value), fmt::format("{:.3f}", printed),
+                       std::abs(value - printed) <= relative_difference * std::abs(printed) + 0.5e-3);
+    }
   }
 
   void note(int number, const Comparison& c) {
@@ -184,6 +288,9 @@ private:
     if (quantities_ == 0) return;
     report_.line(fmt::format("printed by CONTACT: {} of the cases, {} quantities, {} equal to the digits printed",
                              compared_, quantities_, to_the_digit_));
+    if (stresses_ > 0)
+      report_.line(fmt::format("extremes of stresses inside the bodies: {}, {} equal to the three decimals printed",
+                               stresses_, stresses_to_the_digit_));
     if (largest_ > 0)
       report_.line(fmt::format("largest difference beyond the digits printed: {:.2e}, {}", largest_, where_));
   }
@@ -191,8 +298,11 @@ private:
   Report& report_;
   std::string name_;
   const std::map<int, Printed>& printed_;
+  std::map<int, std::vector<double>> extremes_;
+  std::vector<SteadyCase> rolling_;
   std::map<std::string, int> refused_;
-  int cases_ = 0, solved_ = 0, converged_ = 0, compared_ = 0, quantities_ = 0, to_the_digit_ = 0;
+  int cases_ = 0, solved_ = 0, converged_ = 0, compared_ = 0, quantities_ = 0, to_the_digit_ = 0, stresses_ = 0,
+      stresses_to_the_digit_ = 0;
   double largest_ = 0;
   std::string where_;
 };
@@ -208,14 +318,17 @@ bool run_contact_cases(const StudyOptions& options, std::ostream& out) {
   const auto printed = read_printed();
   report.line("Classical elements, CONTACT's grids; differences over the value, or over .4 of the friction limit");
   const std::map<int, Printed> nothing;
+  std::vector<SteadyCase> rolling;
   double done = 0;
   for (const char* name : input_files) {
     const auto found = printed.find(name);
     FileComparison file(report, name, found == printed.end() ? nothing : found->second);
-    const double end = done + 1.0 / std::size(input_files);
+    const double end = done + 0.8 / std::size(input_files);
     if (!file.run(part_of(options.progress, done, end))) return false;
+    rolling.insert(rolling.end(), file.rolling_cases().begin(), file.rolling_cases().end());
     done = end;
   }
+  if (!compare_discretisations(report, rolling, part_of(options.progress, done, 1))) return false;
   return report.all_met();
 }
 

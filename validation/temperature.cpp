@@ -72,7 +72,7 @@ Outcome solve(ContactSequence& sequence, const Case& c) {
     heat.push_back(-speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
   const ThermalBody wheel = wheel_of(c.wheel);
   const SurfaceTemperature surface =
-      surface_temperature(step.grid, step.motion.direction, speed, cold_rail, wheel, s.normal.pressure, heat);
+      surface_temperature(step.grid, step.motion.direction, speed, {cold_rail, wheel}, s.normal.pressure, heat);
   const double own = 2 * std::sqrt(step.grid.dx / 2) /
                      ((cold_rail.effusivity() + wheel.effusivity()) * std::sqrt(std::numbers::pi * speed));
   Outcome o = {t.forces.fx, t.forces.fy, surface.highest, -1e9};
@@ -88,7 +88,7 @@ double of_hertzian_heat(int across) {
   std::vector<double> q;
   for (int i = 0; i < across; ++i) q.push_back(heat * std::sqrt(1 - std::pow(grid.x(i) / a, 2)));
   const double highest =
-      surface_temperature(grid, RollingDirection::forward, speed, cold_rail, cold_rail, q, q).highest;
+      surface_temperature(grid, RollingDirection::forward, speed, {cold_rail, cold_rail}, q, q).highest;
   return highest * 2 * cold_rail.effusivity() * std::sqrt(std::numbers::pi * speed) /
          (coefficient * heat * std::sqrt(a));
 }

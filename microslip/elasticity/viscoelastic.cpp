@@ -16,9 +16,13 @@ bool is_coupled(const CombinedMaterial& m) {
   return std::abs(m.dissimilarity) >= as_good_as_similar;
 }
 
-void check(const std::string& name, const Creep& creep) {
+/// `name` is the creep's in messages.
+Delay delay_of(const std::string& name, const Creep& creep, double speed) {
   require_between(name + ".ratio", creep.ratio, "-", 0, 1e6);
   require_between(name + ".time", creep.time, "s", 0, std::numeric_limits<double>::max());
+  require_finite("speed", speed, "m/s");
+  if (speed == 0) throw Error("speed", speed, "m/s", "not zero");
+  return {creep.ratio, speed * creep.time};
 }
 
 } // namespace
@@ -28,21 +32,22 @@ bool Bodies::are_coupled() const {
          std::any_of(delayed.begin(), delayed.end(), [](const DelayedPart& d) { return is_coupled(d.material); });
 }
 
+Delay delay_of(const Creep& creep, double speed) {
+  return delay_of("creep", creep, speed);
+}
+
 Bodies viscoelastic(const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
                     double speed) {
-  check("creep1", creep1);
-  check("creep2", creep2);
-  require_finite("speed", speed, "m/s");
-  if (speed == 0) throw Error("speed", speed, "m/s", "not zero");
+  const Delay delay1 = delay_of("creep1", creep1, speed), delay2 = delay_of("creep2", creep2, speed);
   Bodies bodies = combine(body1, body2);
   if (creep1.ratio == creep2.ratio && creep1.time == creep2.time) {
-    if (creep1.ratio > 0) bodies.delayed.push_back({bodies.material, creep1.ratio, speed * creep1.time});
+    if (creep1.ratio > 0) bodies.delayed.push_back({bodies.material, delay1});
     return bodies;
   }
   // A body's own deformation is that of its contact with a rigid one.
   const Material rigid = {std::numeric_limits<double>::infinity(), 0};
-  if (creep1.ratio > 0) bodies.delayed.push_back({combine(body1, rigid), creep1.ratio, speed * creep1.time});
-  if (creep2.ratio > 0) bodies.delayed.push_back({combine(rigid, body2), creep2.ratio, speed * creep2.time});
+  if (creep1.ratio > 0) bodies.delayed.push_back({combine(body1, rigid), delay1});
+  if (creep2.ratio > 0) bodies.delayed.push_back({combine(rigid, body2), delay2});
   return bodies;
 }
 

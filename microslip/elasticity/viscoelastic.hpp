@@ -15,10 +15,18 @@ struct Creep {
 
 /// Deformation that comes late in steady rolling: with the displacement u of an elastic material, f times the integral
 /// of exp(-q/l)/l u(x + q) over q > 0, where l = V tau. For l < 0, rolling along -x, of exp(q/l)/|l| u(x - q).
+struct Delay {
+  double ratio = 0;    ///< f [-], >= 0; 0: nothing comes late
+  double distance = 0; ///< l [m]
+};
+
+/// Of a body that rolls steadily with speed V [m/s], positive along +x. Throws Error for constants out of range.
+Delay delay_of(const Creep& creep, double speed);
+
+/// What comes late of two bodies' displacement difference.
 struct DelayedPart {
   CombinedMaterial material;
-  double ratio;    ///< f [-], > 0
-  double distance; ///< l [m]
+  Delay delay; ///< with a ratio above 0
 };
 
 /// Two bodies in contact. Elastic ones are their combined material and nothing else.

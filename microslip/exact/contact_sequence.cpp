@@ -25,7 +25,7 @@ bool same(const CombinedMaterial& a, const CombinedMaterial& b) {
 
 bool same(const Bodies& a, const Bodies& b) {
   const auto same_part = [](const DelayedPart& p, const DelayedPart& q) {
-    return same(p.material, q.material) && p.ratio == q.ratio && p.distance == q.distance;
+    return same(p.material, q.material) && p.delay.ratio == q.delay.ratio && p.delay.distance == q.delay.distance;
   };
   return same(a.material, b.material) && a.layer.flexibility == b.layer.flexibility &&
          std::equal(a.delayed.begin(), a.delayed.end(), b.delayed.begin(), b.delayed.end(), same_part);
@@ -90,6 +90,10 @@ void check(const ContactStep& step) {
   if (!step.excluded.empty()) check_size("excluded", step.excluded.size());
   for (const auto* extra : {&step.extra_slip_x, &step.extra_slip_y})
     if (!extra->empty()) check_size("extra_slip", extra->size());
+  if (step.temperature_effect.empty() || step.frictionless) return;
+  if (!step.thermal) throw Error("temperature_effect: needs thermal bodies");
+  if (step.motion.motion != ContactMotion::steady) throw Error("temperature_effect: needs steady rolling");
+  if (step.bodies.layer.yields()) throw Error("temperature_effect: not with a layer that yields");
 }
 
 Field bound_of(const Field& friction, const Field& pressure) {
@@ -136,7 +140,10 @@ SlipFriction slip_friction(const ContactStep& step, const TangentialState& previ
     if (!previous.plastic_deformation.empty())
       passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, step.grid);
   }
-  return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage)};
+  std::optional<FrictionHeating> heating;
+  if (!step.temperature_effect.empty())
+    heating = {step.temperature_effect, *step.thermal, step.motion.rolling_speed};
+  return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage), std::move(heating)};
 }
 
 /// |s| V where the bodies slip [m/s]; in a shift the slip over a second.
@@ -253,24 +260,25 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const F
   return out;
 }
 
-/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. On the
+/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. Of
+/// temperatures only the slip is left to iterate, as the law finds them with the friction that makes them. On the
 /// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is relaxed.
 ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
                                                          const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 300, rounds_unrelaxed = 40;
-  constexpr double wanted = 1e-6;
   const auto n = step.grid.count();
   const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
   Field slip(n, step.slip_start == SlipStart::above ? fastest : 0.0);
   if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) slip = start.slip_velocity;
   const bool yields = step.bodies.layer.yields();
   std::vector<char> yielding(n);
-  Field pressure = yields ? solve_normal_part(step).pressure : Field();
+  const bool needs_pressure = yields || !step.temperature_effect.empty();
+  Field pressure = needs_pressure ? solve_normal_part(step).pressure : Field();
   double share = 1;
   long products = 0;
   ContactStepSolution out;
   for (int round = 1;; ++round) {
-    Field friction = law.coefficients(slip), deformation;
+    Field friction = law.coefficients(slip, pressure), deformation;
     if (yields) {
       deformation = law.plastic_deformation(slip, yielding);
       law.limit(friction, pressure, deformation, yielding);
@@ -283,7 +291,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
     const Field found = slip_velocity(step, out.tangential);
     const double size = norm(found), change = distance(found, slip);
     out.friction_residual = size > 0 ? change / size : change;
-    const bool together = change <= wanted * size;
+    const bool together = change <= friction_tolerance * size;
     if (together || round == most_rounds) {
       for (std::size_t k = 0; k < n; ++k)
         if (yielding[k] && out.tangential.state[k] == CellState::slip) ++out.plastic_elements;
@@ -293,7 +301,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
     }
     if (round % rounds_unrelaxed == 0) share *= 0.8;
     for (std::size_t k = 0; k < n; ++k) slip[k] += share * (found[k] - slip[k]);
-    if (yields) pressure = out.normal.pressure;
+    if (needs_pressure) pressure = out.normal.pressure;
     start = out.tangential.tractions;
     start.pressure = out.normal.pressure;
   }

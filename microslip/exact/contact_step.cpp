@@ -7,6 +7,18 @@
 
 namespace microslip {
 
+std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution) {
+  const TangentialInput& motion = step.motion;
+  if (!step.thermal || step.frictionless || motion.motion != ContactMotion::steady) return {};
+  const TangentialSolution& t = solution.tangential;
+  std::vector<double> heat;
+  heat.reserve(step.grid.count());
+  for (std::size_t k = 0; k < step.grid.count(); ++k)
+    heat.push_back(-motion.rolling_speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
+  return surface_temperature(step.grid, motion.direction, motion.rolling_speed, *step.thermal,
+                             solution.normal.pressure, heat);
+}
+
 TangentialInput motion_of(const ContactStep& step) {
   TangentialInput motion = step.motion;
   motion.extra_x = step.extra_slip_x;

@@ -41,6 +41,9 @@ struct ContactStep {
   std::vector<FrictionLaw> friction = {};           ///< of each row of the grid; one: the same for all
   FrictionMemory friction_memory = {};              ///< of friction that depends on the slip
   SlipStart slip_start = SlipStart::below;          ///< where the slip of such friction begins
+  std::optional<ThermalBodies> thermal = {};        ///< bodies whose surfaces have temperatures, in steady rolling
+  /// What these add to the friction of each row; one: the same for all; empty: nothing. Not with a layer that yields.
+  std::vector<TemperatureEffect> temperature_effect = {};
   bool frictionless = false;                        ///< the normal problem only; tractions are zero
   StepStart start = StepStart::fresh;               ///< of shifts and transient rolling
   bool warm_start = false;                          ///< the iteration starts from the tractions of the step before
@@ -51,6 +54,9 @@ struct ContactStep {
   Coupling coupling = Coupling::newton;             ///< if the bodies' problems are coupled
 };
 
+/// Relative change of the slip below which friction and slip go together.
+inline constexpr double friction_tolerance = 1e-6;
+
 struct ContactStepSolution {
   NormalSolution normal;
   TangentialSolution tangential;
@@ -59,12 +65,15 @@ struct ContactStepSolution {
   Status status = Status::ok;
   std::vector<double> friction;   ///< mu of the elements [-]; empty without tractions
   int friction_rounds = 0;        ///< problems solved until friction that depends on the slip went with it; else 0
-  double friction_residual = 0;   ///< last change of the slip, over the slip
+  double friction_residual = 0;   ///< last change of the slip, over the slip; above friction_tolerance: not converged
   std::vector<double> plastic_deformation; ///< of a layer that yields, of the elements [m]; else empty
   int plastic_elements = 0;                ///< where it yields; they do not count as slip
   int alternations = 0; ///< with Coupling::alternating: how often both problems were solved
 };
 
+/// Temperatures that go with a solution, by the heat -V p.s; none without thermal bodies or for other than steady
+/// rolling.
+std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution);
 /// The motion of a step with its extra slip, which belongs to the step.
 TangentialInput motion_of(const ContactStep& step);
 /// The normal problem of a step as if its bodies were similar; without pressure on the elements that are excluded.

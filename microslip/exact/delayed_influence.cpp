@@ -17,14 +17,26 @@ void add(Influence& to, double factor, const Influence& a) {
   to.yz += factor * a.yz;
 }
 
+void add(InteriorState& to, double factor, const InteriorState& a) {
+  to.ux += factor * a.ux;
+  to.uy += factor * a.uy;
+  to.uz += factor * a.uz;
+}
+
+void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
+  add(to.px, factor, a.px);
+  add(to.py, factor, a.py);
+  add(to.pn, factor, a.pn);
+}
+
 /// Integrals of exp(-q/l)/l A(x + way q) over q, way = +-1, l > 0.
-class DelayIntegral {
+template <class Value> class DelayIntegral {
 public:
-  DelayIntegral(const RowInfluence& influence, double dx, double length, double way)
+  DelayIntegral(const RowInfluence<Value>& influence, double dx, double length, double way)
       : influence_(influence), dx_(dx), length_(length), way_(way) {}
 
   /// From 0 to `end`.
-  Influence up_to(double x, double end) const {
+  Value up_to(double x, double end) const {
     end = std::min(end, farthest * length_);
     std::vector<double> breaks = {0, end};
     const auto add_break = [&](double q) {
@@ -33,16 +45,16 @@ public:
     for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(way_ * (edge - x));
     for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
     std::sort(breaks.begin(), breaks.end());
-    Influence sum = {};
+    Value sum = {};
     for (std::size_t k = 1; k < breaks.size(); ++k) add_interval(x, breaks[k - 1], breaks[k], sum);
     return sum;
   }
-  Influence whole(double x) const { return up_to(x, farthest * length_); }
+  Value whole(double x) const { return up_to(x, farthest * length_); }
 
 private:
   static constexpr double farthest = 40; // exp(-40) is below rounding
 
-  void add_interval(double x, double from, double to, Influence& sum) const {
+  void add_interval(double x, double from, double to, Value& sum) const {
     static const TanhSinh rule;
     for (int k = 0; k < TanhSinh::count; ++k) {
       const double q = rule.node(k, from, to);
@@ -50,32 +62,37 @@ private:
     }
   }
 
-  const RowInfluence& influence_;
+  const RowInfluence<Value>& influence_;
   double dx_, length_, way_;
 };
 
 } // namespace
 
-std::vector<Influence> delayed_row(const DelayedPart& part, const RowInfluence& influence, double dx, double x_first,
-                                   int count) {
-  std::vector<Influence> row(static_cast<std::size_t>(count));
-  const bool forward = part.distance >= 0;
-  const double length = std::abs(part.distance), decay = std::exp(-dx / length);
-  const DelayIntegral integral(influence, dx, length, forward ? 1 : -1);
+template <class Value>
+std::vector<Value> delayed_row(const Delay& delay, const RowInfluence<Value>& influence, double dx, double x_first,
+                               int count) {
+  std::vector<Value> row(static_cast<std::size_t>(count));
+  const bool forward = delay.distance >= 0;
+  const double length = std::abs(delay.distance), decay = std::exp(-dx / length);
+  const DelayIntegral<Value> integral(influence, dx, length, forward ? 1 : -1);
   for (int k = 0; k < count; ++k) { // from where the particles come from
     const int i = forward ? count - 1 - k : k;
     const double x = x_first + i * dx;
-    Influence& here = row[static_cast<std::size_t>(i)];
+    Value& here = row[static_cast<std::size_t>(i)];
     if (length == 0) {
-      add(here, part.ratio, influence(x));
+      add(here, delay.ratio, influence(x));
     } else if (k == 0) {
-      add(here, part.ratio, integral.whole(x));
+      add(here, delay.ratio, integral.whole(x));
     } else {
-      add(here, part.ratio, integral.up_to(x, dx));
+      add(here, delay.ratio, integral.up_to(x, dx));
       add(here, decay, row[static_cast<std::size_t>(forward ? i + 1 : i - 1)]);
     }
   }
   return row;
 }
+
+template std::vector<Influence> delayed_row(const Delay&, const RowInfluence<Influence>&, double, double, int);
+template std::vector<InteriorInfluence> delayed_row(const Delay&, const RowInfluence<InteriorInfluence>&, double,
+                                                    double, int);
 
 } // namespace microslip

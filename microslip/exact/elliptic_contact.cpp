@@ -51,6 +51,9 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
   if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
     throw Error("elements: bilinear ones need the classical discretisation");
+  if (options.temperature_effect && !options.thermal) throw Error("temperature_effect: needs thermal bodies");
+  if (options.thermal) check(*options.thermal);
+  if (options.temperature_effect) check(*options.temperature_effect);
   require_memory_for(options.discretisation == Discretisation::second_order ? ContactProblem::second_order
                                                                             : ContactProblem::tangential);
 }
@@ -59,9 +62,9 @@ void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
   require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, margin));
 }
 
-/// Whether normal and tangential problem, or friction and slip, depend on each other.
+/// Whether normal and tangential problem, or friction and slip, depend on each other, or there are temperatures.
 bool EllipticContactSolver::needs_sequence(const EllipticContact& contact) const {
-  return contact.friction.kind() != FrictionLaw::Kind::coulomb ||
+  return contact.friction.kind() != FrictionLaw::Kind::coulomb || options_.thermal ||
          (options_.bodies && (options_.bodies->are_coupled() || !options_.bodies->are_elastic() ||
                                options_.bodies->layer.flexibility > 0));
 }
@@ -131,14 +134,15 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   return s;
 }
 
-/// Results as they are passed on: rows from the leading to the trailing edge.
+/// Fields as they are passed on: rows from the leading to the trailing edge.
+template <class Field> Field EllipticContactSolver::in_rows(Field field) const {
+  if (options_.direction == RollingDirection::forward)
+    for (auto row = field.begin(); row != field.end(); row += grid_.mx) std::reverse(row, row + grid_.mx);
+  return field;
+}
+
 ExactContact EllipticContactSolver::results(TangentialSolution s, const NormalSolution& normal,
                                             double normal_force) const {
-  const auto in_rows = [&](auto field) {
-    if (options_.direction == RollingDirection::forward)
-      for (auto row = field.begin(); row != field.end(); row += grid_.mx) std::reverse(row, row + grid_.mx);
-    return field;
-  };
   ExactContact out;
   ContactFields& f = out.fields = ContactFields(grid_.mx, grid_.my);
   out.pressure = normal.pressure;
@@ -195,7 +199,7 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   const Bodies similar(CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0});
   ContactStep step;
   step.bodies = options_.bodies.value_or(similar);
-  for (const DelayedPart& part : step.bodies.delayed) softest = std::max(softest, 1 + part.ratio);
+  for (const DelayedPart& part : step.bodies.delayed) softest = std::max(softest, 1 + part.delay.ratio);
   const double growth = std::cbrt(softest) - 1;
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
   step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin + wider);
@@ -207,6 +211,8 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   step.friction = {contact.friction};
   step.friction_memory = options_.friction_memory;
   step.slip_start = options_.slip_start;
+  step.thermal = options_.thermal;
+  if (options_.temperature_effect) step.temperature_effect = {*options_.temperature_effect};
   step.coupling = options_.coupling;
   step.motion.motion = motion.kind;
   step.motion.creepage = contact.creepage;
@@ -235,9 +241,17 @@ ExactContact EllipticContactSolver::solve_sequence(const EllipticContact& contac
   }
   grid_ = step.grid;
   a_ = b_ = 0; // what was prepared for another contact is gone
+  auto temperature = temperatures_of(step, s);
   ExactContact out = results(std::move(s.tangential), s.normal, 1);
+  if (s.friction_rounds > 0) out.friction = in_rows(std::move(s.friction));
+  if (temperature) {
+    out.temperature1 = in_rows(std::move(temperature->body1));
+    out.temperature2 = in_rows(std::move(temperature->body2));
+    out.highest_temperature = temperature->highest;
+  }
   out.history = std::move(history);
   out.friction_rounds = s.friction_rounds;
+  out.friction_residual = s.friction_residual;
   out.fields.forces.status = s.status;
   return out;
 }

@@ -33,6 +33,10 @@ struct ExactOptions {
   Coupling coupling = Coupling::newton;
   FrictionMemory friction_memory = {}; ///< of friction that depends on the slip, which is solved classically, too
   SlipStart slip_start = SlipStart::below;
+  /// Bodies whose surfaces have temperatures in steady rolling, and what these add to the friction; both are solved
+  /// classically. The effect needs the bodies.
+  std::optional<ThermalBodies> thermal = {};
+  std::optional<TemperatureEffect> temperature_effect = {};
 };
 
 /// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
@@ -68,7 +72,11 @@ struct ExactContact {
   double residual = 0;
   int newton_steps = 0; ///< of all steps together
   long products = 0;
-  int friction_rounds = 0;        ///< as in ContactStepSolution, of the last step
+  int friction_rounds = 0;        ///< as in ContactStepSolution, of the last step; and so is the residual
+  double friction_residual = 0;
+  std::vector<double> friction;   ///< mu of the cells [-], if it depends on slip or temperature; else empty
+  std::vector<double> temperature1, temperature2; ///< of the surfaces at the cells [deg C], with thermal bodies
+  double highest_temperature = 0;                 ///< in contact
   std::vector<double> gap;        ///< deformed distance of the bodies [m]; empty at second order, see deformed_gap
   std::vector<ExactStep> history; ///< transient rolling: the steps in their order
 };
@@ -112,6 +120,7 @@ private:
   ExactContact solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
                           const Progress& progress, std::vector<ExactStep>& history);
+  template <class Field> Field in_rows(Field field) const;
   ExactContact results(TangentialSolution solution, const NormalSolution& normal, double normal_force) const;
   ContactStep sequence_step(const EllipticContact& contact, const ExactMotion& motion) const;
   ExactContact solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);

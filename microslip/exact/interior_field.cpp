@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/bilinear_interior_influence.hpp"
 #include "microslip/error.hpp"
+#include "microslip/exact/delayed_influence.hpp"
 #include "microslip/exact/memory_need.hpp"
 
 #include <algorithm>
@@ -64,9 +65,10 @@ std::vector<double> copy_of(const char* name, std::span<const double> p, std::si
 }
 
 /// What InteriorLayers needs for a point, at most [bytes].
-constexpr double memory_for_point = 700;
+constexpr double memory_for_point = 700, memory_for_late_point = 1200;
 
-ElementGrid with_margin(ElementGrid grid, int margin) {
+ElementGrid with_margin(const InteriorField& field, int margin) {
+  ElementGrid grid = field.grid();
   require_count("margin", margin, 0, 10000);
   grid.mx += 2 * margin;
   grid.x0 -= margin * grid.dx;
@@ -75,8 +77,10 @@ ElementGrid with_margin(ElementGrid grid, int margin) {
     grid.y0 -= margin * grid.dy;
   }
   const auto points = static_cast<double>(grid.count());
-  if (points * memory_for_point > physical_memory())
-    throw Error("points of a plane", points, "-", "no more than this machine has memory for, 700 bytes each");
+  const double bytes = field.has_delay() ? memory_for_late_point : memory_for_point;
+  if (points * bytes > physical_memory())
+    throw Error("points of a plane", points, "-",
+                "no more than this machine has memory for, " + std::to_string(std::lround(bytes)) + " bytes each");
   return grid;
 }
 
@@ -97,8 +101,8 @@ bool any(const std::vector<double>& values) {
 } // namespace
 
 InteriorField::InteriorField(const Material& material, Body body, const ElementGrid& grid,
-                             const SurfaceTractions& tractions)
-    : material_(material), body_(body), grid_(grid) {
+                             const SurfaceTractions& tractions, const Delay& delay)
+    : material_(material), delay_(delay), body_(body), grid_(grid) {
   check(grid);
   if (!(material.shear_modulus > 0))
     throw Error("shear_modulus", material.shear_modulus, "Pa", "positive, or infinite for a rigid body");
@@ -106,11 +110,23 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
   px_ = copy_of("px", tractions.px, grid.count());
   py_ = copy_of("py", tractions.py, grid.count());
   pn_ = copy_of("pn", tractions.pn, grid.count());
-  for (int j = 0; j < grid.my; ++j)
+  require_between("delay.ratio", delay.ratio, "-", 0, 1e6);
+  require_finite("delay.distance", delay.distance, "m");
+  for (int j = 0; j < grid.my; ++j) {
+    const std::size_t begin = loaded_.size();
     for (int i = 0; i < grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
-      if (px_[k] != 0 || py_[k] != 0 || pn_[k] != 0) loaded_.push_back({grid.x(i), grid.y(j), px_[k], py_[k], pn_[k]});
+      if (px_[k] != 0 || py_[k] != 0 || pn_[k] != 0) loaded_.push_back({i, j, px_[k], py_[k], pn_[k]});
     }
+    if (loaded_.size() > begin) loaded_rows_.push_back({begin, loaded_.size()});
+  }
+  if (!grid.line || !has_delay()) return;
+  // As in the contact problem: on the average 0 where the elastic displacements are.
+  const double far = grid.mx * grid.dx;
+  const InteriorInfluence behind = late_influence(-far, 1, 0, 0)[0], ahead = late_influence(far, 1, 0, 0)[0];
+  late_far_away_.px.ux = (behind.px.ux + ahead.px.ux) / 2;
+  late_far_away_.py.uy = (behind.py.uy + ahead.py.uy) / 2;
+  late_far_away_.pn.uz = (behind.pn.uz + ahead.pn.uz) / 2;
 }
 
 InteriorInfluence InteriorField::influence(double x, double y, double depth) const {
@@ -122,17 +138,43 @@ InteriorInfluence InteriorField::influence(double x, double y, double depth) con
   return interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
 }
 
+std::vector<InteriorInfluence> InteriorField::late_influence(double x_first, int count, double y, double depth) const {
+  std::vector<InteriorInfluence> row = delayed_row<InteriorInfluence>(
+      delay_, [&](double x) { return influence(x, y, depth); }, grid_.dx, x_first, count);
+  for (InteriorInfluence& a : row) {
+    a.px.ux -= late_far_away_.px.ux;
+    a.py.uy -= late_far_away_.py.uy;
+    a.pn.uz -= late_far_away_.pn.uz;
+  }
+  return row;
+}
+
+/// Row by row, as the history of an element's displacement is that of the next one as well.
+void InteriorField::add_late(const InteriorPoint& point, InteriorState& sum) const {
+  for (const auto& [begin, end] : loaded_rows_) {
+    const int first = loaded_[begin].i, last = loaded_[end - 1].i, row = loaded_[begin].j;
+    const auto late = late_influence(point.x - grid_.x(last), last - first + 1, point.y - grid_.y(row), point.depth);
+    for (std::size_t k = begin; k < end; ++k) {
+      const InteriorInfluence& a = late[static_cast<std::size_t>(last - loaded_[k].i)];
+      add(sum, loaded_[k].px, a.px);
+      add(sum, loaded_[k].py, a.py);
+      add(sum, loaded_[k].pn, a.pn);
+    }
+  }
+}
+
 InteriorState InteriorField::at(const InteriorPoint& point) const {
   require_finite("x", point.x, "m");
   require_finite("y", point.y, "m");
   require_depth(point.depth);
   InteriorState sum;
   for (const LoadedElement& e : loaded_) {
-    const InteriorInfluence a = influence(point.x - e.x, point.y - e.y, point.depth);
+    const InteriorInfluence a = influence(point.x - grid_.x(e.i), point.y - grid_.y(e.j), point.depth);
     if (e.px != 0) add(sum, e.px, a.px);
     if (e.py != 0) add(sum, e.py, a.py);
     if (e.pn != 0) add(sum, e.pn, a.pn);
   }
+  if (has_delay()) add_late(point, sum);
   return sum;
 }
 
@@ -150,7 +192,7 @@ std::vector<InteriorState> InteriorField::at(std::span<const InteriorPoint> poin
 }
 
 InteriorLayers::InteriorLayers(InteriorField field, int margin)
-    : field_(std::move(field)), grid_(with_margin(field_.grid(), margin)), transform_(grid_.mx, grid_.my, 3) {
+    : field_(std::move(field)), grid_(with_margin(field_, margin)), transform_(grid_.mx, grid_.my, 3) {
   const std::array all = {&field_.px(), &field_.py(), &field_.pn()};
   std::vector<std::vector<double>> padded;
   for (int load = 0; load < 3; ++load)
@@ -162,21 +204,40 @@ InteriorLayers::InteriorLayers(InteriorField field, int margin)
   transform_.load(spans);
 }
 
-std::vector<double> InteriorLayers::kernel(int load, int component,
-                                           const std::vector<InteriorInfluence>& quadrant) const {
+InteriorLayers::Influences InteriorLayers::influences(double depth) const {
+  const int width = 2 * grid_.mx - 1;
+  Influences found;
+  found.quadrant.resize(grid_.count());
+  if (field_.has_delay()) found.late.resize(static_cast<std::size_t>(width) * grid_.my);
+#pragma omp parallel for schedule(dynamic) if (grid_.count() > 1000 || field_.has_delay())
+  for (int j = 0; j < grid_.my; ++j) {
+    const double y = j * grid_.dy;
+    for (int i = 0; i < grid_.mx; ++i)
+      found.quadrant[static_cast<std::size_t>(j) * grid_.mx + i] = field_.influence(i * grid_.dx, y, depth);
+    if (!field_.has_delay()) continue;
+    const auto row = field_.late_influence((1 - grid_.mx) * grid_.dx, width, y, depth);
+    std::copy(row.begin(), row.end(), found.late.begin() + std::ptrdiff_t(j) * width);
+  }
+  return found;
+}
+
+std::vector<double> InteriorLayers::kernel(int load, int component, const Influences& influences) const {
   const bool odd_x = odd_load[load].x != odd_component[component].x;
   const bool odd_y = odd_load[load].y != odd_component[component].y;
   const int width = 2 * grid_.mx - 1;
   std::vector<double> table(static_cast<std::size_t>(width) * (2 * grid_.my - 1));
   for (int j = 1 - grid_.my; j < grid_.my; ++j) {
-    double* row = table.data() + static_cast<std::size_t>(j + grid_.my - 1) * width + (grid_.mx - 1);
-    const InteriorInfluence* from = quadrant.data() + static_cast<std::size_t>(std::abs(j)) * grid_.mx;
+    double* row = table.data() + static_cast<std::size_t>(j + grid_.my - 1) * width;
+    const auto from = static_cast<std::size_t>(std::abs(j));
     const double sign = odd_y && j < 0 ? -1 : 1;
+    const auto value = [&](const InteriorInfluence& a) { return sign * component_of(a.*loads[load], component); };
     for (int i = 0; i < grid_.mx; ++i) {
-      const double value = sign * component_of(from[i].*loads[load], component);
-      row[-i] = odd_x ? -value : value;
-      row[i] = value;
+      const double here = value(influences.quadrant[from * grid_.mx + i]);
+      row[grid_.mx - 1 - i] = odd_x ? -here : here;
+      row[grid_.mx - 1 + i] = here;
     }
+    if (influences.late.empty()) continue;
+    for (int i = 0; i < width; ++i) row[i] += value(influences.late[from * width + i]);
   }
   return table;
 }
@@ -185,11 +246,7 @@ std::vector<InteriorState> InteriorLayers::at_depth(double depth) {
   require_depth(depth);
   std::vector<InteriorState> states(grid_.count());
   if (loads_.empty()) return states;
-  std::vector<InteriorInfluence> quadrant(grid_.count());
-#pragma omp parallel for if (grid_.count() > 1000)
-  for (int j = 0; j < grid_.my; ++j)
-    for (int i = 0; i < grid_.mx; ++i)
-      quadrant[static_cast<std::size_t>(j) * grid_.mx + i] = field_.influence(i * grid_.dx, j * grid_.dy, depth);
+  const Influences found = influences(depth);
 
   std::vector<double> values(grid_.count());
   std::vector<ToeplitzTransform::Spectrum> spectra(loads_.size());
@@ -197,7 +254,7 @@ std::vector<InteriorState> InteriorLayers::at_depth(double depth) {
   for (const auto& spectrum : spectra) pointers.push_back(&spectrum);
   for (int component = 0; component < components; ++component) {
     for (std::size_t l = 0; l < loads_.size(); ++l)
-      spectra[l] = transform_.kernel_spectrum(kernel(loads_[l], component, quadrant));
+      spectra[l] = transform_.kernel_spectrum(kernel(loads_[l], component, found));
     transform_.apply(pointers, std::array{std::span<double>(values)});
     for (std::size_t k = 0; k < states.size(); ++k) component_of(states[k], component) = values[k];
   }

@@ -25,9 +25,9 @@ using States = std::vector<InteriorState>;
 /// The planes z of one body.
 class BodyStates {
 public:
-  BodyStates(const Material& material, Body body, const ElementGrid& elements, const SurfaceTractions& tractions,
+  BodyStates(const InteriorBody& of, Body body, const ElementGrid& elements, const SurfaceTractions& tractions,
              const InteriorGrid& points)
-      : points_(points), field_(material, body, elements, tractions),
+      : points_(points), field_(of.material, body, elements, tractions, of.delay),
         columns_(centres(points.x, elements.x0, elements.dx, elements.mx)),
         rows_(centres(points.y, elements.y0, elements.dy, elements.my)) {
     if (columns_ && rows_ && points.x.size() * points.y.size() >= many) layers_.emplace(field_);
@@ -87,7 +87,7 @@ constexpr Measure measures[] = {
 
 } // namespace
 
-std::vector<InteriorState> interior_states(const Material& body1, const Material& body2, const ElementGrid& elements,
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
                                            const SurfaceTractions& tractions, const InteriorGrid& points) {
   std::optional<BodyStates> first, second;
   States all;
@@ -100,7 +100,7 @@ std::vector<InteriorState> interior_states(const Material& body1, const Material
   return all;
 }
 
-std::vector<InteriorState> interior_states(const Material& body1, const Material& body2, const ExactContact& contact,
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2, const ExactContact& contact,
                                            double dx, double dy, const InteriorGrid& points) {
   const ContactFields& f = contact.fields;
   const auto n = static_cast<std::size_t>(f.mx), count = f.px.size(), middle = count / n / 2 * n;

@@ -36,10 +36,10 @@ void add_layer(double flexibility, double dx, double first, std::vector<Influenc
 
 /// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the average
 /// of the two places where the elastic ones are.
-Influence far_away(const DelayedPart& part, const RowInfluence& influence, const ElementGrid& grid) {
+Influence far_away(const Delay& delay, const RowInfluence<Influence>& influence, const ElementGrid& grid) {
   const double far = grid.mx * grid.dx;
-  const Influence a = delayed_row(part, influence, grid.dx, -far, 1)[0];
-  const Influence b = delayed_row(part, influence, grid.dx, far, 1)[0];
+  const Influence a = delayed_row(delay, influence, grid.dx, -far, 1)[0];
+  const Influence b = delayed_row(delay, influence, grid.dx, far, 1)[0];
   return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
 }
 
@@ -52,9 +52,9 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
   for (int i = 1 - grid.mx; i < grid.mx; ++i)
     row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift.x, y));
   for (const DelayedPart& part : bodies.delayed) {
-    const auto influence = [&](double x) { return influence_at(part.material, grid, x, y); };
-    const std::vector<Influence> late = delayed_row(part, influence, grid.dx, first, count);
-    const Influence far = grid.line ? far_away(part, influence, grid) : Influence{};
+    const RowInfluence<Influence> influence = [&](double x) { return influence_at(part.material, grid, x, y); };
+    const std::vector<Influence> late = delayed_row(part.delay, influence, grid.dx, first, count);
+    const Influence far = grid.line ? far_away(part.delay, influence, grid) : Influence{};
     for (std::size_t i = 0; i < late.size(); ++i) {
       row[i].xx += late[i].xx - far.xx, row[i].xy += late[i].xy, row[i].yy += late[i].yy - far.yy;
       row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz - far.zz;

@@ -19,6 +19,33 @@ struct ThermalBody {
   double effusivity() const;
 };
 
+/// Both bodies of a contact.
+struct ThermalBodies {
+  ThermalBody body1, body2;
+};
+
+/// Throws Error for numbers out of range.
+void check(const ThermalBodies& bodies);
+
+/// The temperature of a row of elements in contact, (T2): a mean of the bulk temperatures, and what the heat of the
+/// elements ahead adds. Elements count along the particles' way from the leading edge of the grid on.
+class FlashTemperature {
+public:
+  /// Elements of the length dx [m]. No check of the numbers.
+  FlashTemperature(int elements, double dx, double rolling_speed, const ThermalBodies& bodies);
+
+  /// Without heat [deg C]: bodies that conduct better count more.
+  double mean() const { return mean_; }
+  /// How far heat of 1 W/m^2 in an element warms the one that comes `later` elements behind it [K m^2/W].
+  double rise(int later) const { return rise_[static_cast<std::size_t>(later)]; }
+  /// What the heat [W/m^2] of elements 0 to i - 1, and of element i if it is there, adds in element i [K].
+  double rise(std::span<const double> heat, int i) const;
+
+private:
+  double mean_;
+  std::vector<double> rise_;
+};
+
 /// Temperatures of the surfaces at the centres of a grid's elements [deg C]: the same in contact.
 struct SurfaceTemperature {
   std::vector<double> body1, body2;
@@ -34,7 +61,7 @@ struct SurfaceTemperature {
 /// `pressure` tells the elements in contact (> 0), `heat` is the frictional heat of both bodies -V p.s [W/m^2], all of
 /// the grid, x fastest. Throws Error for numbers out of range. Cost O(mx^2 my).
 SurfaceTemperature surface_temperature(const ElementGrid& grid, RollingDirection direction, double rolling_speed,
-                                       const ThermalBody& body1, const ThermalBody& body2,
-                                       std::span<const double> pressure, std::span<const double> heat);
+                                       const ThermalBodies& bodies, std::span<const double> pressure,
+                                       std::span<const double> heat);
 
 } // namespace microslip

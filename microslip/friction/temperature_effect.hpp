@@ -1,0 +1,23 @@
+#pragma once
+
+namespace microslip {
+
+/// What the temperature T of the surfaces adds to a coefficient of friction: change min(1, max(0, (T - begin)/range)).
+/// With a negative change heat makes the surfaces slippery (Ertz & Knothe 2002 measure and use such laws).
+struct TemperatureEffect {
+  double change = 0; ///< [-]
+  double begin = 0;  ///< up to this temperature there is none [deg C]
+  double range = 1;  ///< over which it grows to the whole change [K], > 0
+
+  double at(double temperature) const;
+
+  /// The coefficient mu = base + share at(T) of friction that heats the place where it acts: T = ahead + own mu, with
+  /// 0 <= share <= 1 and own >= 0 [K]. There is one solution unless friction rises with heat by more than makes the
+  /// heat, share change own >= range; of several the one of the least heat.
+  double coefficient(double base, double share, double ahead, double own) const;
+};
+
+/// Throws Error unless all is finite and the range positive.
+void check(const TemperatureEffect& effect);
+
+} // namespace microslip
