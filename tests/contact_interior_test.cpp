@@ -71,7 +71,7 @@ TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
 /// M = 1: displacements come late, stresses do not.
 TEST(ContactInterior, OfViscoelasticBodies) {
   for (const std::string chi : {"0", "180d"}) {
-    std::string text = with_points(" 9\n 1 1 2\n .15\n -.2\n .4 -.4");
+    std::string text = with_points(" 9\n 1 1 2\n .15\n -.2\n -.4 .4");
     text.replace(text.find("0 .1 30000."), 11, chi + " .1 30000.");
     text.replace(text.find("022020"), 6, "022120");
     const std::string material = "82000. 82000.\n";
@@ -83,9 +83,9 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
     const Material steel = {82e9, 0.28};
     const double velocity = chi == "0" ? 30 : -30;
-    const Creep creeps[] = {{0.5, 3e-5}, {2, 1e-5}};
+    const Creep creeps[] = {{2, 1e-5}, {0.5, 3e-5}};
     for (std::size_t k = 0; k < 2; ++k) {
-      const InteriorField field(steel, k == 0 ? Body::first : Body::second, o.step.grid, tractions,
+      const InteriorField field(steel, k == 0 ? Body::second : Body::first, o.step.grid, tractions,
                                 delay_of(creeps[k], velocity));
       const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3}), found = o.interior.at(0).states.at(k);
       EXPECT_DOUBLE_EQ(found.ux, expected.ux);
@@ -111,8 +111,9 @@ TEST(ContactInterior, NamesBlocksWithoutElements) {
 
 /// What lies beyond the grid is cut off; lists are put in order.
 TEST(ContactInterior, BlocksAreCutOffAndSorted) {
-  const auto blocks = interior_of(with_points(" 2\n 13 2 99999\n 4 0 5\n 2 .1 .2\n 7\n 4 1\n 7 3 7 900\n 4\n 2\n .3 .1\n"
-                                              " 9\n 2 1 2\n .2 -.1\n .3\n .4 -.2"));
+  const auto blocks =
+      interior_of(with_points(" 2\n 13 2 99999\n 4 0 5\n 2 .1 .2\n 7\n 4 1\n 7 3 7 900\n 4\n 2\n .3 .1\n"
+                              " 9\n 2 1 2\n .2 -.1\n .3\n .4 -.2"));
   const ElementGrid grid = run_cases(with_points("")).at(0).outcome.step.grid;
   EXPECT_EQ(blocks.at(0).points.x, (std::vector<double>{grid.x(12), grid.x(14)}));
   EXPECT_EQ(blocks[0].points.y, (std::vector<double>{grid.y(3), grid.y(4)}));
