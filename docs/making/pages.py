@@ -52,9 +52,10 @@ def header_sections(app, match):
 def python_reference(app):
     """The reference of the compiled module."""
     import microslip
+    from microslip import plot
 
     app.env.note_dependency(str(python_names.STUB))
-    return python_names.reference(microslip)
+    return python_names.reference(microslip, plot)
 
 
 def make_page(app, docname, source):

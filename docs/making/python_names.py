@@ -1,6 +1,7 @@
 """Reference of the Python module: every public name with its types, from the stub, and its text, from the module."""
 
 import ast
+import inspect
 import re
 from pathlib import Path
 
@@ -67,8 +68,17 @@ def function_section(nodes, function):
     return f"### {nodes[0].name}\n\n```python\n{calls}\n```\n\n{text_of(function)}"
 
 
-def reference(module):
-    """The whole reference: a table of all names, functions, classes."""
+def plain_section(module):
+    """The functions of a module in plain Python."""
+    parts = [f"## {module.__name__}", escaped(module.__doc__.strip())]
+    for name, function in inspect.getmembers(module, inspect.isfunction):
+        if function.__module__ == module.__name__:
+            parts += [f"### {module.__name__}.{name}", f"```python\n{name}{inspect.signature(function)}\n```", escaped(inspect.getdoc(function))]
+    return "\n\n".join(parts)
+
+
+def reference(module, *plain_modules):
+    """The whole reference: a table of all names, functions, classes; then modules in plain Python."""
     nodes = {}
     for node in ast.parse(STUB.read_text()).body:
         if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
@@ -79,4 +89,5 @@ def reference(module):
     parts += [function_section(found, getattr(module, name)) for name, found in sorted(functions.items())]
     parts.append("## Classes")
     parts += [class_section(found[0], getattr(module, name)) for name, found in sorted(nodes.items()) if name not in functions]
+    parts += [plain_section(one) for one in plain_modules]
     return "\n\n".join(parts)

@@ -46,4 +46,4 @@ endforeach()
 add_test(NAME docs
   COMMAND sh -c "${python_packages}; \"$0\" -c 'import furo, myst_parser, sphinx' && test -d /usr/share/javascript/mathjax || exit 77; exec \"$0\" -m sphinx -q -W --keep-going -b html \"$@\""
     ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs ${CMAKE_BINARY_DIR}/docs)
-set_tests_properties(docs PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}" FIXTURES_REQUIRED tutorials)
+set_tests_properties(docs PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}" FIXTURES_REQUIRED tutorials TIMEOUT 600)

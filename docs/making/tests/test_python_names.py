@@ -4,6 +4,7 @@ import importlib.util
 import unittest
 
 import microslip
+from microslip import plot
 from python_names import first_sentence, reference, text_of
 
 
@@ -11,7 +12,7 @@ from python_names import first_sentence, reference, text_of
 class ReferenceTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.made = reference(microslip)
+        cls.made = reference(microslip, plot)
 
     def test_every_name_is_there(self):
         names = [name for name in dir(microslip) if getattr(getattr(microslip, name), "__module__", None) == "microslip"]
@@ -27,6 +28,9 @@ class ReferenceTest(unittest.TestCase):
 
     def test_fields_stand_in_tables(self):
         self.assertIn("| `fx` | `float` | ", self.made)
+
+    def test_the_pictures_are_there(self):
+        self.assertIn("### microslip.plot.figures\n\n```python\nfigures(path, **chosen)\n```\n\nThe figures", self.made)
 
     def test_texts_are_without_signatures(self):
         text = text_of(microslip.hertz_from_load)
