@@ -49,8 +49,8 @@ CoupledResponse& CoupledContact::slip_response(const TangentialInput& motion, do
 }
 
 /// What a particle loses of its previous displacement, over the way.
-void CoupledContact::add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx,
-                                  Field& cy) {
+void CoupledContact::add_previous(const TangentialInput& motion, double step, const TangentialState& previous,
+                                  Field& cx, Field& cy) {
   const auto n = grid_.count();
   const bool shift = motion.motion == ContactMotion::shift;
   if (motion.motion == ContactMotion::steady || (previous.px.empty() && previous.pressure.empty())) return;
@@ -58,7 +58,8 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
   CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step))
-      .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)}, std::array{std::span(ux), std::span(uy)});
+      .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
+             std::array{std::span(ux), std::span(uy)});
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
 }
 
@@ -91,9 +92,17 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
     return out;
   }
   const bool starts = !start.px.empty() && !start.pressure.empty();
-  const CoupledFrictionProblem problem{slip_response(step.motion, way), gap, step.load, friction, cx, cy,
-                                       grid_.element_area(), step.force_x, step.force_y};
-  const CoupledNewton::Options options{.tolerance = step.motion.tolerance};
+  const CoupledFrictionProblem problem{slip_response(step.motion, way),
+                                       gap,
+                                       step.load,
+                                       friction,
+                                       cx,
+                                       cy,
+                                       grid_.element_area(),
+                                       step.force_x,
+                                       step.force_y};
+  // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
+  CoupledNewton::Options options{.tolerance = step.motion.tolerance, .most_steps = 30};
   CoupledFrictionSolution s = newton_.solve(
       problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
   if (s.friction.status != Status::ok) { // tractions that go with a pressure are a better start
@@ -101,6 +110,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const TangentialState& better = with_pressure.tangential.tractions;
     const long before = s.friction.products + with_pressure.tangential.products;
+    options.most_steps = 100;
     s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
     s.friction.products += before;
   }
@@ -217,7 +227,8 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, std::span<con
   }
   ContactStepSolution out = solve_newton(step, friction, previous, start);
   if (out.normal.status != Status::not_converged || !bodies_.are_elastic()) return out;
-  ContactStepSolution other = solve_alternating(step, friction, previous, start); // slower, and goes where this does not
+  ContactStepSolution other =
+      solve_alternating(step, friction, previous, start); // slower, and goes where this does not
   const bool better = other.normal.status == Status::ok && other.tangential.forces.status == Status::ok;
   return better ? std::move(other) : std::move(out);
 }
