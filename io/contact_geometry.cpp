@@ -63,6 +63,15 @@ std::vector<double> read_waves(ContactWords& words) {
   return values;
 }
 
+/// XL XH YL YH of two rectangles.
+std::vector<double> read_rectangles(ContactWords& words) {
+  const auto values = words.reals("PL", 8);
+  for (std::size_t k = 1; k < values.size(); k += 2)
+    if (!(values[k] > values[k - 1]))
+      words.fail("PL(" + std::to_string(k + 1) + ")", values[k], "must be above PL(" + std::to_string(k) + ")");
+  return values;
+}
+
 /// The number of sub-patches, y between them, and by how much each of a pair acts on the other.
 std::vector<double> read_sub_patches(ContactWords& words) {
   const int count = words.integer("NPATCH", 1, most_patches);
@@ -167,7 +176,7 @@ ContactGeometry read_geometry(ContactWords& words, const PotentialContact& poten
   if (g.base == 3) g.values = read_waves(words);
   if (g.base == 9) g.values = words.reals("H", potential.elements());
   if (g.planform == 2) g.plan_values = words.reals("PL", 6);
-  if (g.planform == 3) g.plan_values = words.reals("PL", 8);
+  if (g.planform == 3) g.plan_values = read_rectangles(words);
   if (g.planform == 4) g.plan_values = read_sub_patches(words);
   return g;
 }
