@@ -1,6 +1,9 @@
 #include "app/batch.hpp"
 
+#include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/json_document.hpp"
+#include "app/option_text.hpp"
 #include "app/progress_bar.hpp"
 #include "io/contact_table.hpp"
 #include "io/nearest_word.hpp"
@@ -38,6 +41,7 @@ struct BatchArguments {
   std::string theory = "fastsim2", grid = "10x10", bound, flexibility;
   std::string coefficients = "kalker", discretisation = "second_order";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool json = false;
 };
 
 /// MXxMY, e.g. 10x10.
@@ -243,14 +247,27 @@ private:
   std::atomic<std::size_t> bytes_done_ = 0;
 };
 
+void print_document(const BatchArguments& arguments, const TableSolver& solver) {
+  auto document = json_document("batch");
+  document["input"] = arguments.input.string();
+  document["theory"] = arguments.theory;
+  document["grid"] = arguments.grid;
+  document["contacts"] = solver.contacts();
+  document["contacts_unsolved"] = solver.contacts_unsolved();
+  document["files"] = {arguments.output.string()};
+  print_json(document);
+}
+
 int batch(const BatchArguments& arguments) {
   require_count("--threads", arguments.threads, 1, 1024);
   const InterruptGuard guard;
   Batch work(arguments);
-  if (work.run()) return 0;
+  const bool all_solved = work.run();
+  if (arguments.json) print_document(arguments, work.solver());
+  if (all_solved) return ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {} of {} contacts are not solved, see their status\n",
              arguments.output.string(), work.solver().contacts_unsolved(), work.solver().contacts());
-  return 1;
+  return ExitCode::not_met;
 }
 
 } // namespace
@@ -258,26 +275,31 @@ int batch(const BatchArguments& arguments) {
 void add_batch_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("batch", "Forces of many contacts, from CSV to CSV");
   const auto arguments = std::make_shared<BatchArguments>();
-  const auto option = [&](const char* name, auto& value, const char* what) {
-    return command->add_option(name, value, what)->capture_default_str();
+  const auto option = [&](const char* name, std::string& value, const std::string& type, const char* what) {
+    command->add_option(name, value, what)->type_name(type)->capture_default_str();
   };
-  command->add_option("IN.csv", arguments->input, "table of contacts")->required();
-  command->add_option("-o,--output", arguments->output, "table of results")->required();
-  option("--theory", arguments->theory, "fastsim, fastsim_half_step, fastsim2, fastrip or exact");
-  option("--grid", arguments->grid, "cells or elements across the ellipse along x and y");
-  option("--bound", arguments->bound,
-         "traction bound of the simplified theory: parabolic (default) or elliptic (FaStrip's only)");
-  option("--flexibility", arguments->flexibility,
-         "flexibilities of the simplified theory: three (default), one or blended (FaStrip's default)");
-  option("--coefficients", arguments->coefficients, "table of creepage coefficients: kalker or computed");
-  option("--discretisation", arguments->discretisation, "of the exact theory: second_order or classical");
-  option("--threads", arguments->threads, "results do not depend on it; default: all processors");
+  command->add_option("IN.csv", arguments->input, "table of contacts")->required()->type_name("");
+  command->add_option("-o,--output", arguments->output, "table of results")->required()->type_name("OUT.csv");
+  option("--theory", arguments->theory, choices<Theory>(), "what the contacts are solved by");
+  option("--grid", arguments->grid, "MXxMY", "cells or elements across the ellipse along x and y");
+  option("--bound", arguments->bound, choices<TractionBound>(),
+         "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");
+  option("--flexibility", arguments->flexibility, choices<FlexibilityModel>(),
+         "flexibilities of the simplified theory; default: three, with fastrip blended");
+  option("--coefficients", arguments->coefficients, choices<CreepageTable>(), "table of creepage coefficients");
+  option("--discretisation", arguments->discretisation, choices<Discretisation>(), "of the exact theory");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "threads, 1 to 1024; results do not depend on it; default: one for each processor")
+      ->type_name("COUNT");
+  add_json_flag(*command, arguments->json);
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
       "friction [-], normal_force [N], creep_x [-], creep_y [-], spin [1/m]. OUT.csv repeats them and adds fx [N],\n"
       "fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-] and\n"
       "iterations. Forces act on body 1. A bad row is named by line and column, and OUT.csv appears only when it is\n"
-      "complete. Exit code 1: some contacts have another status than ok.\n\n"
+      "complete. With --json the numbers of contacts and of those not solved. Exit code 1: some contacts have another\n"
+      "status than ok.\n\n"
       "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");
   command->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }

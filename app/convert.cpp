@@ -1,6 +1,8 @@
 #include "app/convert.hpp"
 
+#include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/json_document.hpp"
 #include "io/contact_toml.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 
 struct ConvertArguments {
   fs::path input, folder = "results";
+  bool json = false;
 };
 
 /// Letters that need no care in a TOML string.
@@ -36,6 +39,14 @@ void save(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
+void print_document(const ConvertArguments& arguments, const Json& written, const Json& refused) {
+  auto document = json_document("convert");
+  document["input"] = arguments.input.string();
+  document["files"] = written;
+  document["cases_not_written"] = refused;
+  print_json(document);
+}
+
 int convert(const ConvertArguments& arguments) {
   const InterruptGuard guard;
   std::error_code ignored;
@@ -46,20 +57,22 @@ int convert(const ConvertArguments& arguments) {
   ContactInputReader reader(input, arguments.input.string());
   create_folder(arguments.folder);
   const std::string name = arguments.input.stem().string();
-  int refused = 0;
+  auto written = Json::array(), refused = Json::array();
   while (const ContactCase* c = reader.next()) {
     InterruptGuard::throw_if_interrupted();
     try {
       const auto path = arguments.folder / fmt::format("{}.{:04}.toml", name, c->number);
       save(path, to_toml(*c, fmt::format("{}, case {}", plain(name), c->number)));
-      fmt::print("{}\n", path.string());
+      written.push_back(path.string());
+      if (!arguments.json) fmt::print("{}\n", path.string());
     } catch (const Error& error) {
-      ++refused;
+      refused.push_back({{"case", c->number}, {"line", c->line}, {"reason", error.what()}});
       fmt::print(stderr, "microslip: warning: {}:{}: case {} is not written: {}\n", arguments.input.string(), c->line,
                  c->number, error.what());
     }
   }
-  return refused == 0 ? 0 : 1;
+  if (arguments.json) print_document(arguments, written, refused);
+  return refused.empty() ? ExitCode::done : ExitCode::not_met;
 }
 
 } // namespace
@@ -67,8 +80,11 @@ int convert(const ConvertArguments& arguments) {
 void add_convert_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("convert", "Write the cases of an input file of the program CONTACT as TOML");
   const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required();
-  command->add_option("-o,--output", arguments->folder, "folder for FILE.0001.toml, ...")->capture_default_str();
+  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required()->type_name("");
+  command->add_option("-o,--output", arguments->folder, "folder for FILE.0001.toml, ...")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  add_json_flag(*command, arguments->json);
   command->footer(
       "Writes a case file for microslip solve for each case that is a contact of its own with an elliptic area. Cases\n"
       "that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not "

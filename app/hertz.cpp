@@ -1,5 +1,7 @@
 #include "app/hertz.hpp"
 
+#include "app/json_document.hpp"
+#include "cases/rolling_contact_result.hpp"
 #include "io/case_file.hpp"
 #include "microslip/error.hpp"
 
@@ -19,6 +21,12 @@ struct HertzArguments {
   std::vector<double> rolling_radius, transverse_radius;           ///< of body 1 and 2
   std::vector<double> young_modulus, shear_modulus, poisson_ratio; ///< of both, or of body 1 and 2
   std::vector<double> normal_force, approach;                      ///< one value, if given
+  bool json = false;
+};
+
+struct HertzResult {
+  BodyInput body1, body2;
+  HertzContact contact;
 };
 
 Material material(const HertzArguments& arguments, std::size_t body) {
@@ -45,21 +53,50 @@ void require_options(const HertzArguments& arguments) {
     throw Error("hertz needs either --normal-force or --approach");
 }
 
-HertzContact contact_of(const HertzArguments& arguments) {
+HertzResult solve_case(const std::filesystem::path& path) {
+  const auto input = parse_case(read_case_text(path), path.string());
+  return {input.body1, input.body2, hertz_contact(input)};
+}
+
+BodyInput body(const HertzArguments& arguments, std::size_t number) {
+  return {arguments.rolling_radius[number], arguments.transverse_radius[number], material(arguments, number)};
+}
+
+HertzResult solve(const HertzArguments& arguments) {
   if (!arguments.case_file.empty() && has_options(arguments))
     throw Error("hertz needs either CASE.toml or options, not both");
-  if (!arguments.case_file.empty())
-    return hertz_contact(parse_case(read_case_text(arguments.case_file), arguments.case_file.string()));
+  if (!arguments.case_file.empty()) return solve_case(arguments.case_file);
   require_options(arguments);
-  const auto gap = gap_curvatures({arguments.rolling_radius[0], arguments.rolling_radius[1],
-                                   arguments.transverse_radius[0], arguments.transverse_radius[1]});
-  const auto combined = combine(material(arguments, 0), material(arguments, 1));
-  return arguments.approach.empty() ? hertz_from_load(gap, combined, arguments.normal_force[0])
-                                    : hertz_from_approach(gap, combined, arguments.approach[0]);
+  const BodyInput body1 = body(arguments, 0), body2 = body(arguments, 1);
+  const auto gap =
+      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
+  const auto combined = combine(body1.material, body2.material);
+  return {body1, body2,
+          arguments.approach.empty() ? hertz_from_load(gap, combined, arguments.normal_force[0])
+                                     : hertz_from_approach(gap, combined, arguments.approach[0])};
+}
+
+void print_document(const HertzArguments& arguments, const HertzResult& result) {
+  auto document = json_document("hertz");
+  document["case_file"] = arguments.case_file.string();
+  auto units = Json::object();
+  const auto add = [&](const std::vector<Quantity>& quantities) {
+    for (const auto& quantity : quantities) {
+      document[Json::json_pointer("/" + quantity.path)] = json_number(quantity.value);
+      units[quantity.path] = quantity.unit;
+    }
+  };
+  add(body_quantities(result.body1, 1));
+  add(body_quantities(result.body2, 2));
+  add(hertz_quantities(result.contact));
+  document["units"] = units;
+  print_json(document);
 }
 
 void hertz(const HertzArguments& arguments) {
-  const auto contact = contact_of(arguments);
+  const auto result = solve(arguments);
+  if (arguments.json) return print_document(arguments, result);
+  const auto& contact = result.contact;
   QuantityTable table("Hertz");
   table.add("normal force", contact.normal_force, "N");
   add_hertz(table, contact);
@@ -69,19 +106,23 @@ void hertz(const HertzArguments& arguments) {
 }
 
 void add_options(CLI::App& command, HertzArguments& arguments) {
-  const auto option = [&](const char* name, std::vector<double>& values, int fewest, int most, const char* what) {
-    command.add_option(name, values, what)->expected(fewest, most)->type_name("");
+  const auto option = [&](const char* name, std::vector<double>& values, int fewest, int most, const char* value,
+                          const char* what) {
+    command.add_option(name, values, what)->expected(fewest, most)->type_name(value);
   };
-  command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below");
-  option("--rolling-radius", arguments.rolling_radius, 2, 2,
-         "R1 R2: radii of body 1 and 2 in the plane of rolling [m]; inf: flat, negative: concave");
-  option("--transverse-radius", arguments.transverse_radius, 2, 2,
-         "R1 R2: radii of body 1 and 2 in the lateral plane [m]");
-  option("--young-modulus", arguments.young_modulus, 1, 2, "E, or E1 E2 [Pa]; inf: rigid");
-  option("--shear-modulus", arguments.shear_modulus, 1, 2, "G, or G1 G2 [Pa], instead of Young's modulus");
-  option("--poisson-ratio", arguments.poisson_ratio, 1, 2, "nu, or nu1 nu2 [-], 0 to 0.5");
-  option("--normal-force", arguments.normal_force, 1, 1, "Fn [N]");
-  option("--approach", arguments.approach, 1, 1, "approach of distant points [m], instead of the load");
+  command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below")->type_name("");
+  option("--rolling-radius", arguments.rolling_radius, 2, 2, "R1 R2",
+         "radii of body 1 and 2 in the plane of rolling [m]; inf: flat, negative: concave");
+  option("--transverse-radius", arguments.transverse_radius, 2, 2, "R1 R2",
+         "radii of body 1 and 2 in the lateral plane [m]; inf: flat, negative: concave");
+  option("--young-modulus", arguments.young_modulus, 1, 2, "E1 [E2]",
+         "Young's modulus of both bodies or of each [Pa]; inf: rigid");
+  option("--shear-modulus", arguments.shear_modulus, 1, 2, "G1 [G2]", "shear modulus [Pa], instead of Young's modulus");
+  option("--poisson-ratio", arguments.poisson_ratio, 1, 2, "NU1 [NU2]",
+         "Poisson's ratio of both bodies or of each [-], 0 to 0.5");
+  option("--normal-force", arguments.normal_force, 1, 1, "FN", "normal force [N]");
+  option("--approach", arguments.approach, 1, 1, "DELTA", "approach of distant points [m], instead of the load");
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace
@@ -98,8 +139,11 @@ void add_hertz_command(CLI::App& program) {
   auto* command = program.add_subcommand("hertz", "Contact ellipse, peak pressure, approach and stiffness");
   const auto arguments = std::make_shared<HertzArguments>();
   add_options(*command, *arguments);
-  command->footer("Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
-                  "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
+  command->footer(
+      "Prints semi-axes and approach [mm], peak pressure [MPa], stiffness [kN/mm], curvatures of the gap [1/m]; with\n"
+      "--json the same in SI units, by the names that they have in result files.\n\n"
+      "Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
+      "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
   command->callback([arguments] { hertz(*arguments); });
 }
 

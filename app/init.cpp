@@ -32,7 +32,7 @@ void init(const InitArguments& arguments) {
 void add_init_command(CLI::App& program) {
   auto* command = program.add_subcommand("init", "Write an annotated case file to start from");
   const auto arguments = std::make_shared<InitArguments>();
-  command->add_option("FILE", arguments->file, "name of the case file")->capture_default_str();
+  command->add_option("CASE.toml", arguments->file, "name of the case file")->type_name("")->capture_default_str();
   command->add_flag("--force", arguments->force, "replace a file of that name");
   command->footer("The case file is a wheel on a rail, with every key, its unit, range and default in a comment.\n\n"
                   "Example:\n  microslip init wheel.toml && microslip solve wheel.toml");

@@ -1,8 +1,12 @@
 #include "app/batch.hpp"
+#include "app/completion.hpp"
 #include "app/convert.hpp"
+#include "app/exit_code.hpp"
 #include "app/hertz.hpp"
 #include "app/init.hpp"
 #include "app/interrupt.hpp"
+#include "app/manual.hpp"
+#include "app/option_text.hpp"
 #include "app/plot.hpp"
 #include "app/run.hpp"
 #include "app/solve.hpp"
@@ -12,6 +16,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -20,15 +25,13 @@
 namespace microslip {
 namespace {
 
-constexpr int bad_input = 2;
-constexpr int interrupted = 130; // as shells report an end by Ctrl-C
-
 std::string version_text() {
   const auto build = build_info();
   return fmt::format("microslip {} (commit {}, {}, {})", build.version, build.commit, build.compiler, build.build_type);
 }
 
 void add_commands(CLI::App& program, int& exit_code) {
+  program.formatter(std::make_shared<HelpFormatter>()); // inherited by the commands that follow
   add_solve_command(program, exit_code);
   add_hertz_command(program);
   add_batch_command(program, exit_code);
@@ -37,11 +40,14 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_plot_command(program, exit_code);
   add_convert_command(program, exit_code);
   add_validate_command(program, exit_code);
+  add_completion_command(program);
+  add_manual_command(program);
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text(), "Print version, commit and compiler and exit");
-  program.footer("Exit codes: 0 done, 1 a result is not converged or figures are not met, 2 bad input.\n\n"
-                 "Example:\n  microslip init wheel.toml && microslip solve wheel.toml\n\n"
-                 "microslip COMMAND --help describes a command.");
+  program.footer(
+      "Exit codes: 0 done, 1 a result is not converged or figures are not met, 2 bad input, 130 interrupted.\n"
+      "microslip COMMAND --help describes a command.\n\n"
+      "Example:\n  microslip init wheel.toml && microslip solve wheel.toml");
 }
 
 int fail(const char* message, int exit_code) {
@@ -52,16 +58,16 @@ int fail(const char* message, int exit_code) {
 
 int run(int count, char** arguments) {
   CLI::App program("Frictional rolling contact of two bodies: forces, tractions and slip.", "microslip");
-  int exit_code = 0;
+  int exit_code = ExitCode::done;
   add_commands(program, exit_code);
   try {
     program.parse(count, arguments);
   } catch (const CLI::Success& success) {
     exit_code = program.exit(success);
   } catch (const CLI::ParseError& error) {
-    return fail(usage_error(program, error).c_str(), bad_input);
+    return fail(usage_error(program, error).c_str(), ExitCode::bad_input);
   }
-  if (std::fflush(stdout) != 0) return fail("standard output cannot be written", bad_input);
+  if (std::fflush(stdout) != 0) return fail("standard output cannot be written", ExitCode::bad_input);
   return exit_code;
 }
 
@@ -73,10 +79,10 @@ int main(int count, char** arguments) {
   try {
     return run(count, arguments);
   } catch (const Interrupted& error) {
-    return fail(error.what(), interrupted);
+    return fail(error.what(), ExitCode::interrupted);
   } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory", bad_input);
+    return fail("there is not enough memory", ExitCode::bad_input);
   } catch (const std::exception& error) {
-    return fail(error.what(), bad_input);
+    return fail(error.what(), ExitCode::bad_input);
   }
 }

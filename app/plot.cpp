@@ -1,5 +1,7 @@
 #include "app/plot.hpp"
 
+#include "app/exit_code.hpp"
+#include "app/json_document.hpp"
 #include "app/pictures.hpp"
 
 #include <memory>
@@ -15,7 +17,7 @@ struct PlotArguments {
   std::string result, folder, other, spins;
   std::vector<std::string> fields, surfaces;
   std::vector<double> cut, stresses; ///< one value, if given
-  bool convergence = false;
+  bool convergence = false, json = false;
 };
 
 /// As microslip.plot takes them.
@@ -35,12 +37,22 @@ std::vector<std::string> python_arguments(const PlotArguments& given) {
   return arguments;
 }
 
+void print_document(const PlotArguments& arguments, const Pictures& pictures) {
+  auto document = json_document("plot");
+  document["input"] = arguments.result;
+  document["files"] = pictures.files;
+  print_json(document);
+}
+
 int plot(const PlotArguments& arguments) {
   const auto pictures = draw_pictures(python_arguments(arguments));
-  for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
-  if (pictures.problem.empty()) return 0;
+  if (!arguments.json)
+    for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
+  else if (pictures.problem.empty())
+    print_document(arguments, pictures);
+  if (pictures.problem.empty()) return ExitCode::done;
   fmt::print(stderr, "microslip: {}\n", pictures.problem);
-  return 2;
+  return ExitCode::bad_input;
 }
 
 } // namespace
@@ -48,11 +60,15 @@ int plot(const PlotArguments& arguments) {
 void add_plot_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("plot", "Draw the pictures of a result file");
   const auto arguments = std::make_shared<PlotArguments>();
-  command->add_option("RESULT.h5", arguments->result, "a file written by solve or validate")->required();
-  command->add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5");
-  const char* names = "pressure, bound, traction, px, py, slip, sx, sy, power, gap, ux or uy";
-  command->add_option("--field", arguments->fields, std::string("a field as a map: ") + names)->expected(1)->take_all();
-  command->add_option("--surface", arguments->surfaces, "a field as a surface")->expected(1)->take_all();
+  command->add_option("RESULT.h5", arguments->result, "a file written by solve or validate")->required()->type_name("");
+  command->add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5")
+      ->type_name("FOLDER");
+  const auto field_option = [&](const char* name, std::vector<std::string>& fields, const char* what) {
+    command->add_option(name, fields, what)->expected(1)->take_all()->type_name(
+        "pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy");
+  };
+  field_option("--field", arguments->fields, "a field as a map; may be given again");
+  field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
   command->add_option("--cut", arguments->cut, "tractions with their bound and slip along the row at y [mm]")
       ->expected(1)
       ->type_name("Y");
@@ -60,9 +76,12 @@ void add_plot_command(CLI::App& program, int& exit_code) {
       ->expected(1)
       ->type_name("Y");
   command->add_option("--creep-curves", arguments->spins,
-                      "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4");
+                      "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
+      ->type_name("SPINS");
   command->add_flag("--convergence", arguments->convergence, "errors of the exact theory over the number of elements");
-  command->add_option("--compare", arguments->other, "another result file, side by side with this one");
+  command->add_option("--compare", arguments->other, "another result file, side by side with this one")
+      ->type_name("OTHER.h5");
+  add_json_flag(*command, arguments->json);
   command->footer(
       "Draws all pictures of the file's kind, or of a rolling contact those that the options ask for. Creep curves,\n"
       "convergence and stresses are computed by the Python module. Prints the names of the PNG files.\n\n"

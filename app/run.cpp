@@ -1,12 +1,15 @@
 #include "app/run.hpp"
 
 #include "app/command_line.hpp"
+#include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/json_document.hpp"
 #include "app/progress_bar.hpp"
 #include "cases/contact_run_file.hpp"
 #include "io/contact_mat.hpp"
 #include "io/contact_run.hpp"
 #include "io/output_file.hpp"
+#include "io/result_json.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -32,7 +35,7 @@ namespace fs = std::filesystem;
 
 struct RunArguments {
   fs::path input, folder = "results";
-  bool mat = false;
+  bool mat = false, json = false;
 };
 
 /// The file is read twice: once to see that all of it is right.
@@ -134,7 +137,7 @@ void print_interior(const ContactOutcome& outcome) {
 class Run {
 public:
   explicit Run(const RunArguments& arguments)
-      : path_(arguments.input), mat_(arguments.mat), count_(count_cases(path_)), output_(output_path(arguments)),
+      : path_(arguments.input), mat_(arguments.mat), json_(arguments.json), count_(count_cases(path_)), output_(output_path(arguments)),
         file_(output_, {.kind = "contact_run",
                         .title = path_.stem().string(),
                         .command_line = command_line(),
@@ -148,8 +151,12 @@ public:
     ContactInputReader reader(input, path_.string());
     while (const ContactCase* c = reader.next()) {
       const ContactOutcome outcome = run_.run(*c);
+      count(*c, outcome);
       if (shows_both_) bar_.clear();
-      print(*c, outcome);
+      if (json_)
+        keep(*c, outcome);
+      else
+        print(*c, outcome);
       file_.add(*c, outcome);
       if (mat_ && outcome.kind == ContactOutcome::Kind::solved) write_texts(*c, outcome);
       InterruptGuard::throw_if_interrupted();
@@ -157,13 +164,13 @@ public:
     }
     bar_.clear();
     file_.commit();
-    fmt::print("\n{}\n", output_.string());
+    json_ ? print_document() : fmt::print("\n{}\n", output_.string());
     std::fflush(stdout);
     if (!reader.is_complete())
       fmt::print(stderr, "microslip: warning: {}: the file ends without MODULE 0; is it complete?\n", path_.string());
-    warn(refused_, "not run");
+    warn(refused_.size(), "not run");
     warn(unsolved_, "not solved, see their status");
-    return refused_ == 0 && unsolved_ == 0;
+    return refused_.empty() && unsolved_ == 0;
   }
 
 private:
@@ -172,16 +179,20 @@ private:
     return arguments.folder / (arguments.input.stem().string() + ".h5");
   }
 
+  void count(const ContactCase& c, const ContactOutcome& outcome) {
+    if (outcome.kind == ContactOutcome::Kind::refused)
+      refused_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
+    if (outcome.kind == ContactOutcome::Kind::solved && outcome.solution.status != Status::ok) ++unsolved_;
+  }
+
   void print(const ContactCase& c, const ContactOutcome& outcome) {
     fmt::print("{}Case {} (line {}): ", c.number == 1 ? "" : "\n", c.number, c.line);
     if (outcome.kind == ContactOutcome::Kind::skipped) {
       fmt::print("skipped, R = {}\n", c.digits.solve);
     } else if (outcome.kind == ContactOutcome::Kind::refused) {
-      ++refused_;
       fmt::print("not run\n");
       for (const auto& reason : outcome.reasons) fmt::print("  {}\n", reason);
     } else {
-      if (outcome.solution.status != Status::ok) ++unsolved_;
       const ElementGrid& grid = outcome.step.grid;
       fmt::print("{}, {} x {} elements of {:.5g} x {:.5g} mm\n", motion_name(c.digits.tang), grid.mx, grid.my,
                  grid.dx * 1e3, grid.dy * 1e3);
@@ -193,27 +204,46 @@ private:
     std::fflush(stdout);
   }
 
-  void warn(int cases, const char* what) const {
+  /// What the result file does not have.
+  void keep(const ContactCase& c, const ContactOutcome& outcome) {
+    known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
+    int block = 0;
+    for (const auto& [points, states] : outcome.interior)
+      extremes_.push_back({{"case", c.number}, {"block", ++block}, {"extremes", extremes_json(points, states)}});
+  }
+
+  void print_document() const {
+    auto document = result_json(output_);
+    document["cases_not_run"] = refused_;
+    document["cases_not_solved"] = unsolved_;
+    document["interior_extremes"] = extremes_;
+    document["notes"] = known_notes_;
+    document["files"] = files_;
+    print_json(document);
+  }
+
+  void warn(std::size_t cases, const char* what) const {
     if (cases > 0)
       fmt::print(stderr, "microslip: warning: {}: {} of {} cases are {}\n", path_.string(), cases, count_, what);
   }
 
   /// In CONTACT's own layout.
-  void write_texts(const ContactCase& c, const ContactOutcome& outcome) const {
+  void write_texts(const ContactCase& c, const ContactOutcome& outcome) {
     if (c.digits.matfil > 0) write_text(c, "mat", contact_mat(c, outcome));
     if (!outcome.interior.empty() && c.points_matfil > 0) write_text(c, "subs", contact_subs(c, outcome.interior));
   }
 
   /// Beside the result file, numbered as CONTACT does.
-  void write_text(const ContactCase& c, const char* kind, const std::string& text) const {
+  void write_text(const ContactCase& c, const char* kind, const std::string& text) {
     auto name = output_;
     OutputFile file(name.replace_extension(fmt::format(".{:04}.{}", c.number, kind)));
     file.write(text);
     file.commit();
+    if (json_) files_.push_back(name.string());
   }
 
   fs::path path_;
-  bool mat_;
+  bool mat_, json_;
   int count_;
   fs::path output_;
   ContactRunFile file_;
@@ -221,12 +251,14 @@ private:
   bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
   ContactRun run_;
   std::set<std::string> known_notes_; ///< each is printed once
-  int refused_ = 0, unsolved_ = 0;
+  Json refused_ = Json::array(), extremes_ = Json::array();
+  std::vector<std::string> files_ = {output_.string()};
+  std::size_t unsolved_ = 0;
 };
 
 int run(const RunArguments& arguments) {
   const InterruptGuard guard;
-  return Run(arguments).run() ? 0 : 1;
+  return Run(arguments).run() ? ExitCode::done : ExitCode::not_met;
 }
 
 } // namespace
@@ -234,16 +266,18 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
   const auto arguments = std::make_shared<RunArguments>();
-  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required();
-  command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")->capture_default_str();
+  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required()->type_name("");
+  command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")->type_name("FOLDER")->capture_default_str();
   command->add_flag(
       "--mat", arguments->mat,
       "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
+  add_json_flag(*command, arguments->json);
   command->footer(
       "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"
       "CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and\n"
       "the fields that digit A asks for. A case with something that is not supported is named with digit and meaning,\n"
-      "and the others run; docs/contact-input.md has the list. Exit code 1: some cases are not run or not solved.\n\n"
+      "and the others run; docs/contact-input.md has the list. With --json the totals of all cases in SI units, by the\n"
+      "names that they have in FILE.h5. Exit code 1: some cases are not run or not solved.\n\n"
       "Example:\n  microslip run examples/sphere_on_plane.inp -o results");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -1,20 +1,24 @@
 #include "app/solve.hpp"
 
 #include "app/command_line.hpp"
+#include "app/exit_code.hpp"
 #include "app/hertz.hpp"
 #include "app/interrupt.hpp"
+#include "app/json_document.hpp"
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
+#include "io/result_json.hpp"
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -26,7 +30,7 @@ namespace fs = std::filesystem;
 struct SolveArguments {
   fs::path case_file;
   fs::path folder;
-  bool no_pictures = false;
+  bool no_pictures = false, json = false;
 };
 
 std::string in_units_of(double value, double unit, const std::string& name) {
@@ -212,30 +216,56 @@ void write(const SolveArguments& arguments, const RollingCase& input, const Roll
   InterruptGuard::throw_if_interrupted();
 }
 
+void print_tables(const RollingCase& input, const RollingContactResult& result) {
+  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
+  print_hertz(result);
+  fmt::print("\n");
+  result.exact ? print_exact(input, result) : print_simplified(input, result);
+  if (result.exact) print_interior(input.interior, result.exact->interior);
+  fmt::print("\n");
+}
+
+void print_file(const fs::path& file) {
+  fmt::print("{}\n", file.string());
+  std::fflush(stdout);
+}
+
+void print_document(const RollingCase& input, const RollingContactResult& result, const fs::path& file,
+                    std::vector<std::string> pictures) {
+  auto document = result_json(file);
+  document["status"] = to_string(result.status);
+  if (result.exact && !result.exact->interior.empty())
+    document["interior_extremes"] = extremes_json(input.interior, result.exact->interior);
+  pictures.insert(pictures.begin(), file.string());
+  document["files"] = pictures;
+  print_json(document);
+}
+
+/// The pictures that could be drawn.
+std::vector<std::string> draw(const fs::path& result_file, const fs::path& folder) {
+  const auto pictures = draw_pictures(result_file, folder);
+  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
+  return pictures.files;
+}
+
 int solve(SolveArguments arguments) {
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
   const auto text = read_case_text(arguments.case_file);
   const auto input = parse_case(text, arguments.case_file.string());
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
 
-  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
-  print_hertz(result);
-  fmt::print("\n");
-  result.exact ? print_exact(input, result) : print_simplified(input, result);
-  if (result.exact) print_interior(input.interior, result.exact->interior);
-
+  if (!arguments.json) print_tables(input, result);
   const auto file = arguments.folder / "result.h5";
   write(arguments, input, result, text, file);
-  fmt::print("\n{}\n", file.string());
-  std::fflush(stdout);
-  if (!arguments.no_pictures) {
-    const auto pictures = draw_pictures(file, arguments.folder);
-    for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
-    if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
-  }
-  if (result.status == Status::ok) return 0;
+  if (!arguments.json) print_file(file);
+  const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw(file, arguments.folder);
+  if (arguments.json)
+    print_document(input, result, file, pictures);
+  else
+    for (const auto& picture : pictures) print_file(picture);
+  if (result.status == Status::ok) return ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), explain(input, result));
-  return 1;
+  return ExitCode::not_met;
 }
 
 } // namespace
@@ -243,14 +273,18 @@ int solve(SolveArguments arguments) {
 void add_solve_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("solve", "Solve a case of rolling contact: forces, fields and pictures");
   const auto arguments = std::make_shared<SolveArguments>();
-  command->add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")->required();
-  command->add_option("-o,--output", arguments->folder,
-                      "folder for result.h5 and the pictures; default: results/NAME for NAME.toml");
+  command->add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")->required()->type_name("");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for result.h5 and the pictures; default: results/NAME for NAME.toml")
+      ->type_name("FOLDER");
   command->add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
+  add_json_flag(*command, arguments->json);
   command->footer(
       "Solves Hertz's problem and then the theory that the case file asks for; the exact theory and FASTSIM2 stand\n"
       "side by side. Prints forces on body 1 [N], the moment [N m], areas [mm^2] and the frictional power [W]. Writes\n"
-      "result.h5 (SI) and tractions.png, areas.png, creep_curve.png. Exit code 1: not converged.\n\n"
+      "result.h5 (SI) and tractions.png, areas.png, creep_curve.png. With --json the numbers of result.h5 but its\n"
+      "fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
       "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

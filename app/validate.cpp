@@ -1,6 +1,8 @@
 #include "app/validate.hpp"
 
+#include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/json_document.hpp"
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "io/nearest_word.hpp"
@@ -20,6 +22,7 @@
 namespace microslip {
 namespace {
 
+using validation::Figure;
 using validation::Study;
 
 struct ValidateArguments {
@@ -27,7 +30,7 @@ struct ValidateArguments {
   bool list = false;
   std::filesystem::path output = "results";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  bool no_pictures = false;
+  bool no_pictures = false, json = false;
 };
 
 void list_studies() {
@@ -52,34 +55,63 @@ std::vector<const Study*> chosen(const std::vector<std::string>& names) {
   return chosen;
 }
 
-/// A study's result file has the study's name, in letters of file names of this project.
-void draw(const Study& study, const std::filesystem::path& folder) {
+/// Draws the pictures of a study's result file, which has its name in letters of file names of this project. Returns
+/// their names.
+std::vector<std::string> draw(const Study& study, const std::filesystem::path& folder) {
   std::string name(study.name);
   std::replace(name.begin(), name.end(), '-', '_');
   const std::filesystem::path results = folder / (name + ".h5");
-  if (!std::filesystem::exists(results)) return; // a study of numbers only
-  const Pictures pictures = draw_pictures(results, folder);
-  for (const std::string& picture : pictures.files) fmt::print("  written: {}\n", picture);
+  if (!std::filesystem::exists(results)) return {}; // a study of numbers only
+  Pictures pictures = draw_pictures(results, folder);
   if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
+  return pictures.files;
 }
 
-bool run(const Study& study, const ValidateArguments& arguments) {
+/// Returns whether all figures are met; they are printed to `out` and added to `figures`.
+bool run(const Study& study, const ValidateArguments& arguments, std::ostream& out, std::vector<Figure>& figures) {
+  const InterruptGuard guard;
+  ProgressBar bar{std::string(study.name)};
+  const auto progress = [&bar](double fraction) {
+    bar.update(fraction);
+    return !InterruptGuard::interrupted();
+  };
+  const bool met = study.run(
+      {.output = arguments.output, .threads = arguments.threads, .progress = progress, .figures = &figures}, out);
+  out.flush();
+  InterruptGuard::throw_if_interrupted();
+  return met;
+}
+
+Json to_json(const Figure& figure) {
+  Json result = {
+      {"section", figure.section}, {"name", figure.name}, {"computed", figure.computed}, {"expected", figure.expected}};
+  if (figure.met)
+    result["met"] = *figure.met;
+  else
+    result["remark"] = figure.remark;
+  return result;
+}
+
+bool run_for_people(const Study& study, const ValidateArguments& arguments) {
   fmt::print("{}: {}\n", study.name, study.summary);
   std::fflush(stdout);
-  bool met = false;
-  {
-    const InterruptGuard guard;
-    ProgressBar bar{std::string(study.name)};
-    const auto progress = [&bar](double fraction) {
-      bar.update(fraction);
-      return !InterruptGuard::interrupted();
-    };
-    met = study.run({.output = arguments.output, .threads = arguments.threads, .progress = progress}, std::cout);
-    std::cout.flush();
-    InterruptGuard::throw_if_interrupted();
-  }
-  if (!arguments.no_pictures) draw(study, arguments.output);
+  std::vector<Figure> figures;
+  const bool met = run(study, arguments, std::cout, figures);
+  if (!arguments.no_pictures)
+    for (const auto& picture : draw(study, arguments.output)) fmt::print("  written: {}\n", picture);
   fmt::print("\n{}: {}\n", study.name, met ? "all figures are met" : "NOT all figures are met");
+  return met;
+}
+
+/// Adds the study's figures to the document.
+bool run_for_programs(const Study& study, const ValidateArguments& arguments, Json& document) {
+  std::vector<Figure> figures;
+  std::ostream silent(nullptr);
+  const bool met = run(study, arguments, silent, figures);
+  Json result = {{"name", study.name}, {"summary", study.summary}, {"met", met}, {"figures", Json::array()}};
+  for (const Figure& figure : figures) result["figures"].push_back(to_json(figure));
+  result["pictures"] = arguments.no_pictures ? std::vector<std::string>() : draw(study, arguments.output);
+  document["studies"].push_back(result);
   return met;
 }
 
@@ -88,11 +120,18 @@ int validate(const ValidateArguments& arguments) {
   const std::vector<const Study*> studies = chosen(arguments.names);
   if (arguments.list) {
     list_studies();
-    return 0;
+    return ExitCode::done;
   }
+  auto document = json_document("validate");
   bool all_met = true;
-  for (const Study* study : studies) all_met = run(*study, arguments) && all_met;
-  return all_met ? 0 : 1;
+  for (const Study* study : studies)
+    all_met =
+        (arguments.json ? run_for_programs(*study, arguments, document) : run_for_people(*study, arguments)) && all_met;
+  if (arguments.json) {
+    document["met"] = all_met;
+    print_json(document);
+  }
+  return all_met ? ExitCode::done : ExitCode::not_met;
 }
 
 } // namespace
@@ -100,14 +139,20 @@ int validate(const ValidateArguments& arguments) {
 void add_validate_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("validate", "Print computed figures beside published ones");
   const auto arguments = std::make_shared<ValidateArguments>();
-  command->add_option("NAME", arguments->names, "studies to run; default: all");
+  command->add_option("STUDY", arguments->names, "studies to run; default: all")->type_name("");
   command->add_flag("--list", arguments->list, "print the names of the studies and what they show");
-  command->add_option("-o,--output", arguments->output,
-                      "folder for the result files and the pictures; default: results");
-  command->add_option("--threads", arguments->threads, "threads, 1 to 1024; default: one for each processor");
+  command->add_option("-o,--output", arguments->output, "folder for the result files and the pictures")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "threads, 1 to 1024; default: one for each processor")
+      ->type_name("COUNT");
   command->add_flag("--no-pictures", arguments->no_pictures, "write the result files only");
-  command->footer("Exit code: 0 all figures are met, 1 some are not, 2 bad input.\n\n"
-                  "Example:\n  microslip validate model-problem -o results");
+  add_json_flag(*command, arguments->json);
+  command->footer(
+      "Runs studies that compute what has been published and print both, each figure with its unit. With --json a\n"
+      "list of the same figures, as they are printed. Exit code: 0 all figures are met, 1 some are not, 2 bad\n"
+      "input.\n\n"
+      "Example:\n  microslip validate model-problem -o results");
   command->callback([arguments, &exit_code] { exit_code = validate(*arguments); });
 }
 

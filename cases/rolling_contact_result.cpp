@@ -99,23 +99,8 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   return result;
 }
 
-void write_body(ResultFile& file, const BodyInput& body, const std::string& number) {
-  const auto scalar = [&](const std::string& name, double value, const char* unit, const std::string& what) {
-    file.scalar("inputs/" + name + "_" + number, value, unit, what + " of body " + number);
-  };
-  scalar("rolling_radius", body.rolling_radius, "m", "radius in the plane of rolling");
-  scalar("transverse_radius", body.transverse_radius, "m", "radius in the lateral plane");
-  scalar("shear_modulus", body.material.shear_modulus, "Pa", "shear modulus G");
-  scalar("poisson_ratio", body.material.poisson_ratio, "-", "Poisson's ratio");
-  if (body.creep.ratio > 0) {
-    scalar("creep_ratio", body.creep.ratio, "-", "share by which deformation grows with time");
-    scalar("creep_time", body.creep.time, "s", "time in which it grows");
-  }
-  if (!body.thermal) return;
-  scalar("bulk_temperature", body.thermal->bulk_temperature, "deg C", "temperature before the contact");
-  scalar("conductivity", body.thermal->conductivity, "W/(m K)", "thermal conductivity");
-  scalar("density", body.thermal->density, "kg/m^3", "density");
-  scalar("heat_capacity", body.thermal->heat_capacity, "J/(kg K)", "specific heat capacity");
+void write(ResultFile& file, const std::vector<Quantity>& quantities) {
+  for (const auto& [path, value, unit, description] : quantities) file.scalar(path, value, unit, description);
 }
 
 void write_friction(ResultFile& file, const RollingCase& input) {
@@ -177,8 +162,8 @@ void write_solution(ResultFile& file, const RollingCase& input) {
 }
 
 void write_inputs(ResultFile& file, const RollingCase& input, const EllipticContact& contact) {
-  write_body(file, input.body1, "1");
-  write_body(file, input.body2, "2");
+  write(file, body_quantities(input.body1, 1));
+  write(file, body_quantities(input.body2, 2));
   file.scalar("inputs/shear_modulus", contact.shear_modulus, "Pa", "combined shear modulus G");
   file.scalar("inputs/poisson_ratio", contact.poisson_ratio, "-", "combined Poisson's ratio");
   file.scalar("inputs/normal_force", contact.normal_force, "N", "normal force Fn");
@@ -197,16 +182,6 @@ void write_tolerances(ResultFile& file, const std::string& theory, const GridErr
   file.scalar("tolerances/" + theory + "/grid_fx", error.fx, "mu Fn", "discretisation error of fx" + what);
   file.scalar("tolerances/" + theory + "/grid_fy", error.fy, "mu Fn", "discretisation error of fy" + what);
   file.scalar("tolerances/" + theory + "/grid_mz", error.mz, "mu Fn sqrt(a b)", "discretisation error of mz" + what);
-}
-
-void write_hertz(ResultFile& file, const HertzContact& hertz) {
-  file.scalar("hertz/a", hertz.a, "m", "semi-axis along x");
-  file.scalar("hertz/b", hertz.b, "m", "semi-axis along y");
-  file.scalar("hertz/approach", hertz.approach, "m", "approach of distant points");
-  file.scalar("hertz/peak_pressure", hertz.peak_pressure, "Pa", "peak normal pressure p0");
-  file.scalar("hertz/stiffness", hertz.stiffness, "N/m", "derivative of the normal force to the approach");
-  file.scalar("hertz/curvature_x", hertz.gap.x, "1/m", "A of the gap A x^2 + B y^2");
-  file.scalar("hertz/curvature_y", hertz.gap.y, "1/m", "B of the gap A x^2 + B y^2");
 }
 
 void write_theory(ResultFile& file, const std::string& theory, const ContactFields& fields) {
@@ -265,7 +240,8 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   file.array("exact/fields/gap", result.gap, "m", "deformed distance of the bodies", shape);
   file.array("exact/fields/ux", contact.ux, "m", "displacement difference, longitudinal", shape);
   file.array("exact/fields/uy", contact.uy, "m", "displacement difference, lateral", shape);
-  const auto optional_field = [&](const char* name, const std::vector<double>& values, const char* unit, const char* what) {
+  const auto optional_field = [&](const char* name, const std::vector<double>& values, const char* unit,
+                                  const char* what) {
     if (!values.empty()) file.array(std::string("exact/fields/") + name, values, unit, what, shape);
   };
   optional_field("mu", contact.friction, "-", "coefficient of friction");
@@ -345,6 +321,43 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
 
 } // namespace
 
+std::vector<Quantity> body_quantities(const BodyInput& body, int number) {
+  const auto suffix = std::to_string(number), of_body = " of body " + suffix;
+  const auto quantity = [&](const std::string& name, double value, const char* unit, const std::string& what) {
+    return Quantity{"inputs/" + name + "_" + suffix, value, unit, what + of_body};
+  };
+  std::vector<Quantity> quantities = {
+      quantity("rolling_radius", body.rolling_radius, "m", "radius in the plane of rolling"),
+      quantity("transverse_radius", body.transverse_radius, "m", "radius in the lateral plane"),
+      quantity("shear_modulus", body.material.shear_modulus, "Pa", "shear modulus G"),
+      quantity("poisson_ratio", body.material.poisson_ratio, "-", "Poisson's ratio")};
+  const auto add = [&](const std::string& name, double value, const char* unit, const std::string& what) {
+    quantities.push_back(quantity(name, value, unit, what));
+  };
+  if (body.creep.ratio > 0) {
+    add("creep_ratio", body.creep.ratio, "-", "share by which deformation grows with time");
+    add("creep_time", body.creep.time, "s", "time in which it grows");
+  }
+  if (!body.thermal) return quantities;
+  add("bulk_temperature", body.thermal->bulk_temperature, "deg C", "temperature before the contact");
+  add("conductivity", body.thermal->conductivity, "W/(m K)", "thermal conductivity");
+  add("density", body.thermal->density, "kg/m^3", "density");
+  add("heat_capacity", body.thermal->heat_capacity, "J/(kg K)", "specific heat capacity");
+  return quantities;
+}
+
+std::vector<Quantity> hertz_quantities(const HertzContact& hertz) {
+  return {{"hertz/normal_force", hertz.normal_force, "N", "normal force Fn"},
+          {"hertz/a", hertz.a, "m", "semi-axis along x"},
+          {"hertz/b", hertz.b, "m", "semi-axis along y"},
+          {"hertz/approach", hertz.approach, "m", "approach of distant points"},
+          {"hertz/peak_pressure", hertz.peak_pressure, "Pa", "peak normal pressure p0"},
+          {"hertz/stiffness", hertz.stiffness, "N/m", "derivative of the normal force to the approach"},
+          {"hertz/curvature_x", hertz.gap.x, "1/m", "A of the gap A x^2 + B y^2"},
+          {"hertz/curvature_y", hertz.gap.y, "1/m", "B of the gap A x^2 + B y^2"},
+          {"tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution"}};
+}
+
 std::string simplified_name(const RollingCase& input) {
   if (input.theory == Theory::fastrip) return "fastrip";
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
@@ -368,8 +381,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
                   const std::filesystem::path& path) {
   ResultFile file(path, provenance);
   write_inputs(file, input, result.contact);
-  file.scalar("tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution");
-  write_hertz(file, result.hertz);
+  write(file, hertz_quantities(result.hertz));
   if (const auto& exact = result.exact) {
     write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));

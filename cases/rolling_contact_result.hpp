@@ -44,6 +44,19 @@ struct RollingContactResult {
   Status status = Status::ok;                 ///< of the theory that the case asks for
 };
 
+/// A number of a result file.
+struct Quantity {
+  std::string path; ///< e.g. "hertz/a"
+  double value;
+  const char* unit;
+  std::string description;
+};
+
+/// Of body `number`, 1 or 2: inputs/rolling_radius_1 and so on.
+std::vector<Quantity> body_quantities(const BodyInput& body, int number);
+/// hertz/normal_force and so on, tolerances/hertz_relative.
+std::vector<Quantity> hertz_quantities(const HertzContact& hertz);
+
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const RollingCase& input);
 

@@ -1,5 +1,6 @@
 #include "io/result_file.hpp"
 
+#include "io/hdf5_handle.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
@@ -11,31 +12,8 @@
 #include <numeric>
 #include <utility>
 
-#include <hdf5.h>
-
 namespace microslip {
 namespace {
-
-/// An HDF5 handle that closes itself.
-class Handle {
-public:
-  using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close) : id_(id), close_(close) {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() { finish(); }
-  hid_t get() const { return id_; }
-  /// Negative if what was to be written on closing could not be.
-  herr_t finish() {
-    const herr_t result = id_ >= 0 ? close_(id_) : 0;
-    id_ = -1;
-    return result;
-  }
-
-private:
-  hid_t id_;
-  Close close_;
-};
 
 std::string now() {
   const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -87,18 +65,18 @@ struct ResultFile::Contents {
   }
 
   void attribute(hid_t object, const std::string& path, const std::string& attribute_name, const std::string& value) {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle created(
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle created(
         check(H5Acreate2(object, attribute_name.c_str(), text.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), path),
         H5Aclose);
     const char* pointer = value.c_str();
     check(H5Awrite(created.get(), text.get(), static_cast<const void*>(&pointer)), path);
   }
 
-  void dataset(const std::string& path, hid_t type, const Handle& space, const void* values, const std::string& unit,
+  void dataset(const std::string& path, hid_t type, const Hdf5Handle& space, const void* values, const std::string& unit,
                const std::string& description) {
     check(space.get(), path);
-    const Handle created(
+    const Hdf5Handle created(
         check(H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path),
         H5Dclose);
     check(H5Dwrite(created.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
@@ -113,14 +91,14 @@ struct ResultFile::Contents {
         shape.empty() ? std::vector<hsize_t>{values.size()} : std::vector<hsize_t>(shape.begin(), shape.end());
     if (std::accumulate(extents.begin(), extents.end(), hsize_t{1}, std::multiplies<>()) != values.size())
       throw Error(name + ": the shape of " + path + " does not fit its values");
-    const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
+    const Hdf5Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
     dataset(path, type, space, values.data(), unit, description);
   }
 
   /// An array that can grow.
   struct Growing {
     explicit Growing(hid_t id) : dataset(id, H5Dclose) {}
-    Handle dataset;
+    Hdf5Handle dataset;
     hsize_t length = 0;
   };
 
@@ -128,7 +106,7 @@ struct ResultFile::Contents {
     constexpr hsize_t none = 0, endless = H5S_UNLIMITED, chunk = 1024;
     const auto known = arrays.find(path);
     if (known != arrays.end()) return known->second;
-    const Handle space(H5Screate_simple(1, &none, &endless), H5Sclose), layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Hdf5Handle space(H5Screate_simple(1, &none, &endless), H5Sclose), layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_chunk(layout.get(), 1, &chunk);
     const hid_t created =
         check(H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), layout.get(), H5P_DEFAULT), path);
@@ -145,7 +123,7 @@ struct ResultFile::Contents {
     if (values.empty()) return;
     const hsize_t begin = array.length, count = values.size(), end = begin + count;
     check(H5Dset_extent(array.dataset.get(), &end), path);
-    const Handle all(H5Dget_space(array.dataset.get()), H5Sclose), part(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const Hdf5Handle all(H5Dget_space(array.dataset.get()), H5Sclose), part(H5Screate_simple(1, &count, nullptr), H5Sclose);
     check(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr), path);
     check(H5Dwrite(array.dataset.get(), type, part.get(), all.get(), H5P_DEFAULT, values.data()), path);
     array.length = end;
@@ -167,7 +145,7 @@ struct ResultFile::Contents {
   std::string name;
   OutputFile output;
   bool on_disk;
-  Handle access, links, text, file;
+  Hdf5Handle access, links, text, file;
   std::map<std::string, Growing> arrays;
 };
 
@@ -193,12 +171,12 @@ ResultFile::~ResultFile() = default;
 
 void ResultFile::scalar(const std::string& path, double value, const std::string& unit,
                         const std::string& description) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   contents_->dataset(path, H5T_NATIVE_DOUBLE, space, &value, unit, description);
 }
 
 void ResultFile::text(const std::string& path, const std::string& value, const std::string& description) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const char* pointer = value.c_str();
   contents_->dataset(path, contents_->text.get(), space, static_cast<const void*>(&pointer), "-", description);
 }
@@ -229,7 +207,7 @@ void ResultFile::append(const std::string& path, std::span<const int> values, co
 }
 
 void ResultFile::attribute(const std::string& path, const std::string& name, const std::string& value) {
-  const Handle object(contents_->check(H5Oopen(contents_->file.get(), path.c_str(), H5P_DEFAULT), path), H5Oclose);
+  const Hdf5Handle object(contents_->check(H5Oopen(contents_->file.get(), path.c_str(), H5P_DEFAULT), path), H5Oclose);
   contents_->attribute(object.get(), path, name, value);
 }
 

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <sys/stat.h>
@@ -551,17 +552,77 @@ TEST(Program, SolvesExtremeCases) {
 
 TEST(Program, ExplainsItself) {
   const TemporaryFolder folder;
-  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "validate "}) {
+  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "run ", "plot ", "convert ", "validate ",
+                              "completion ", "manual "}) {
     const auto outcome = run_program(folder, command + std::string("--help"));
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_NE(outcome.output.find("Example:"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("\nExample:\n  "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("microslip " + std::string(command)), std::string::npos) << outcome.output;
     EXPECT_EQ(outcome.errors, "");
+    EXPECT_EQ(folder.entries(), Names{});
   }
   const auto version = run_program(folder, "--version");
   EXPECT_EQ(version.exit_code, 0);
   const auto build = build_info();
   for (const auto part : {build.version, build.commit, build.compiler})
     EXPECT_NE(version.output.find(part), std::string::npos);
+}
+
+TEST(Program, HelpNamesUnitsAndDefaults) {
+  const TemporaryFolder folder;
+  const auto help = [&](const std::string& command) { return run_program(folder, command + " --help").output; };
+  const auto expect_text = [&](const std::string& command, const std::vector<std::string>& texts) {
+    const auto output = help(command);
+    for (const auto& text : texts) EXPECT_NE(output.find(text), std::string::npos) << text << "\n" << output;
+  };
+  expect_text("solve", {"[N]", "[N m]", "[mm^2]", "[W]", "default: results/NAME"});
+  expect_text("hertz", {"R1 R2", "[m]", "[Pa]", "[-]", "[N]"});
+  expect_text("batch", {"fastsim|fastsim_half_step|fastsim2|exact|fastrip", "default: fastsim2", "default: 10x10",
+                        "default: kalker", "default: second_order", "normal_force [N]", "spin [1/m]", "; required"});
+  expect_text("init", {"default: case.toml"});
+  expect_text("run", {"default: results"});
+  expect_text("plot", {"[mm]", "[1/m]", "default: beside RESULT.h5", "pressure|bound|"});
+  expect_text("convert", {"default: results"});
+  expect_text("validate", {"default: results", "default: all", "1 to 1024"});
+}
+
+TEST(Program, EndsWithTheExitCode) {
+  const TemporaryFolder folder;
+  save(folder / "new.inp", contents(MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp"));
+  const auto single = contents(folder / "new.inp");
+  const auto second = single.find(" 3  MODULE", single.find(" 3  MODULE") + 1);
+  save(folder / "one.inp", single.substr(0, second) + " 0  MODULE\n");
+  save(folder / "broken.inp", single.substr(0, second - 40));
+  save(folder / "bad.toml", "[load]\nnormal_forse = 1\n");
+  const std::pair<std::string, int> runs[] = {
+      {"init wheel.toml", 0},
+      {"init wheel.toml", 2},
+      {"solve wheel.toml -o out --no-pictures", 0},
+      {"solve bad.toml", 2},
+      {"hertz wheel.toml", 0},
+      {"hertz bad.toml", 2},
+      {"batch '" + example_table + "' -o forces.csv", 0},
+      {"batch '" + example_table + "' -o forces.csv --grid 0x1", 2},
+      {"run one.inp", 0},
+      {"run broken.inp", 2},
+      {"convert one.inp", 0},
+      {"convert new.inp", 1}, // some cases go on from others
+      {"convert broken.inp", 2},
+      {"plot out/result.h5 --cut 0", 0},
+      {"plot wheel.toml", 2},
+      {"validate --list", 0},
+      {"validate model-problem --no-pictures", 0},
+      {"validate model-problem --threads 0", 2},
+      {"completion bash", 0},
+      {"completion tcsh", 2},
+      {"manual", 0},
+      {"manual extra", 2},
+  };
+  for (const auto& [arguments, exit_code] : runs) {
+    const auto outcome = run_program(folder, arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.errors;
+    EXPECT_EQ(outcome.errors.empty(), exit_code == 0) << arguments << "\n" << outcome.errors;
+  }
 }
 
 TEST(Program, RefusesWhatItDoesNotKnow) {

@@ -60,7 +60,7 @@ ElementGrid plane_grid(int across) {
 } // namespace
 
 bool run_bentall_johnson(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("Aluminium on steel, R = 25 mm, K = {:.4f}, rolling along -x; creepage found for the force given",
                           aluminium_on_steel.material.dissimilarity));
   report.heading("On CONTACT's grid, 200 elements across: computed, CONTACT");

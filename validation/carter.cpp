@@ -73,7 +73,7 @@ void report_second_order(Report& report) {
 } // namespace
 
 bool run_carter(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report.line(
       fmt::format("a = 1 mm, R = 500 mm, mu = .3, xi = -.00024: Fx = {:.2f} mu Fn, adhesion half-width {:.1f} a",
                   exact_force, adhesion_share));

@@ -178,7 +178,7 @@ bool run_cattaneo(const StudyOptions& options, std::ostream& out) {
 
   const std::size_t last = grids.size() - 1;
   const double computed = shift_limit(outcomes[last - 1], outcomes[last]);
-  Report report(out);
+  Report report(out, options.figures);
   report_first_grid(report, outcomes[0]);
   report_closed_form(report, outcomes, isotropic[last]);
   report_shift(report, computed, shift_limit(isotropic[last - 1], isotropic[last]), in_steps, outcomes[last].turning);

@@ -115,7 +115,7 @@ void report_edge(Report& report) {
 bool run_cattaneo_to_carter(const StudyOptions& options, std::ostream& out) {
   HertzianSolve contact(material, grid, gap, normal_force);
   const double energy = normal_energy(contact);
-  Report report(out);
+  Report report(out, options.figures);
   report.line("a = 3.5 mm, Fx = -.657 mu Fn, G = 1 N/mm2, nu = .28, mu = .4013; dq = dx = .25 mm, 28 elements across");
 
   TangentialSolution s = contact.solve(friction, input_of(ContactMotion::shift));

@@ -310,7 +310,7 @@ private:
 } // namespace
 
 bool run_contact_cases(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   if (!fs::exists(printed_file) || !fs::exists(input_folder)) {
     report.line("SKIPPED: contact_results.csv or the folder of CONTACT's cases is not beside MICROSLIP_REFERENCE_DATA");
     return true;

@@ -62,7 +62,7 @@ Curve forces(HertzianSolve& contact) {
 
 bool run_creep_curve(const StudyOptions& options, std::ostream& out) {
   const HertzContact hertz = ellipse();
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("a = {:.4f} mm, b = {:.4f} mm, mu = .33; -Fx/(mu Fn)", hertz.a * 1e3, hertz.b * 1e3));
   HertzianSolve coarse = contact_on(hertz, 1), fine = contact_on(hertz, 2);
   const int elements = coarse.normal().contact_elements;

@@ -159,7 +159,7 @@ std::string scientific(double value) {
 } // namespace
 
 bool run_edge_constants(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   const std::vector<double> length = limits_of_lengths(options.progress);
   if (length.empty()) return false;
   const HalfLine fine(finest), coarse(coarser);

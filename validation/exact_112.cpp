@@ -40,7 +40,7 @@ void report_differences(Report& report, const Results& mine, const Results& thei
 } // namespace
 
 bool run_exact_112(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   const auto reference = read_reference_112();
   if (reference.empty()) {
     report.line(reference_112_skipped);

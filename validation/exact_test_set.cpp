@@ -81,7 +81,7 @@ void report_run(Report& report, const Run& run, const std::vector<ExactCase>& ca
 
 bool run_exact_test_set(const StudyOptions& options, std::ostream& out) {
   const std::vector<EllipticContact> contacts = test_set_contacts();
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("{} cases, to a residual of 1e-6", contacts.size()));
   double begin = 0;
   for (const Run& run : runs) {

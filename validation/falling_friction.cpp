@@ -148,7 +148,7 @@ void report_modified_fastsim(Report& report) {
 } // namespace
 
 bool run_falling_friction(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report_cylinder(report);
   if (options.progress && !options.progress(0.3)) return false;
   if (!report_layer(report, part_of(options.progress, 0.3, 0.95))) return false;

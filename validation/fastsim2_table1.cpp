@@ -189,7 +189,7 @@ bool run_fastsim2_table1(const StudyOptions& options, std::ostream& out) {
     errors[k] = errors_of(simplified[k], exact.limit);
     partial[k] = errors_of(simplified[k], exact.limit, &exact.slides_in_part);
   }
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("{} cases; errors over mu Fn of FASTSIM2 on {} x {} cells", contacts.size(), cells, cells));
   report.figure("cases of exact theory that do not converge", std::to_string(exact.failures), "0", exact.failures == 0);
   report.heading(fmt::format("Against exact theory, extrapolated from {} and {} elements across: computed, published "

@@ -211,7 +211,7 @@ bool run_fastsim2_table2(const StudyOptions& options, std::ostream& out) {
   const Series against_itself = compare(results[0], fine_fastsim);
   const Series order = compare(one, exact_one);
 
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("{} cases; errors over mu Fn; published values in brackets or beside", solver.cases()));
   report.heading("FASTSIM2 against FASTSIM2 on 640 x 640: not above the printed rms by more than 10 % at 10, 20, 40");
   print_table(report, "Fx", series[2].fx, fastsim2_fx, 10, 40, fastsim2_is_met);

@@ -120,7 +120,7 @@ bool run_hertz(const StudyOptions& options, std::ostream& out) {
       if (errors && !errors(++done / (shifts * double(grids.size())))) return false;
     }
 
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("a = {} mm, b = {} mm, Fn = {} kN, steel; relative errors on {}, {}, {}, {} elements across",
                           semi_axis_a * 1e3, semi_axis_b * 1e3, normal_force / 1e3, grids[0], grids[1], grids[2],
                           grids[3]));

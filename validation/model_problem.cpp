@@ -282,7 +282,7 @@ std::filesystem::path write_result(const Cases& cases, const StudyOptions& optio
 
 bool run_model_problem(const StudyOptions& options, std::ostream& out) {
   const Cases cases = model_cases();
-  Report report(out);
+  Report report(out, options.figures);
   report_exact_solutions(cases, report);
   report_parabolic_bound(cases, report);
   report_elliptic_bound(cases[2], report);

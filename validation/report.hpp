@@ -1,14 +1,26 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace microslip::validation {
+
+/// A figure of a study as it is printed.
+struct Figure {
+  std::string section, name;   ///< `section` is the heading above it
+  std::string computed, expected;
+  std::optional<bool> met; ///< none: it is shown but not judged
+  std::string remark = {}; ///< why it is not
+};
 
 /// Prints figures of a study, computed beside published or expected, and remembers whether all are met.
 class Report {
 public:
-  explicit Report(std::ostream& out) : out_(out) {}
+  /// Figures are also added to `figures`, unless that is nullptr.
+  Report(std::ostream& out, std::vector<Figure>* figures) : out_(out), figures_(figures) {}
 
   void heading(std::string_view text);
   void line(std::string_view text);
@@ -20,7 +32,11 @@ public:
   bool all_met() const { return all_met_; }
 
 private:
+  void keep(Figure figure);
+
   std::ostream& out_;
+  std::vector<Figure>* figures_;
+  std::string section_ = {};
   bool all_met_ = true;
 };
 

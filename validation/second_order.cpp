@@ -308,7 +308,7 @@ void report_estimates(Report& report, double accuracy, const Solved& solved, con
 } // namespace
 
 bool run_second_order(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report_orders(report);
   std::vector<Reference112> cases = read_reference_112();
   if (cases.empty()) {

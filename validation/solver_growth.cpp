@@ -139,7 +139,7 @@ void print_threads(Report& report, const std::array<Cost, count_of_grids>& costs
 } // namespace
 
 bool run_solver_growth(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report.line("a = 5 mm, a/b = .2, Fn/G = 1.3 mm2, mu = .3, nu = .28, xi = .000857, steady rolling with dq = dx");
   std::array<Cost, count_of_grids> costs;
   double work = 0, done = 0;

@@ -59,7 +59,7 @@ Outcome compress(int stages, int stages_of_full_load, double dx, double shift, C
 } // namespace
 
 bool run_spence(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report.line(fmt::format("nu = 0, G = .5 on a rigid plane, K = {:.4f}, mu = .2986, Fn = (k/45)^3 after stage k; one Newton "
                           "system in each stage",
                           on_rigid.material.dissimilarity));

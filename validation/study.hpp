@@ -1,11 +1,13 @@
 #pragma once
 
 #include "microslip/progress.hpp"
+#include "validation/report.hpp"
 
 #include <filesystem>
 #include <iosfwd>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace microslip::validation {
 
@@ -13,6 +15,7 @@ struct StudyOptions {
   std::filesystem::path output = "results"; ///< folder for HDF5 files and pictures; created if it is not there
   int threads = 1;
   Progress progress = {}; ///< when it asks to stop, the study writes nothing more and returns false
+  std::vector<Figure>* figures = nullptr; ///< gets the figures that are printed, unless it is nullptr
 };
 
 /// Progress of a part of some work, which lasts from the fraction `begin` to `end` of the whole.

@@ -409,7 +409,7 @@ void write(const StudyOptions& options, const Section& section, double p0,
 } // namespace
 
 bool run_subsurface(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   const auto go_on = [&](double fraction) { return !options.progress || options.progress(fraction); };
   compare_with_contact(report);
   compare_with_hertz(report);

@@ -96,7 +96,7 @@ double of_hertzian_heat(int across) {
 } // namespace
 
 bool run_temperature(const StudyOptions& options, std::ostream& out) {
-  Report report(out);
+  Report report(out, options.figures);
   report.line("Wheel on rail, 100 kN, 30 m/s, mu = .3, 216 x 45 elements of .2 x .5 mm; computed, CONTACT");
   ContactSequence sequence;
   double done = 0;

@@ -43,6 +43,11 @@ NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid
   return NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1});
 }
 
+/// Whether transient rolling was ended before its last step, and nothing else was wrong.
+bool is_cut_short(const std::vector<ExactStep>& history, const ExactMotion& motion, Status status) {
+  return status == Status::ok && static_cast<int>(history.size()) < motion.steps;
+}
+
 } // namespace
 
 EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : options_(options) {
@@ -114,6 +119,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
+  if (motion.kind != ContactMotion::transient) input.progress = progress;
   TangentialState state;
   const bool creepages_given = !motion.force_x && !motion.force_y;
   if (motion.kind == ContactMotion::steady && creepages_given) {
@@ -131,6 +137,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
     state = std::move(s.tractions);
     s = tangential_->solve(bound, input);
   }
+  if (is_cut_short(history, motion, s.forces.status)) s.forces.status = Status::not_converged;
   return s;
 }
 
@@ -238,6 +245,7 @@ ExactContact EllipticContactSolver::solve_sequence(const EllipticContact& contac
     };
     step.start = StepStart::previous;
     while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
+    if (is_cut_short(history, motion, s.status)) s.status = Status::not_converged;
   }
   grid_ = step.grid;
   a_ = b_ = 0; // what was prepared for another contact is gone
@@ -324,7 +332,7 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
   return results(solution, contact, second_order_->bound(contact));
 }
 
-ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact) {
+ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact, const Progress& progress) {
   constexpr double linear_tolerance = 2e-5; // of which derivatives of forces have some third as an error
   if (!is_valid(contact) || needs_sequence(contact)) return {.contact = invalid()};
   try {
@@ -333,7 +341,7 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
     return {.contact = invalid()};
   }
   const EllipticContact forward = mirrored(contact);
-  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, true);
+  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, true, progress);
   const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
   ExactDerivatives out{.contact = results(solution, contact, second_order_->bound(contact))};
   out.products = derivatives.products;

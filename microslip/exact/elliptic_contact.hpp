@@ -97,14 +97,16 @@ public:
 
   const ExactOptions& options() const { return options_; }
 
-  /// Input out of range gives Status::invalid_input and NaN. `progress` is
-  /// told of the steps of transient rolling, or of the Newton steps at second order, and may end it.
+  /// Input out of range gives Status::invalid_input and NaN. `progress` is told of the steps of transient rolling, else
+  /// of the Newton steps, and may end them: with status not_converged and the tractions so far. It is not told of the
+  /// Newton steps for bodies of different materials and for friction that depends on the slip.
   ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
   /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
-  ExactDerivatives differentiate(const EllipticContact& contact);
+  /// `progress` is told of the Newton steps; false ends them, with status not_converged and derivatives that mean nothing.
+  ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
 
   /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
   /// problem on their grid. Throws Error for a contact out of range.

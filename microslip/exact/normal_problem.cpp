@@ -26,6 +26,11 @@ double dot(const Field& a, const Field& b) {
   return sum;
 }
 
+/// Of the digits that the residual has to fall by.
+double fraction_done(double first, double now, double goal) {
+  return goal > 0 && now < first ? std::min(1.0, std::log(first / now) / std::log(first / goal)) : 0;
+}
+
 /// One solve; members are the fields of the iteration.
 class Iteration {
 public:
@@ -36,15 +41,18 @@ public:
         response_of_step_(grid.count()), free_(grid.count()) {}
 
   /// `start` is a pressure of which the shape counts; if it is empty or no use, the bodies' overlap.
-  NormalSolution run(Field start, double tolerance) {
+  NormalSolution run(Field start, double tolerance, const Progress& progress) {
     approach_ = value_;
     if (!by_force_ && nearest() >= value_) return finish(0, Status::no_contact);
     if (start.empty() || !begin(std::move(start))) begin(overlap());
+    double first = 0;
     for (int k = 1;; ++k) {
       find_distance();
       residual_ = find_residual();
       if (residual_ <= tolerance) return finish(k, Status::ok);
-      if (k >= most_iterations || !step()) return finish(k, Status::not_converged);
+      if (k == 1) first = residual_;
+      const bool stopped = progress && !progress(fraction_done(first, residual_, tolerance));
+      if (stopped || k >= most_iterations || !step()) return finish(k, Status::not_converged);
     }
   }
 
@@ -239,26 +247,27 @@ void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoa
     require_finite("approach", load.value, "m");
 }
 
-NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance) {
+NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance,
+                                    const Progress& progress) {
   check(grid_, gap, load);
   double coarser_products = 0;
-  NormalSolution s = solve_nested(gap, load, tolerance, coarser_products);
+  NormalSolution s = solve_nested(gap, load, tolerance, progress, coarser_products);
   s.products += std::lround(coarser_products);
   return s;
 }
 
 NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
-                                           double& coarser_products) {
+                                           const Progress& progress, double& coarser_products) {
   Field start;
   if (coarser_) {
     const NormalSolution coarse = coarser_->solve_nested(gap_on_coarser(grid_, gap), load,
-                                                         std::max(tolerance, coarse_tolerance), coarser_products);
+                                                         std::max(tolerance, coarse_tolerance), {}, coarser_products);
     const double share = static_cast<double>(coarse.pressure.size()) / static_cast<double>(gap.size());
     coarser_products = share * (coarser_products + static_cast<double>(coarse.products));
     if (coarse.normal_force > 0 && std::isfinite(coarse.normal_force))
       start = pressure_from_coarser(grid_, coarse.pressure);
   }
-  return Iteration(response_, grid_, gap, load).run(std::move(start), tolerance);
+  return Iteration(response_, grid_, gap, load).run(std::move(start), tolerance, progress);
 }
 
 } // namespace microslip

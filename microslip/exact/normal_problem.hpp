@@ -2,6 +2,7 @@
 
 #include "microslip/exact/element_grid.hpp"
 #include "microslip/exact/surface_response.hpp"
+#include "microslip/progress.hpp"
 #include "microslip/status.hpp"
 
 #include <memory>
@@ -56,12 +57,14 @@ public:
   NormalProblem(const CombinedMaterial& material, const ElementGrid& grid);
 
   /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN or a load out of
-  /// range. Input so large that the result overflows gives Status::invalid_input.
-  NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8);
+  /// range. Input so large that the result overflows gives Status::invalid_input. `progress` is told of the iterations;
+  /// false ends them, with status not_converged.
+  NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8,
+                       const Progress& progress = {});
 
 private:
   NormalSolution solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
-                              double& coarser_products);
+                              const Progress& progress, double& coarser_products);
 
   ElementGrid grid_;
   NormalResponse response_;

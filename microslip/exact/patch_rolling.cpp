@@ -8,6 +8,8 @@
 namespace microslip {
 namespace {
 
+constexpr double normal_tolerance = 1e-8;
+
 /// The mirror image in x.
 ElementGrid mirrored(ElementGrid grid) {
   grid.x0 = -grid.x(grid.mx - 1);
@@ -33,11 +35,15 @@ void check(const PatchRollingMotion& motion) {
 } // namespace
 
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
-                           const NormalLoad& load, RollingDirection direction)
+                           const NormalLoad& load, RollingDirection direction, const Progress& progress)
     : side_(direction == RollingDirection::forward ? 1 : -1) {
   require_memory(ContactProblem::tangential, grid);
-  normal_ = NormalProblem(material, grid).solve(gap, load);
-  if (normal_.contact_elements == 0) return;
+  bool stopped = false;
+  normal_ = NormalProblem(material, grid).solve(gap, load, normal_tolerance, [&](double fraction) {
+    stopped = progress && !progress(fraction);
+    return !stopped;
+  });
+  if (stopped || normal_.contact_elements == 0) return;
   rolling_.emplace(material, side_ > 0 ? fit_contact(grid, normal_.pressure)
                                        : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)));
 }
@@ -47,7 +53,7 @@ PatchSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   PatchSolution out;
   out.creepage = motion.creepage;
   if (!rolling_) {
-    out.forces.status = Status::no_contact;
+    out.forces.status = normal_.contact_elements == 0 ? Status::no_contact : normal_.status;
     return out;
   }
   const FittedContact& contact = rolling_->contact();
@@ -58,6 +64,7 @@ PatchSolution PatchRolling::solve(const PatchRollingMotion& motion) {
       .force_x = motion.force_x,
       .force_y = motion.force_y,
       .start = {},
+      .progress = motion.progress,
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side_;
   SecondOrderSolution s = rolling_->solve(out.bound, input);

@@ -17,6 +17,7 @@ struct PatchRollingMotion {
   std::optional<double> force_x = {},
                         force_y = {}; ///< [N], on body 1; the creepage in that direction is an unknown then
   double tolerance = 1e-6;            ///< of the residual, as in FrictionSolution
+  Progress progress = {};             ///< is told of the Newton steps; false ends the iteration, as not converging
 };
 
 /// Fields have a value for each element; their lengths along x differ at the leading edge (FittedElement).
@@ -43,9 +44,11 @@ struct PatchSolution {
 class PatchRolling {
 public:
   /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, with columns to spare
-  /// on the side that particles come from.
+  /// on the side that particles come from. `progress` is told of the normal problem; false ends it, and solve() gives
+  /// not_converged.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
-               const NormalLoad& load, RollingDirection direction = RollingDirection::forward);
+               const NormalLoad& load, RollingDirection direction = RollingDirection::forward,
+               const Progress& progress = {});
 
   const NormalSolution& normal() const { return normal_; }
   /// The elements; those of the mirror image where the contact rolls along -x. Nothing without contact.

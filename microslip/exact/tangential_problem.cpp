@@ -146,7 +146,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     const bool steady = input.motion == ContactMotion::steady;
     const FrictionNewton::Tractions before = tractions_of(steady ? nullptr : input.previous);
     const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
-    FrictionNewton::Options options{.tolerance = input.tolerance};
+    FrictionNewton::Options options{.tolerance = input.tolerance, .progress = input.progress};
     if (!steady) options.before = before;
     s = newton_.solve(problem, options, {.px = start.px, .py = start.py});
   }

@@ -47,6 +47,7 @@ struct TangentialInput {
   /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
   /// FrictionNewton::Options::before.
   double tolerance = 1e-6;
+  Progress progress = {}; ///< is told of the Newton steps; false ends the iteration, with status not_converged
 };
 
 /// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So

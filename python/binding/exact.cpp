@@ -170,7 +170,10 @@ void bind_solver(py::module_& module) {
       .def(
           "differentiate",
           [](Solver& self, const EllipticContact& contact) {
-            return self.run([contact](EllipticContactSolver& solver) { return solver.differentiate(contact); });
+            return self.run([contact](EllipticContactSolver& solver) {
+              SignalCheck signals;
+              return solver.differentiate(contact, signals.progress());
+            });
           },
           "contact"_a,
           "Steady rolling at second order: forces [N], [N m] and their derivatives to xi [-], eta [-] and phi [1/m], "

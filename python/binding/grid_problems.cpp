@@ -120,9 +120,11 @@ void bind_normal(py::module_& module) {
           [](Problem& self, const py::object& gap, Force normal_force, Force approach, double tolerance) {
             const auto h = real_array("gap", gap, shape_of(self.grid));
             const auto load = load_from(normal_force, approach);
-            return NormalResult{
-                self.problem.run([&](NormalProblem& problem) { return problem.solve(span_of(h), load, tolerance); }),
-                shape_of(self.grid)};
+            return NormalResult{self.problem.run([&](NormalProblem& problem) {
+                                  SignalCheck signals;
+                                  return problem.solve(span_of(h), load, tolerance, signals.progress());
+                                }),
+                                shape_of(self.grid)};
           },
           "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(), "tolerance"_a = 1e-8,
           "Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either the normal "
@@ -205,9 +207,12 @@ void bind_tangential(py::module_& module) {
             input.rolling_speed = rolling_speed;
             if (previous != nullptr) input.previous = &previous->solution.tractions;
             input.tolerance = tolerance;
-            return TangentialResult{
-                self.problem.run([&](TangentialProblem& problem) { return problem.solve(span_of(g), input); }),
-                shape_of(self.grid)};
+            return TangentialResult{self.problem.run([&](TangentialProblem& problem) {
+                                      SignalCheck signals;
+                                      input.progress = signals.progress();
+                                      return problem.solve(span_of(g), input);
+                                    }),
+                                    shape_of(self.grid)};
           },
           "bound"_a, "creepage"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = py::none(),
           "force_y"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward, "rolling_speed"_a = 1.0,
@@ -256,8 +261,8 @@ void bind_patch(py::module_& module) {
 
   struct Problem {
     Problem(const CombinedMaterial& material, const ElementGrid& on, std::span<const double> gap,
-            const NormalLoad& load, RollingDirection direction)
-        : rolling(material, on, gap, load, direction), shape(shape_of(on)) {}
+            const NormalLoad& load, RollingDirection direction, const Progress& progress)
+        : rolling(material, on, gap, load, direction, progress), shape(shape_of(on)) {}
     OneAtATime<PatchRolling> rolling;
     Shape shape;
   };
@@ -271,7 +276,8 @@ void bind_patch(py::module_& module) {
              const auto h = real_array("gap", gap, shape_of(on));
              const auto load = load_from(normal_force, approach);
              const py::gil_scoped_release release;
-             return std::make_unique<Problem>(material, on, span_of(h), load, direction);
+             SignalCheck signals;
+             return std::make_unique<Problem>(material, on, span_of(h), load, direction, signals.progress());
            }),
            "material"_a, "grid"_a, "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(),
            "direction"_a = RollingDirection::forward,
@@ -288,8 +294,12 @@ void bind_patch(py::module_& module) {
           "solve",
           [](Problem& self, double friction, const py::object& creepage, Force force_x, Force force_y,
              double tolerance) {
-            const PatchRollingMotion motion{friction, creepage_from(creepage), force_x, force_y, tolerance};
-            return self.rolling.run([&](PatchRolling& rolling) { return rolling.solve(motion); });
+            PatchRollingMotion motion{friction, creepage_from(creepage), force_x, force_y, tolerance};
+            return self.rolling.run([&](PatchRolling& rolling) {
+              SignalCheck signals;
+              motion.progress = signals.progress();
+              return rolling.solve(motion);
+            });
           },
           "friction"_a, "creepage"_a, py::kw_only(), "force_x"_a = py::none(), "force_y"_a = py::none(),
           "tolerance"_a = 1e-6,

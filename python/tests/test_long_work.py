@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 import microslip
-from tests.compiled import contact, load_tests_if_compiled
+from tests.compiled import contact, load_tests_if_compiled, wheel_on_rail
 
 
 class InterruptTest(unittest.TestCase):
@@ -44,6 +44,60 @@ class InterruptTest(unittest.TestCase):
         grid = microslip.ElementGrid.across_ellipse(1, 1, 100, 100)
         field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, pn=np.ones((100, 100)))
         self.assertLess(self.interrupt(lambda: field.at(np.linspace(-1, 1, 1_000_000), 0, 0.5)), 10)
+
+
+class SignalTest(unittest.TestCase):
+    """Python's signal handlers run during a call: the third signal that is heard ends it. A call that hears none before
+    its end hears one at most, for signals do not queue."""
+
+    def expect_heard(self, work):
+        heard = []
+
+        def hear(_number, _frame):
+            heard.append(None)
+            if len(heard) == 3:
+                raise KeyboardInterrupt
+
+        before = signal.signal(signal.SIGALRM, hear)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.005, 0.005)
+            with self.assertRaises(KeyboardInterrupt):
+                work()
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual(len(heard), 3)
+
+    def grid(self, elements):
+        hertz, pair = wheel_on_rail()
+        grid = microslip.ElementGrid.across_ellipse(hertz.a, hertz.b, elements, elements, 4)
+        return hertz, pair, grid, microslip.hertzian_gap(hertz.gap, grid)
+
+    def test_hertzian_contacts(self):
+        for solver in (microslip.EllipticContactSolver(200, 200),
+                       microslip.EllipticContactSolver(100, 100, discretisation="classical")):
+            self.expect_heard(lambda: solver.solve(contact()))
+            self.expect_heard(lambda: solver.solve(contact(), motion="transient", steps=100))
+        solver = microslip.EllipticContactSolver(250, 250)
+        self.expect_heard(lambda: solver.differentiate(contact()))
+
+    def test_the_normal_problem(self):
+        _, pair, grid, gap = self.grid(500)
+        problem = microslip.NormalProblem(pair, grid)
+        self.expect_heard(lambda: problem.solve(gap, normal_force=80e3))
+
+    def test_the_tangential_problem(self):
+        hertz, pair, grid, _ = self.grid(150)
+        problem = microslip.TangentialProblem(pair, grid)
+        bound = 0.3 * hertz.pressure(grid.x[None, :], grid.y[:, None])
+        self.expect_heard(lambda: problem.solve(bound, (0.0018, 0.0006, 0.4)))
+
+    def test_patches(self):
+        _, pair, grid, gap = self.grid(500)
+        self.expect_heard(lambda: microslip.PatchRolling(pair, grid, gap, normal_force=80e3))
+        _, pair, grid, gap = self.grid(120)
+        rolling = microslip.PatchRolling(pair, grid, gap, normal_force=80e3)
+        self.expect_heard(lambda: rolling.solve(0.3, (0.0018, 0.0006, 0.4)))
 
 
 class ThreadsTest(unittest.TestCase):
@@ -83,4 +137,4 @@ class ThreadsTest(unittest.TestCase):
             self.assertEqual(shared, own)
 
 
-load_tests = load_tests_if_compiled([InterruptTest, ThreadsTest])
+load_tests = load_tests_if_compiled([InterruptTest, SignalTest, ThreadsTest])

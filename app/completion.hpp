@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// Adds `microslip completion`, which prints a script that completes the program's commands and options in a shell.
+void add_completion_command(CLI::App& program);
+
+} // namespace microslip

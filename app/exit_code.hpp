@@ -1,0 +1,23 @@
+#pragma once
+
+namespace microslip {
+
+/// How the program ends.
+struct ExitCode {
+  static constexpr int done = 0, not_met = 1, bad_input = 2;
+  static constexpr int interrupted = 130; ///< as shells report an end by Ctrl-C
+};
+
+struct ExitCodeMeaning {
+  int code;
+  const char* meaning;
+};
+
+inline constexpr ExitCodeMeaning exit_code_meanings[] = {
+    {ExitCode::done, "done"},
+    {ExitCode::not_met, "a result is not converged, a case is not run or written, or figures are not met"},
+    {ExitCode::bad_input, "bad input, or a file cannot be read or written"},
+    {ExitCode::interrupted, "interrupted by Ctrl-C; no file is left half-written"},
+};
+
+} // namespace microslip

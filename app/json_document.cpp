@@ -1,0 +1,39 @@
+#include "app/json_document.hpp"
+
+#include "app/command_line.hpp"
+#include "microslip/version.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace microslip {
+
+void add_json_flag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print one JSON document in the place of the text");
+}
+
+Json json_document(const std::string& kind) {
+  const auto build = build_info();
+  return {{"kind", kind},
+          {"version", build.version},
+          {"commit", build.commit},
+          {"compiler", build.compiler},
+          {"build_type", build.build_type},
+          {"command_line", command_line()}};
+}
+
+void print_json(const Json& document) {
+  fmt::print("{}", json_text(document));
+  std::fflush(stdout);
+}
+
+Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states) {
+  Json result = Json::object();
+  for (const auto& [name, value, at] : interior_extremes(states))
+    result[name] = {
+        {"value", json_number(value)}, {"x", points.x_of(at)}, {"y", points.y_of(at)}, {"z", points.z_of(at)}};
+  return result;
+}
+
+} // namespace microslip

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "io/json.hpp"
+#include "microslip/exact/interior_grid.hpp"
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// Adds the flag --json to a command: one JSON document on standard output in the place of what people read.
+void add_json_flag(CLI::App& command, bool& json);
+
+/// The beginning of a command's document: `kind`, this program's `version`, `commit`, `compiler` and `build_type`, and
+/// `command_line`.
+Json json_document(const std::string& kind);
+/// Prints it.
+void print_json(const Json& document);
+
+/// The extremes of the stresses at some points inside the bodies: `value` [Pa] and `x`, `y`, `z` [m] of each measure.
+Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states);
+
+} // namespace microslip

@@ -1,0 +1,78 @@
+#include "io/result_json.hpp"
+
+#include "io/result_file.hpp"
+#include "microslip/error.hpp"
+#include "microslip/version.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(ResultJson, HasGroupsUnitsAndAttributes) {
+  const TemporaryFolder folder;
+  {
+    ResultFile file(folder / "r.h5", {.kind = "test", .title = "T", .case_text = "a = 1\n"});
+    file.scalar("exact/fx", -1.25, "N", "force");
+    file.scalar("exact/limit/error", infinity, "mu Fn", "error");
+    file.text("exact/status", "ok", "how it ended");
+    file.array("curve/fx", std::vector<double>{0, 0.1, std::numeric_limits<double>::quiet_NaN()}, "N", "forces");
+    file.array("curve/count", std::vector<int>{3, -4}, "-", "counts");
+    file.append("cases/fy", std::vector<double>{2.5}, "N", "grows");
+    file.append("cases/fy", std::vector<double>{3.5}, "N", "grows");
+    file.attribute("curve", "variable", "spin");
+    file.commit();
+  }
+  const auto json = result_json(folder / "r.h5");
+  EXPECT_EQ(json.at("kind"), "test");
+  EXPECT_EQ(json.at("title"), "T");
+  EXPECT_EQ(json.at("case_text"), "a = 1\n");
+  EXPECT_EQ(json.at("version"), build_info().version);
+  EXPECT_EQ(json.at("exact"), Json::parse(R"({"fx": -1.25, "limit": {"error": "inf"}, "status": "ok"})"));
+  EXPECT_EQ(json.at("curve"), Json::parse(R"({"variable": "spin", "count": [3, -4], "fx": [0.0, 0.1, "nan"]})"));
+  EXPECT_EQ(json.at("cases").at("fy"), Json::parse("[2.5, 3.5]"));
+  EXPECT_EQ(json.at("units"), Json::parse(R"({"cases/fy": "N", "curve/count": "-", "curve/fx": "N", "exact/fx": "N",
+                                              "exact/limit/error": "mu Fn"})"));
+}
+
+TEST(ResultJson, LeavesFieldsOut) {
+  const TemporaryFolder folder;
+  {
+    ResultFile file(folder / "r.h5", {});
+    file.array("exact/fields/px", std::vector<double>{1, 2, 3, 4}, "Pa", "traction", {2, 2});
+    file.array("elements/px", std::vector<double>{1, 2}, "Pa", "traction");
+    file.array("interior/z", std::vector<double>{1, 2}, "m", "depth");
+    file.array("table", std::vector<std::uint8_t>{1, 2, 3, 4}, "-", "of two dimensions", {2, 2});
+    file.scalar("exact/fx", 1, "N", "force");
+    file.commit();
+  }
+  const auto json = result_json(folder / "r.h5");
+  EXPECT_EQ(json.at("exact"), Json::parse(R"({"fx": 1.0})"));
+  for (const auto* name : {"elements", "interior", "table"}) EXPECT_FALSE(json.contains(name)) << name;
+  EXPECT_EQ(json.at("units"), Json::parse(R"({"exact/fx": "N"})"));
+}
+
+TEST(ResultJson, RefusesWhatIsNoResultFile) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "text.h5") << "no HDF5";
+  for (const auto* name : {"text.h5", "none.h5"}) {
+    const auto path = folder / name;
+    try {
+      result_json(path);
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), path.string() + ": cannot be read as HDF5");
+    }
+  }
+}
+
+} // namespace
+} // namespace microslip
