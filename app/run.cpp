@@ -137,7 +137,8 @@ void print_interior(const ContactOutcome& outcome) {
 class Run {
 public:
   explicit Run(const RunArguments& arguments)
-      : path_(arguments.input), mat_(arguments.mat), json_(arguments.json), count_(count_cases(path_)), output_(output_path(arguments)),
+      : path_(arguments.input), mat_(arguments.mat), json_(arguments.json), count_(count_cases(path_)),
+        output_(output_path(arguments)),
         file_(output_, {.kind = "contact_run",
                         .title = path_.stem().string(),
                         .command_line = command_line(),
@@ -151,7 +152,7 @@ public:
     ContactInputReader reader(input, path_.string());
     while (const ContactCase* c = reader.next()) {
       const ContactOutcome outcome = run_.run(*c);
-      count(*c, outcome);
+      count(outcome);
       if (shows_both_) bar_.clear();
       if (json_)
         keep(*c, outcome);
@@ -168,9 +169,9 @@ public:
     std::fflush(stdout);
     if (!reader.is_complete())
       fmt::print(stderr, "microslip: warning: {}: the file ends without MODULE 0; is it complete?\n", path_.string());
-    warn(refused_.size(), "not run");
+    warn(refused_, "not run");
     warn(unsolved_, "not solved, see their status");
-    return refused_.empty() && unsolved_ == 0;
+    return refused_ == 0 && unsolved_ == 0;
   }
 
 private:
@@ -179,9 +180,8 @@ private:
     return arguments.folder / (arguments.input.stem().string() + ".h5");
   }
 
-  void count(const ContactCase& c, const ContactOutcome& outcome) {
-    if (outcome.kind == ContactOutcome::Kind::refused)
-      refused_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
+  void count(const ContactOutcome& outcome) {
+    if (outcome.kind == ContactOutcome::Kind::refused) ++refused_;
     if (outcome.kind == ContactOutcome::Kind::solved && outcome.solution.status != Status::ok) ++unsolved_;
   }
 
@@ -206,6 +206,8 @@ private:
 
   /// What the result file does not have.
   void keep(const ContactCase& c, const ContactOutcome& outcome) {
+    if (outcome.kind == ContactOutcome::Kind::refused)
+      refusals_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
     known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
     int block = 0;
     for (const auto& [points, states] : outcome.interior)
@@ -214,7 +216,7 @@ private:
 
   void print_document() const {
     auto document = result_json(output_);
-    document["cases_not_run"] = refused_;
+    document["cases_not_run"] = refusals_;
     document["cases_not_solved"] = unsolved_;
     document["interior_extremes"] = extremes_;
     document["notes"] = known_notes_;
@@ -251,9 +253,10 @@ private:
   bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
   ContactRun run_;
   std::set<std::string> known_notes_; ///< each is printed once
-  Json refused_ = Json::array(), extremes_ = Json::array();
+  std::size_t refused_ = 0, unsolved_ = 0;
+  // Of the document:
+  Json refusals_ = Json::array(), extremes_ = Json::array();
   std::vector<std::string> files_ = {output_.string()};
-  std::size_t unsolved_ = 0;
 };
 
 int run(const RunArguments& arguments) {
