@@ -181,7 +181,8 @@ std::string explain(const RollingCase& input, const RollingContactResult& result
     return "the given force is beyond what friction can carry; full sliding is shown";
   if (result.status == Status::not_converged && result.exact && result.exact->limit)
     return fmt::format("the accuracy is not reached: estimated error {:.2g}", result.exact->limit->error);
-  if (result.status == Status::not_converged && result.exact && result.exact->contact.friction_residual > friction_tolerance)
+  if (result.status == Status::not_converged && result.exact &&
+      result.exact->contact.friction_residual > friction_tolerance)
     return fmt::format("friction and slip do not go together after {} rounds: the slip changes by {:.2g} of itself",
                        result.exact->contact.friction_rounds, result.exact->contact.friction_residual);
   if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
@@ -205,7 +206,6 @@ RollingContactResult solve_with_progress(const RollingCase& input, const std::st
 void write(const SolveArguments& arguments, const RollingCase& input, const RollingContactResult& result,
            const std::string& case_text, const fs::path& file) {
   const InterruptGuard guard;
-  create_folder(arguments.folder);
   write_result(input, result,
                {.kind = "rolling_contact",
                 .title = input.title,
@@ -252,6 +252,7 @@ int solve(SolveArguments arguments) {
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
   const auto text = read_case_text(arguments.case_file);
   const auto input = parse_case(text, arguments.case_file.string());
+  create_folder(arguments.folder);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
 
   if (!arguments.json) print_tables(input, result);
@@ -273,7 +274,9 @@ int solve(SolveArguments arguments) {
 void add_solve_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("solve", "Solve a case of rolling contact: forces, fields and pictures");
   const auto arguments = std::make_shared<SolveArguments>();
-  command->add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")->required()->type_name("");
+  command->add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")
+      ->required()
+      ->type_name("");
   command
       ->add_option("-o,--output", arguments->folder,
                    "folder for result.h5 and the pictures; default: results/NAME for NAME.toml")

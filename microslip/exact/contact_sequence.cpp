@@ -19,8 +19,7 @@ bool same(const ElementGrid& a, const ElementGrid& b) {
 }
 
 bool same(const CombinedMaterial& a, const CombinedMaterial& b) {
-  return a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio &&
-         a.dissimilarity == b.dissimilarity;
+  return a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio && a.dissimilarity == b.dissimilarity;
 }
 
 bool same(const Bodies& a, const Bodies& b) {
@@ -141,8 +140,7 @@ SlipFriction slip_friction(const ContactStep& step, const TangentialState& previ
       passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, step.grid);
   }
   std::optional<FrictionHeating> heating;
-  if (!step.temperature_effect.empty())
-    heating = {step.temperature_effect, *step.thermal, step.motion.rolling_speed};
+  if (!step.temperature_effect.empty()) heating = {step.temperature_effect, *step.thermal, step.motion.rolling_speed};
   return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage), std::move(heating)};
 }
 
@@ -185,9 +183,9 @@ TangentialState state_after(const ContactStep& step, const ContactStepSolution& 
 TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from) {
   if (state.px.empty() || same(to, from)) return state;
   TangentialState result;
-  for (const auto field : {&TangentialState::px, &TangentialState::py, &TangentialState::pressure,
-                           &TangentialState::friction_drop, &TangentialState::slip_velocity,
-                           &TangentialState::plastic_deformation})
+  for (const auto field :
+       {&TangentialState::px, &TangentialState::py, &TangentialState::pressure, &TangentialState::friction_drop,
+        &TangentialState::slip_velocity, &TangentialState::plastic_deformation})
     if (!(state.*field).empty()) result.*field = moved(to, state.*field, from);
   return result;
 }
@@ -262,7 +260,8 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const F
 
 /// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. Of
 /// temperatures only the slip is left to iterate, as the law finds them with the friction that makes them. On the
-/// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is relaxed.
+/// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is
+/// relaxed.
 ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
                                                          const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 300, rounds_unrelaxed = 40;
@@ -276,6 +275,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
   Field pressure = needs_pressure ? solve_normal_part(step).pressure : Field();
   double share = 1;
   long products = 0;
+  int newton_steps = 0;
   ContactStepSolution out;
   for (int round = 1;; ++round) {
     Field friction = law.coefficients(slip, pressure), deformation;
@@ -284,8 +284,8 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
       law.limit(friction, pressure, deformation, yielding);
     }
     out = solve_with(step, friction, previous, start);
-    products += out.tangential.products;
-    out.tangential.products = products;
+    out.tangential.products = products += out.tangential.products;
+    out.tangential.newton_steps = newton_steps += out.tangential.newton_steps;
     out.friction_rounds = round;
     if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
     const Field found = slip_velocity(step, out.tangential);
