@@ -159,6 +159,10 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   if (!contact.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
   table.add("residual", contact.residual, "-",
             fmt::format("{} Newton steps, {} products", contact.newton_steps, contact.products));
+  if (contact.friction_rounds > 0)
+    table.add("last change of the slip", contact.friction_residual, "-",
+              fmt::format("{} rounds of friction, from {}", contact.friction_rounds,
+                          input.slip_start == SlipStart::above ? "full sliding" : "rest"));
   table.add("status", status);
   table.print();
 }
@@ -206,6 +210,7 @@ RollingContactResult solve_with_progress(const RollingCase& input, const std::st
 void write(const SolveArguments& arguments, const RollingCase& input, const RollingContactResult& result,
            const std::string& case_text, const fs::path& file) {
   const InterruptGuard guard;
+  create_folder(arguments.folder);
   write_result(input, result,
                {.kind = "rolling_contact",
                 .title = input.title,
@@ -252,7 +257,6 @@ int solve(SolveArguments arguments) {
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
   const auto text = read_case_text(arguments.case_file);
   const auto input = parse_case(text, arguments.case_file.string());
-  create_folder(arguments.folder);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
 
   if (!arguments.json) print_tables(input, result);

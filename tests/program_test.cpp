@@ -189,6 +189,26 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   EXPECT_NE(too_much.errors.find("beyond what friction can carry"), std::string::npos);
 }
 
+/// Falling friction may have several solutions: a result says from which start it was found.
+TEST(Program, SaysWhereFallingFrictionBegan) {
+  const TemporaryFolder folder;
+  for (const auto& [start, words] : {std::pair{"below", "from rest"}, std::pair{"above", "from full sliding"}}) {
+    auto text = contents(example);
+    const auto friction = text.find("law = \"coulomb\""), motion = text.find("[motion]");
+    text.replace(friction, motion - friction,
+                 "law = \"linear\"\nkinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1.0\n"
+                 "memory_distance = 1e-6\n");
+    text.replace(text.find("[solution]"), std::string::npos,
+                 "[solution]\ntheory = \"exact\"\ndiscretisation = \"classical\"\ngrid = [12, 12]\n" +
+                     ("slip_start = \"" + std::string(start)) + "\"\n");
+    save(folder / "c.toml", text);
+    const auto outcome = run_program(folder, "solve c.toml -o out --no-pictures");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
+    EXPECT_EQ(Hdf5Reader(folder / "out/result.h5").text("inputs/slip_start"), start);
+  }
+}
+
 TEST(Program, SolvesEveryExampleWithPictures) {
   const TemporaryFolder folder;
   for (const auto* name : {"wheel_on_rail", "two_rollers", "starting_to_roll"}) {
