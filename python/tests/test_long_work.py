@@ -15,16 +15,20 @@ class InterruptTest(unittest.TestCase):
     def interrupt(self, work):
         """Sends Ctrl-C during the work; returns the seconds from there to its end."""
         sent = []
+        begun = threading.Event()
 
         def send():
+            begun.wait()
+            time.sleep(0.2)
             sent.append(time.monotonic())
             signal.raise_signal(signal.SIGINT)
 
-        timer = threading.Timer(0.2, send)
-        timer.start()
+        thread = threading.Thread(target=send)
+        thread.start()
         with self.assertRaises(KeyboardInterrupt):
+            begun.set()
             work()
-        timer.join()
+        thread.join()
         return time.monotonic() - sent[0]
 
     def test_batches_end_early(self):
