@@ -91,11 +91,7 @@ struct Springs {
 /// Those of the case before, at the places that the particles come from.
 Springs springs_before(const ContactCase& c, const ContactStep& step, const SpringState& state) {
   if (c.digits.pvtime != 0 || c.digits.tang != 2 || state.x.empty()) return {};
-  const Vec2 way = way_of(step.motion, signed_step(step.motion, step.grid));
-  ElementGrid origin = step.grid;
-  origin.x0 += way.x;
-  origin.y0 += way.y;
-  TangentialState u = moved_to(origin, {state.x, state.y}, state.grid);
+  TangentialState u = moved_to(origin_of_particles(step), {state.x, state.y}, state.grid);
   return {std::move(u.px), std::move(u.py)};
 }
 

@@ -270,9 +270,8 @@ ThermalBody thermal_body(const std::array<double, 4>& data) {
 
 /// H > 0 and L = 6, whose sets are FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
 void set_temperatures(const ContactCase& c, ContactStep& step) {
-  if (c.digits.heat == 0 || c.digits.tang != 3) return;
-  step.thermal = {thermal_body(c.heat->body1), thermal_body(c.heat->body2)};
-  if (c.friction.law != 6) return;
+  step.thermal = thermal_bodies(c);
+  if (!step.thermal || c.friction.law != 6) return;
   for (const auto& set : c.friction.sets)
     step.temperature_effect.push_back({.change = set[2], .begin = set[1], .range = set[3]});
 }
@@ -373,6 +372,11 @@ Bodies bodies_of(const ContactCase& c) {
 Creep creep_of(const ContactCase& c, std::size_t body) {
   const auto& data = c.material->model_data; // FG1, FG2, TC1, TC2
   return {data[body], data[2 + body]};
+}
+
+std::optional<ThermalBodies> thermal_bodies(const ContactCase& c) {
+  if (c.digits.heat == 0 || c.digits.tang != 3) return {};
+  return ThermalBodies{thermal_body(c.heat->body1), thermal_body(c.heat->body2)};
 }
 
 double rolling_velocity(const ContactCase& c) {

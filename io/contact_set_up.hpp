@@ -14,6 +14,8 @@ CombinedMaterial combined_material(const ContactCase& c);
 Bodies bodies_of(const ContactCase& c);
 /// How body 1 (0) or 2 (1) of viscoelastic ones (M = 1) creeps.
 Creep creep_of(const ContactCase& c, std::size_t body);
+/// What the bodies are for heat, SI: with H > 0 in steady rolling.
+std::optional<ThermalBodies> thermal_bodies(const ContactCase& c);
 /// V [m/s], negative for rolling along -x.
 double rolling_velocity(const ContactCase& c);
 

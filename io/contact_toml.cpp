@@ -90,9 +90,9 @@ std::string layer(const ContactCase& c) {
 
 /// What body 1 (0) or 2 (1) is for heat.
 std::string thermal(const ContactCase& c, std::size_t body) {
-  const ContactStep step = contact_step(c);
-  if (!step.thermal) return "";
-  const ThermalBody& b = body == 0 ? step.thermal->body1 : step.thermal->body2;
+  const auto bodies = thermal_bodies(c);
+  if (!bodies) return "";
+  const ThermalBody& b = body == 0 ? bodies->body1 : bodies->body2;
   return line("bulk_temperature", b.bulk_temperature) + line("conductivity", b.conductivity) +
          line("density", b.density) + line("heat_capacity", b.heat_capacity);
 }

@@ -1,7 +1,6 @@
 #include "microslip/exact/contact_sequence.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/tangential_totals.hpp"
 #include "microslip/numerics/norm.hpp"
 
 #include <algorithm>
@@ -109,17 +108,7 @@ double time_of(const ContactStep& step) {
   return way / m.rolling_speed;
 }
 
-/// Where the particles of the elements were before a step.
-ElementGrid origin_of_particles(const ContactStep& step) {
-  ElementGrid origin = step.grid;
-  if (step.motion.motion != ContactMotion::transient) return origin;
-  const Vec2 way = way_of(step.motion, signed_step(step.motion, step.grid));
-  origin.x0 += way.x;
-  origin.y0 += way.y;
-  return origin;
-}
-
-/// Coefficients that they had.
+/// Coefficients that the particles of the elements had before the step.
 Field friction_before(const ContactStep& step, const TangentialState& previous) {
   Field mu = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
   if (previous.friction_drop.empty()) return mu;

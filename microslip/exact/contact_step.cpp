@@ -1,5 +1,7 @@
 #include "microslip/exact/contact_step.hpp"
 
+#include "microslip/exact/tangential_totals.hpp"
+
 #include "microslip/exact/normal_totals.hpp"
 
 #include <algorithm>
@@ -17,6 +19,15 @@ std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const
     heat.push_back(-motion.rolling_speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
   return surface_temperature(step.grid, motion.direction, motion.rolling_speed, *step.thermal,
                              solution.normal.pressure, heat);
+}
+
+ElementGrid origin_of_particles(const ContactStep& step) {
+  ElementGrid origin = step.grid;
+  if (step.motion.motion != ContactMotion::transient) return origin;
+  const Vec2 way = way_of(step.motion, signed_step(step.motion, step.grid));
+  origin.x0 += way.x;
+  origin.y0 += way.y;
+  return origin;
 }
 
 TangentialInput motion_of(const ContactStep& step) {

@@ -74,6 +74,8 @@ struct ContactStepSolution {
 /// Temperatures that go with a solution, by the heat -V p.s; none without thermal bodies or for other than steady
 /// rolling.
 std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution);
+/// The grid's elements where their particles were before the step: elsewhere in transient rolling only.
+ElementGrid origin_of_particles(const ContactStep& step);
 /// The motion of a step with its extra slip, which belongs to the step.
 TangentialInput motion_of(const ContactStep& step);
 /// The normal problem of a step as if its bodies were similar; without pressure on the elements that are excluded.

@@ -1,5 +1,7 @@
 #include "microslip/exact/coupled_newton.hpp"
 
+#include "microslip/exact/semismooth_newton.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,17 +11,14 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// As in FrictionNewton, and for the same reason.
-constexpr double most_damping = 0.05;
-
 /// Unknowns are px, py (in units of the mean friction), p_n of all elements, and then what forces determine: delta and
 /// the constants of cx, cy. What the equations make of them.
 class Iterate {
 public:
   explicit Iterate(const CoupledFrictionProblem& problem, std::span<const double> pressure)
       : problem_(problem), n_(problem.gap.size()), rho_(1 / problem.response.slip_diagonal()),
-        normal_rho_(1 / problem.response.normal_diagonal()), slip_(n_), alpha_(n_), normal_x_(n_),
-        normal_y_(n_), in_contact_(n_), under_pressure_(n_), px_(n_), py_(n_) {
+        normal_rho_(1 / problem.response.normal_diagonal()), slip_(n_), alpha_(n_), normal_x_(n_), normal_y_(n_),
+        in_contact_(n_), under_pressure_(n_), px_(n_), py_(n_) {
     double sum = 0, bound = 0;
     for (std::size_t k = 0; k < n_; ++k) {
       sum += pressure[k];
@@ -74,6 +73,9 @@ public:
     if (delta_)
       for (double& e : out[2]) e -= delta_unit_ * unknowns[*delta_];
   }
+
+  /// The linear systems have no preconditioner.
+  void precondition(std::span<double>) const {}
 
   /// The residual F; its norm.
   double evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f) const {
@@ -225,53 +227,21 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
                                              const Start& start) {
   const long products_before = problem.response.products();
   Iterate at(problem, start.pressure);
-  const std::size_t n = at.size(), m = at.responses();
-  Field x(n), response(m), f(n), right(n), step(n), growth(m), trial(n), trial_response(m), trial_f(n);
-  Field best_x, best_response;
+  Field x(at.size()), response(at.responses()), f(at.size());
   at.start(start, x, response);
-  const double goal = options.tolerance * at.scale();
-  double norm = at.evaluate(x, response, f), best = norm;
-  constexpr double roughest = 0.3; // of the linear equations' residual (Eisenstat & Walker 1996, choice 1)
-  double misfit = roughest;
-  int steps = 0;
-  bool stopped = false;
-  for (; norm > goal && steps < options.most_steps && !stopped; ++steps) {
-    at.linearise(x, response);
-    std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
-    const double damping = most_damping * at.mean_alpha() * std::min(1.0, norm / at.scale());
-    const auto product = [&](std::span<const double> v, std::span<double> out) {
-      at.respond(v, growth);
-      at.derivative(v, growth, damping, out);
-    };
-    const double least = std::min(0.8 * goal / norm, roughest);
-    const double linear =
-        gmres_.solve(product, right, step, std::clamp(misfit, least, roughest), options.most_inner).residual;
-    at.respond(step, growth);
-    double length = 1, trial_norm = norm;
-    for (int halving = 0; halving < 12; ++halving, length /= 2) {
-      for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
-      for (std::size_t k = 0; k < m; ++k) trial_response[k] = response[k] + length * growth[k];
-      trial_norm = at.evaluate(trial, trial_response, trial_f);
-      if (trial_norm < (1 - 1e-4 * length) * norm) break;
-    }
-    if (!(trial_norm < norm) && norm <= best) best = norm, best_x = x, best_response = response;
-    misfit = std::abs(trial_norm - linear) / norm;
-    std::swap(x, trial);
-    std::swap(response, trial_response);
-    std::swap(f, trial_f);
-    norm = trial_norm;
-    if (norm <= goal) { // what rounding has done to the response on the way
-      at.find_response(x, response);
-      norm = at.evaluate(x, response, f);
-    }
-    stopped = options.progress && !options.progress(norm <= goal ? 1 : 0);
+  const NewtonLimits limits{options.tolerance * at.scale(), options.most_steps, options.most_inner};
+  NewtonState state;
+  for (bool done = false; !done;) {
+    take_newton_steps(at, gmres_, limits, x, response, state);
+    if (!(state.norm <= limits.goal)) break;
+    at.find_response(x, response); // what rounding has done to it on the way
+    done = at.evaluate(x, response, f) <= limits.goal;
   }
-  if (!(norm <= best) && !best_x.empty()) norm = best, x = std::move(best_x), response = std::move(best_response);
   CoupledFrictionSolution s = at.solution(x, response);
-  s.friction.residual = at.scale() > 0 ? norm / at.scale() : 0;
-  s.friction.newton_steps = steps;
+  s.friction.residual = at.scale() > 0 ? state.norm / at.scale() : 0;
+  s.friction.newton_steps = state.steps;
   s.friction.products = problem.response.products() - products_before;
-  s.friction.status = norm <= goal ? Status::ok : Status::not_converged;
+  s.friction.status = state.norm <= limits.goal ? Status::ok : Status::not_converged;
   return s;
 }
 

@@ -36,7 +36,6 @@ class CoupledNewton {
 public:
   struct Options {
     double tolerance = 1e-6;
-    Progress progress = {}; ///< is told after each step; false ends the iteration
     int most_steps = 200;
     int most_inner = 300; ///< products in the linear solver of one step
   };

@@ -45,13 +45,6 @@ void fit_row(const ElementGrid& grid, int row, double trailing, double leading, 
   }
 }
 
-/// With columns to spare ahead and behind.
-ElementGrid with_margin(ElementGrid grid) {
-  grid.mx += 2 * margin;
-  grid.x0 -= margin * grid.dx;
-  return grid;
-}
-
 /// The integral of sqrt(1 - t^2) from -1 to t.
 double half_disk(double t) {
   const double clamped = std::clamp(t, -1.0, 1.0);
@@ -80,9 +73,10 @@ template <class Function> double integrate_row(double y0, double y1, const Funct
 } // namespace
 
 FittedContact fit_line(double a, int n, double length) {
-  FittedContact contact{with_margin(ElementGrid::across_line(a, n, 0, length)), {}, {}};
+  FittedContact contact{ElementGrid::across_line(a, n, margin, length), {}, {}};
   fit_row(contact.grid, 0, -a, a, contact.elements);
   for (const FittedElement& e : contact.elements) {
+    // Of sqrt(1 - x^2/a^2), whose integral is pi a/2.
     const double part = half_disk(e.leads ? 1 : e.right / a) - half_disk(e.trails ? -1 : e.left / a);
     contact.load_share.push_back(part * 2 / M_PI / (e.width() * length));
   }
@@ -90,8 +84,10 @@ FittedContact fit_line(double a, int n, double length) {
 }
 
 FittedContact fit_ellipse(double a, double b, int n, int m) {
-  FittedContact contact{with_margin(ElementGrid::across_ellipse(a, b, n, m, 0)), {}, {}};
-  const ElementGrid& grid = contact.grid;
+  FittedContact contact;
+  ElementGrid& grid = contact.grid = ElementGrid::across_ellipse(a, b, n, m, 0);
+  grid.mx += 2 * margin;
+  grid.x0 -= margin * grid.dx;
   for (int row = 0; row < m; ++row) {
     const double y = (2 * row + 1.0) / m - 1, edge = a * std::sqrt((1 - y) * (1 + y));
     const std::size_t first = contact.elements.size();

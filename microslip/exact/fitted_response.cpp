@@ -1,6 +1,6 @@
 #include "microslip/exact/fitted_response.hpp"
 
-#include "microslip/elasticity/influence.hpp"
+#include "microslip/exact/offset_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +29,6 @@ template <class RowOf> std::vector<std::size_t> first_indices(int rows, std::siz
   return first;
 }
 
-/// Of an element of any width in the grid's rows, of an endless strip for a line contact.
-Influence influence_of(const CombinedMaterial& material, const ElementGrid& grid, double width, double x, double y) {
-  return grid.line ? line_influence(material, width, x, grid.mx * grid.dx) : influence(material, width, grid.dy, x, y);
-}
-
 } // namespace
 
 /// The displacements that an element of the grid makes at the centres of others. xx and yy are even in both components
@@ -44,7 +39,7 @@ public:
       : mx_(grid.mx), xx(grid.count()), xy(grid.count()), yy(grid.count()) {
     for (std::size_t k = 0; k < grid.count(); ++k) {
       const auto i = static_cast<int>(k % grid.mx), j = static_cast<int>(k / grid.mx);
-      const Influence a = influence_of(material, grid, grid.dx, i * grid.dx, j * grid.dy);
+      const Influence a = element_influence(material, grid, grid.dx, i * grid.dx, j * grid.dy);
       xx[k] = a.xx, xy[k] = a.xy, yy[k] = a.yy;
     }
   }
@@ -145,7 +140,7 @@ void FittedResponse::find_corrections(const CombinedMaterial& material, const Qu
     const FittedElement& e = elements_[element];
     const double x = point_x_[point] - e.centre(), y = (point_row_[point] - e.row) * grid_.dy;
     if (std::abs(x) > near * grid_.dx) return;
-    const Influence exact = influence_of(material, grid_, e.width(), x, y), fast = by_transforms(point, element);
+    const Influence exact = element_influence(material, grid_, e.width(), x, y), fast = by_transforms(point, element);
     corrections_.push_back({static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(element), exact.xx - fast.xx,
                             exact.xy - fast.xy, exact.yy - fast.yy});
   };

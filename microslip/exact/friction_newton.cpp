@@ -1,5 +1,7 @@
 #include "microslip/exact/friction_newton.hpp"
 
+#include "microslip/exact/semismooth_newton.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,9 +10,6 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// Found by trial: with .03 and .1 all of 14,000 seeded problems converge to 1e-10; with .001, .01 and .3 one to three
-/// of them do not.
-constexpr double most_damping = 0.05;
 /// Of |F| over |g|: what rounding leaves of it on fine grids.
 constexpr double least_goal = 1e-12;
 
@@ -42,8 +41,8 @@ public:
   std::size_t elements() const { return n_; }
   double scale() const { return scale_; }
 
-  /// ds = D dp + constants, for a vector of unknowns; both in the order x, y.
-  void slip_growth(std::span<const double> unknowns, std::span<double> growth) {
+  /// The slip's growth D dp + constants, for a vector of unknowns; both in the order x, y.
+  void respond(std::span<const double> unknowns, std::span<double> growth) {
     for (std::size_t k = 0; k < n_; ++k) {
       wide_px_[elements_[k]] = unknowns[k];
       wide_py_[elements_[k]] = unknowns[n_ + k];
@@ -117,7 +116,7 @@ public:
     }
   }
 
-  /// The derivative of F times a vector whose slip_growth is `growth`. `damping` keeps the constants' steps finite
+  /// The derivative of F times a vector whose response is `growth`. `damping` keeps the constants' steps finite
   /// where everything slides: there the forces do not depend on them, and the matrix is singular.
   void derivative(std::span<const double> v, std::span<const double> growth, double damping,
                   std::span<double> out) const {
@@ -151,7 +150,7 @@ public:
     }
     for (std::size_t f = 0; f < forces_.size() && from.constants; ++f)
       unknowns[2 * n_ + f] = (forces_[f] == 0 ? from.constants->x : from.constants->y) / unit_[f];
-    slip_growth(unknowns, slip);
+    respond(unknowns, slip);
     add_constants(slip);
     if (!from.constants) choose_constants(unknowns, slip);
   }
@@ -289,64 +288,6 @@ private:
   Field wide_px_, wide_py_, wide_sx_, wide_sy_;
 };
 
-/// Of the digits that the residual has to fall by.
-double fraction_done(double first, double now, double goal) {
-  return goal > 0 && now < first ? std::min(1.0, std::log(first / now) / std::log(first / goal)) : 0;
-}
-
-/// Takes Newton steps until |F| is at most `goal`, and leaves the best iterate in x and slip; returns |F|.
-double iterate(Iterate& at, Gmres& gmres, const FrictionNewton::Options& options, double goal, Field& x, Field& slip,
-               int& steps, bool& stopped) {
-  const std::size_t n = at.size();
-  Field f(n), right(n), step(n), change(n), step_slip(slip.size()), trial(n), trial_slip(slip.size()), trial_f(n),
-      best_x, best_slip;
-  double norm = at.evaluate(x, slip, f), best_norm = norm;
-  const double first_norm = norm;
-  // How well the linear equations predicted the last step: they need not be solved better than that (Eisenstat & Walker
-  // 1996, choice 1).
-  constexpr double roughest = 0.3;
-  double misfit = roughest;
-  for (; norm > goal && steps < options.most_steps && !stopped; ++steps) {
-    at.linearise(x, slip);
-    std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
-    const double damping = most_damping * at.mean_alpha() * std::min(1.0, norm / at.scale());
-    const auto product = [&](std::span<const double> v, std::span<double> out) {
-      std::copy(v.begin(), v.end(), change.begin());
-      at.precondition(change);
-      at.slip_growth(change, step_slip);
-      at.derivative(change, step_slip, damping, out);
-    };
-    const double least = std::min(0.8 * goal / norm, roughest);
-    const double linear_norm =
-        gmres.solve(product, right, step, std::clamp(misfit, least, roughest), options.most_inner).residual;
-    at.precondition(step);
-    at.slip_growth(step, step_slip);
-
-    double length = 1, trial_norm = norm;
-    for (int halving = 0; halving < 12; ++halving, length /= 2) {
-      for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
-      for (std::size_t k = 0; k < slip.size(); ++k) trial_slip[k] = slip[k] + length * step_slip[k];
-      trial_norm = at.evaluate(trial, trial_slip, trial_f);
-      if (trial_norm < (1 - 1e-4 * length) * norm) break;
-    }
-    if (!(trial_norm < norm) && norm <= best_norm) { // a short way uphill often leads on
-      best_norm = norm;
-      best_x = x;
-      best_slip = slip;
-    }
-    misfit = std::abs(trial_norm - linear_norm) / norm;
-    std::swap(x, trial);
-    std::swap(slip, trial_slip);
-    std::swap(f, trial_f);
-    norm = trial_norm;
-    stopped = options.progress && !options.progress(fraction_done(first_norm, norm, goal));
-  }
-  if (norm <= best_norm || best_x.empty()) return norm;
-  x = std::move(best_x);
-  slip = std::move(best_slip);
-  return best_norm;
-}
-
 } // namespace
 
 FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options, const Start& start) {
@@ -361,20 +302,23 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   }
   FrictionSolution s;
   at.start(start, x, slip);
-  bool stopped = false;
-  double norm = iterate(at, gmres_, options, goal, x, slip, s.newton_steps, stopped);
-  if (!(norm <= goal) && !start.px.empty() && !stopped) { // a start may be worse than none
+  const NewtonLimits limits{goal, options.most_steps, options.most_inner, options.progress};
+  NewtonState state;
+  take_newton_steps(at, gmres_, limits, x, slip, state);
+  s.newton_steps = state.steps;
+  if (!(state.norm <= goal) && !start.px.empty() && !state.stopped) { // a start may be worse than none
     Field other_x(x.size()), other_slip(slip.size());
-    int steps = 0;
+    NewtonState other;
     at.start({}, other_x, other_slip);
-    const double other = iterate(at, gmres_, options, goal, other_x, other_slip, steps, stopped);
-    s.newton_steps += steps;
-    if (other < norm || std::isnan(norm)) norm = other, x = std::move(other_x), slip = std::move(other_slip);
+    take_newton_steps(at, gmres_, limits, other_x, other_slip, other);
+    s.newton_steps += other.steps;
+    if (other.norm < state.norm || std::isnan(state.norm))
+      state.norm = other.norm, x = std::move(other_x), slip = std::move(other_slip);
   }
   at.copy_to(s, x, slip);
-  s.residual = at.scale() > 0 ? norm / at.scale() : 0;
+  s.residual = at.scale() > 0 ? state.norm / at.scale() : 0;
   s.products = problem.response.products() - products_before;
-  s.status = norm <= goal ? Status::ok : Status::not_converged;
+  s.status = state.norm <= goal ? Status::ok : Status::not_converged;
   return s;
 }
 
@@ -400,19 +344,19 @@ FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& prob
   double fall = tolerance;
   if (start) {
     at.gather(start->px, start->py, total);
-    at.slip_growth(total, total_growth);
+    at.respond(total, total_growth);
     for (std::size_t k = 0; k < n; ++k) total_growth[k] += given[k];
     fall *= without_start / misfit();
   }
   const auto product = [&](std::span<const double> v, std::span<double> out) {
     std::copy(v.begin(), v.end(), change.begin());
     at.precondition(change);
-    at.slip_growth(change, growth);
+    at.respond(change, growth);
     at.derivative(change, growth, 0, out);
   };
   gmres_.solve(product, right, step, fall, most);
   at.precondition(step);
-  at.slip_growth(step, growth);
+  at.respond(step, growth);
   for (std::size_t k = 0; k < n; ++k) total[k] += step[k], total_growth[k] += growth[k];
   Change out;
   at.scatter(total, out.px, out.py);

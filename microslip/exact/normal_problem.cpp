@@ -26,11 +26,6 @@ double dot(const Field& a, const Field& b) {
   return sum;
 }
 
-/// Of the digits that the residual has to fall by.
-double fraction_done(double first, double now, double goal) {
-  return goal > 0 && now < first ? std::min(1.0, std::log(first / now) / std::log(first / goal)) : 0;
-}
-
 /// One solve; members are the fields of the iteration.
 class Iteration {
 public:
@@ -51,7 +46,7 @@ public:
       residual_ = find_residual();
       if (residual_ <= tolerance) return finish(k, Status::ok);
       if (k == 1) first = residual_;
-      const bool stopped = progress && !progress(fraction_done(first, residual_, tolerance));
+      const bool stopped = progress && !progress(digits_done(first, residual_, tolerance));
       if (stopped || k >= most_iterations || !step()) return finish(k, Status::not_converged);
     }
   }

@@ -9,13 +9,16 @@
 namespace microslip {
 namespace {
 
-/// The influence of an element on a point at an offset, of endless strips for a line contact.
+/// Where an endless strip's displacement is 0 [m].
+double far_of(const ElementGrid& grid) {
+  return grid.mx * grid.dx;
+}
+
+/// The influence of an element of the grid, constant or bilinear.
 Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid, double x, double y) {
-  const double far = grid.mx * grid.dx;
-  if (grid.shape == ElementShape::bilinear)
-    return grid.line ? bilinear_line_influence(material, grid.dx, x, far)
-                     : bilinear_influence(material, grid.dx, grid.dy, x, y);
-  return grid.line ? line_influence(material, grid.dx, x, far) : influence(material, grid.dx, grid.dy, x, y);
+  if (grid.shape == ElementShape::constant) return element_influence(material, grid, grid.dx, x, y);
+  return grid.line ? bilinear_line_influence(material, grid.dx, x, far_of(grid))
+                   : bilinear_influence(material, grid.dx, grid.dy, x, y);
 }
 
 /// Of an element of the length `side`, for a point at `place` from its centre: 1 within it, half on its edge.
@@ -37,7 +40,7 @@ void add_layer(double flexibility, double dx, double first, std::vector<Influenc
 /// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the average
 /// of the two places where the elastic ones are.
 Influence far_away(const Delay& delay, const RowInfluence<Influence>& influence, const ElementGrid& grid) {
-  const double far = grid.mx * grid.dx;
+  const double far = far_of(grid);
   const Influence a = delayed_row(delay, influence, grid.dx, -far, 1)[0];
   const Influence b = delayed_row(delay, influence, grid.dx, far, 1)[0];
   return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
@@ -125,6 +128,11 @@ SlipRate growth_over(double step) {
 }
 
 } // namespace
+
+Influence element_influence(const CombinedMaterial& material, const ElementGrid& grid, double width, double x,
+                            double y) {
+  return grid.line ? line_influence(material, width, x, far_of(grid)) : influence(material, width, grid.dy, x, y);
+}
 
 OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid) {
   check(grid);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/elasticity/influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/exact/element_grid.hpp"
 #include "microslip/vec2.hpp"
@@ -35,6 +36,11 @@ private:
   int mx_, my_;
   std::vector<double> values_;
 };
+
+/// The influence of a constant element of any width in a grid's rows on a point at an offset from its centre; of an
+/// endless strip for a line contact.
+Influence element_influence(const CombinedMaterial& material, const ElementGrid& grid, double width, double x,
+                            double y);
 
 /// A_zz [m/Pa]: normal displacement difference from pressure, elastically similar bodies; of endless strips for a line
 /// contact. Throws Error for a grid without elements.

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "microslip/numerics/gmres.hpp"
+#include "microslip/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+
+/// When Newton's method ends.
+struct NewtonLimits {
+  double goal; ///< of |F|
+  int most_steps;
+  int most_inner;         ///< products in the linear solver of one step
+  Progress progress = {}; ///< is told after each step; false ends the iteration
+};
+
+/// How far it has come.
+struct NewtonState {
+  double norm = 0; ///< |F|
+  int steps = 0;
+  bool stopped = false; ///< by the progress function
+};
+
+/// Takes semi-smooth Newton steps for F(x) = 0 until a limit is reached, and leaves the best iterate in `x` and
+/// `response`; steps count on from `state`. F depends on x and on a response that is affine in x and costs a product.
+/// `Problem` has size(), scale(), evaluate(x, response, f), which returns |F|, linearise(x, response), mean_alpha(),
+/// respond(v, growth), precondition(v) and derivative(v, growth, damping, out), as those in friction_newton.cpp are
+/// documented. The linear systems are solved by GMRES as well as they predicted the last step (Eisenstat & Walker 1996,
+/// choice 1); steps are halved until |F| falls.
+template <class Problem>
+void take_newton_steps(Problem& problem, Gmres& gmres, const NewtonLimits& limits, std::vector<double>& x,
+                       std::vector<double>& response, NewtonState& state) {
+  using Field = std::vector<double>;
+  /// Found by trial: with .03 and .1 all of 14,000 seeded problems converge to 1e-10; with .001, .01 and .3 one to
+  /// three of them do not.
+  constexpr double most_damping = 0.05;
+  constexpr double roughest = 0.3; // of the linear equations' residual
+  constexpr int most_halvings = 12;
+  const std::size_t n = problem.size();
+  Field f(n), right(n), step(n), change(n), growth(response.size()), trial(n), trial_response(response.size()),
+      trial_f(n), best_x, best_response;
+  double& norm = state.norm = problem.evaluate(x, response, f);
+  double best_norm = norm, misfit = roughest;
+  const double first_norm = norm;
+  for (; norm > limits.goal && state.steps < limits.most_steps && !state.stopped; ++state.steps) {
+    problem.linearise(x, response);
+    std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
+    const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
+    const auto product = [&](std::span<const double> v, std::span<double> out) {
+      std::copy(v.begin(), v.end(), change.begin());
+      problem.precondition(change);
+      problem.respond(change, growth);
+      problem.derivative(change, growth, damping, out);
+    };
+    const double least = std::min(0.8 * limits.goal / norm, roughest);
+    const double linear_norm =
+        gmres.solve(product, right, step, std::clamp(misfit, least, roughest), limits.most_inner).residual;
+    problem.precondition(step);
+    problem.respond(step, growth);
+
+    double length = 1, trial_norm = norm;
+    for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+      for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
+      for (std::size_t k = 0; k < growth.size(); ++k) trial_response[k] = response[k] + length * growth[k];
+      trial_norm = problem.evaluate(trial, trial_response, trial_f);
+      if (trial_norm < (1 - 1e-4 * length) * norm) break;
+    }
+    if (!(trial_norm < norm) && norm <= best_norm) { // a short way uphill often leads on
+      best_norm = norm;
+      best_x = x;
+      best_response = response;
+    }
+    misfit = std::abs(trial_norm - linear_norm) / norm;
+    std::swap(x, trial);
+    std::swap(response, trial_response);
+    std::swap(f, trial_f);
+    norm = trial_norm;
+    state.stopped = limits.progress && !limits.progress(digits_done(first_norm, norm, limits.goal));
+  }
+  if (norm <= best_norm || best_x.empty()) return;
+  x = std::move(best_x);
+  response = std::move(best_response);
+  norm = best_norm;
+}
+
+} // namespace microslip
