@@ -64,8 +64,10 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5")
       ->type_name("FOLDER");
   const auto field_option = [&](const char* name, std::vector<std::string>& fields, const char* what) {
-    command->add_option(name, fields, what)->expected(1)->take_all()->type_name(
-        "pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy");
+    command->add_option(name, fields, what)
+        ->expected(1)
+        ->take_all()
+        ->type_name("pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy");
   };
   field_option("--field", arguments->fields, "a field as a map; may be given again");
   field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
@@ -75,8 +77,9 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->add_option("--stresses", arguments->stresses, "stresses inside both bodies in the plane of y [mm]")
       ->expected(1)
       ->type_name("Y");
-  command->add_option("--creep-curves", arguments->spins,
-                      "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
+  command
+      ->add_option("--creep-curves", arguments->spins,
+                   "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
       ->type_name("SPINS");
   command->add_flag("--convergence", arguments->convergence, "errors of the exact theory over the number of elements");
   command->add_option("--compare", arguments->other, "another result file, side by side with this one")

@@ -138,12 +138,11 @@ class Run {
 public:
   explicit Run(const RunArguments& arguments)
       : path_(arguments.input), mat_(arguments.mat), json_(arguments.json), count_(count_cases(path_)),
-        output_(output_path(arguments)),
-        file_(output_, {.kind = "contact_run",
-                        .title = path_.stem().string(),
-                        .command_line = command_line(),
-                        .case_file = path_.string(),
-                        .case_text = short_text(path_)}),
+        output_(output_path(arguments)), file_(output_, {.kind = "contact_run",
+                                                         .title = path_.stem().string(),
+                                                         .command_line = command_line(),
+                                                         .case_file = path_.string(),
+                                                         .case_text = short_text(path_)}),
         bar_(path_.filename().string()) {}
 
   /// Returns whether all cases are solved.
@@ -270,7 +269,9 @@ void add_run_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
   const auto arguments = std::make_shared<RunArguments>();
   command->add_option("FILE.inp", arguments->input, "input file, module 3")->required()->type_name("");
-  command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")->type_name("FOLDER")->capture_default_str();
+  command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   command->add_flag(
       "--mat", arguments->mat,
       "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
@@ -279,7 +280,8 @@ void add_run_command(CLI::App& program, int& exit_code) {
       "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"
       "CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and\n"
       "the fields that digit A asks for. A case with something that is not supported is named with digit and meaning,\n"
-      "and the others run; docs/contact-input.md has the list. With --json the totals of all cases in SI units, by the\n"
+      "and the others run; docs/contact-input.md has the list. With --json the totals of all cases in SI units, by "
+      "the\n"
       "names that they have in FILE.h5. Exit code 1: some cases are not run or not solved.\n\n"
       "Example:\n  microslip run examples/sphere_on_plane.inp -o results");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

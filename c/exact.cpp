@@ -124,8 +124,9 @@ std::string reason(const microslip_contact& contact) {
   } catch (const Error& refusal) {
     return refusal.what();
   }
-  return contact.friction_law == MICROSLIP_COULOMB ? "numbers overflow on the way"
-                                                   : "friction_law: the exact theory has derivatives for Coulomb's only";
+  return contact.friction_law == MICROSLIP_COULOMB
+             ? "numbers overflow on the way"
+             : "friction_law: the exact theory has derivatives for Coulomb's only";
 }
 
 microslip_code report_status(microslip_error* error, int status, const microslip_contact& contact, bool stopped) {
@@ -167,7 +168,7 @@ microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_co
     require_struct_size("result", size, sizeof *result);
     const ExactMotion move = motion_of(motion ? read_growing("motion", motion) : default_motion());
     auto found = std::visit([&](auto& theory) { return solve_with(theory, *solver, contact_of(*contact), move); },
-                                  solver->solver);
+                            solver->solver);
     if (solver->stopped) found.forces.status = MICROSLIP_NOT_CONVERGED; // fewer steps than wanted, each converged
     write_growing("result", found, result, size);
     return report_status(error, found.forces.status, *contact, solver->stopped);

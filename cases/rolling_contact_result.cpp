@@ -147,7 +147,8 @@ void write_solution(ResultFile& file, const RollingCase& input) {
     file.text("inputs/discretisation", std::string(to_word(input.discretisation)), "of the exact theory");
     file.text("inputs/elements", std::string(to_word(input.elements)), "of the classical discretisation");
     file.scalar("inputs/tolerance", input.tolerance, "-", "relative residual at which the exact theory stops");
-    file.text("inputs/slip_start", std::string(to_word(input.slip_start)), "where friction that depends on slip begins");
+    file.text("inputs/slip_start", std::string(to_word(input.slip_start)),
+              "where friction that depends on slip begins");
     file.scalar("inputs/friction_memory_distance", input.friction_memory.distance, "m", "slip that friction remembers");
     file.scalar("inputs/friction_memory_speed", input.friction_memory.slowest, "m/s", "least speed of forgetting");
   }

@@ -118,12 +118,13 @@ void read_friction(const TomlSection& friction, RollingCase& input) {
   if (law == "polach") input.friction = read_polach(friction);
   if (has_effect(friction)) {
     const double cold = input.friction.static_coefficient(), least = input.friction.kinetic_coefficient();
-    input.temperature_effect = {.change = friction.between("thermal_change", "-", -least,
-                                                           FrictionLaw::largest_coefficient - cold),
-                                .begin = friction.finite("thermal_begin", "deg C"),
-                                .range = friction.positive("thermal_range", "K")};
+    input.temperature_effect = {
+        .change = friction.between("thermal_change", "-", -least, FrictionLaw::largest_coefficient - cold),
+        .begin = friction.finite("thermal_begin", "deg C"),
+        .range = friction.positive("thermal_range", "K")};
   }
-  if (friction.has("memory_distance")) input.friction_memory.distance = friction.between("memory_distance", "m", 0, 1e6);
+  if (friction.has("memory_distance"))
+    input.friction_memory.distance = friction.between("memory_distance", "m", 0, 1e6);
   if (friction.has("memory_speed")) input.friction_memory.slowest = friction.between("memory_speed", "m/s", 0, 1e6);
 }
 
@@ -198,7 +199,8 @@ void check_exact(const TomlSection& motion, const TomlSection& solution, Rolling
 void check_thermal(const TomlSection& root, const RollingCase& input) {
   const auto friction = root.required_section("friction"), motion = root.required_section("motion");
   const bool has1 = input.body1.thermal.has_value(), has2 = input.body2.thermal.has_value();
-  for (const auto& [name, other, alone] : {std::tuple{"body1", "body2", has1 && !has2}, {"body2", "body1", has2 && !has1}})
+  for (const auto& [name, other, alone] :
+       {std::tuple{"body1", "body2", has1 && !has2}, {"body2", "body1", has2 && !has1}})
     refuse_at(root.required_section(name), name, "bulk_temperature", alone,
               "needs the thermal data of " + std::string(other) + ", too");
   refuse_at(friction, "friction", "thermal_change", input.temperature_effect && !has1,
@@ -228,7 +230,8 @@ void check_simplified(const TomlSection& root, const RollingCase& input) {
   const auto motion = root.required_section("motion"), friction = root.required_section("friction");
   const auto solution = root.optional_section("solution");
   if (input.theory == Theory::fastrip) {
-    refuse_at(friction, "friction", "law", input.friction_law != "coulomb", "must be coulomb with solution.theory = \"fastrip\"");
+    refuse_at(friction, "friction", "law", input.friction_law != "coulomb",
+              "must be coulomb with solution.theory = \"fastrip\"");
     check_fastrip(solution, input);
   }
   for (const auto* key : {"accuracy", "elements", "coupling", "slip_start"})

@@ -33,11 +33,11 @@ struct RollingCase {
   std::optional<double> approach = {};     ///< [m]; or this
   std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
   FrictionLaw friction = {};
-  FrictionMemory friction_memory = {};      ///< of the exact theory
+  FrictionMemory friction_memory = {};                      ///< of the exact theory
   std::optional<TemperatureEffect> temperature_effect = {}; ///< of the exact theory, with thermal data of both bodies
-  Creepage creepage = {};   ///< for a shift the rigid shift [m] and rotation [rad]
-  double rolling_speed = 0; ///< [m/s]
-  ExactMotion motion = {};  ///< what is not steady rolling with given creepages needs the exact theory
+  Creepage creepage = {};                                   ///< for a shift the rigid shift [m] and rotation [rad]
+  double rolling_speed = 0;                                 ///< [m/s]
+  ExactMotion motion = {}; ///< what is not steady rolling with given creepages needs the exact theory
   Theory theory = Theory::fastsim2;
   SimplifiedOptions options = {.mx = 20, .my = 20}; ///< of the simplified theory; it shares the grid with the exact one
   Discretisation discretisation = Discretisation::second_order; ///< of the exact theory

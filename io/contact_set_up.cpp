@@ -129,7 +129,8 @@ double interpolated(const double* heights, std::size_t count, double y1, double 
 double distance(const ContactGeometry& g, double x, double y) {
   const double* v = g.values.data();
   if (g.base == 1) return quadratic_form(v, x, y);
-  if (g.base == 2) return (x - v[0]) * (x - v[0]) / (2 * v[1]) + interpolated(v + 4, g.values.size() - 4, v[2], v[3], y);
+  if (g.base == 2)
+    return (x - v[0]) * (x - v[0]) / (2 * v[1]) + interpolated(v + 4, g.values.size() - 4, v[2], v[3], y);
   return v[0] * std::sin(v[1] * (x - v[2])) - v[3] * std::sin(v[4] * (x - v[5])) + x * x / v[6] + y * y / v[7];
 }
 
@@ -289,8 +290,8 @@ double set_friction(const ContactCase& c, ContactStep& step) {
   return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
 }
 
-/// CONTACT's solvers, but for SteadyGS, correct steps that are longer than the elements, as if the edge were at the centre
-/// of the element ahead of the contact.
+/// CONTACT's solvers, but for SteadyGS, correct steps that are longer than the elements, as if the edge were at the
+/// centre of the element ahead of the contact.
 bool corrects_leading_edge(const ContactCase& c, const ContactStep& step) {
   constexpr double rounding = 1e-3;
   return !takes_element_length(c) && step.motion.step > (1 + rounding) * step.grid.dx && rolls_along_x(c) &&
@@ -337,7 +338,8 @@ void set_extra_slip(const ContactCase& c, ContactStep& step) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
       if (c.extra == 2) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead.x - c.spin_x * mm);
       if (c.extra == 3) step.extra_slip_x[k] = turn * (grid.y(j) + ahead.y - c.spin_y * mm);
-      if (c.extra == 9) step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
+      if (c.extra == 9)
+        step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
     }
 }
 

@@ -36,7 +36,8 @@ void check(const ContactCase& c) {
   const ContactDigits& d = c.digits;
   if (!c.unreadable.empty()) refuse(c.unreadable);
   for (const std::string& reason : unsupported(c)) refuse(reason);
-  if (is_simplified(c) && d.heat > 0) refuse("H = " + std::to_string(d.heat) + " (temperatures with FASTSIM or FaStrip)");
+  if (is_simplified(c) && d.heat > 0)
+    refuse("H = " + std::to_string(d.heat) + " (temperatures with FASTSIM or FaStrip)");
   if (is_simplified(c) && d.mater != 3 && d.mater != 5)
     refuse("M = " + std::to_string(d.mater) + " (a form of FASTSIM or FaStrip that case files do not have)");
   if (is_simplified(c) && is_fastrip(c) && !is_plain(c))
@@ -101,7 +102,8 @@ std::string thermal(const ContactCase& c, std::size_t body) {
 std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
   const ContactMaterial& m = *c.material;
   const auto material = [&](std::size_t body, double shear, double poisson) {
-    const std::string text = line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson) + thermal(c, body);
+    const std::string text =
+        line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson) + thermal(c, body);
     if (c.digits.mater != 1) return text; // else FG1, FG2, TC1, TC2
     return text + line("creep_ratio", m.model_data[body]) + line("creep_time", m.model_data[2 + body]);
   };

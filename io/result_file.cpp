@@ -73,8 +73,8 @@ struct ResultFile::Contents {
     check(H5Awrite(created.get(), text.get(), static_cast<const void*>(&pointer)), path);
   }
 
-  void dataset(const std::string& path, hid_t type, const Hdf5Handle& space, const void* values, const std::string& unit,
-               const std::string& description) {
+  void dataset(const std::string& path, hid_t type, const Hdf5Handle& space, const void* values,
+               const std::string& unit, const std::string& description) {
     check(space.get(), path);
     const Hdf5Handle created(
         check(H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), path),
@@ -106,7 +106,8 @@ struct ResultFile::Contents {
     constexpr hsize_t none = 0, endless = H5S_UNLIMITED, chunk = 1024;
     const auto known = arrays.find(path);
     if (known != arrays.end()) return known->second;
-    const Hdf5Handle space(H5Screate_simple(1, &none, &endless), H5Sclose), layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Hdf5Handle space(H5Screate_simple(1, &none, &endless), H5Sclose),
+        layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_chunk(layout.get(), 1, &chunk);
     const hid_t created =
         check(H5Dcreate2(file.get(), path.c_str(), type, space.get(), links.get(), layout.get(), H5P_DEFAULT), path);
@@ -123,7 +124,8 @@ struct ResultFile::Contents {
     if (values.empty()) return;
     const hsize_t begin = array.length, count = values.size(), end = begin + count;
     check(H5Dset_extent(array.dataset.get(), &end), path);
-    const Hdf5Handle all(H5Dget_space(array.dataset.get()), H5Sclose), part(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const Hdf5Handle all(H5Dget_space(array.dataset.get()), H5Sclose),
+        part(H5Screate_simple(1, &count, nullptr), H5Sclose);
     check(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr), path);
     check(H5Dwrite(array.dataset.get(), type, part.get(), all.get(), H5P_DEFAULT, values.data()), path);
     array.length = end;

@@ -1,5 +1,5 @@
-// Counts memory taken, locks, writes and exceptions of calls that must do none of it: replaces the functions by which they
-// could, and passes on to the real ones. A program includes this once.
+// Counts memory taken, locks, writes and exceptions of calls that must do none of it: replaces the functions by which
+// they could, and passes on to the real ones. A program includes this once.
 #pragma once
 
 #include <atomic>

@@ -180,10 +180,10 @@ theory = "exact")"),
 
 TEST(CaseFile, BilinearElementsNeedTheClassicalDiscretisation) {
   const std::string elements = "[solution]\nelements = \"bilinear\"\n";
-  const std::string similar = with("shear_modulus = 82e9\npoisson_ratio = 0.3", "young_modulus = 210e9\npoisson_ratio = 0.28");
+  const std::string similar =
+      with("shear_modulus = 82e9\npoisson_ratio = 0.3", "young_modulus = 210e9\npoisson_ratio = 0.28");
   EXPECT_EQ(parse_case(good, "w.toml").elements, ElementShape::constant);
-  const auto input =
-      parse_case(similar + elements + "theory = \"exact\"\ndiscretisation = \"classical\"\n", "w.toml");
+  const auto input = parse_case(similar + elements + "theory = \"exact\"\ndiscretisation = \"classical\"\n", "w.toml");
   EXPECT_EQ(exact_options(input).elements, ElementShape::bilinear);
   const auto dissimilar = parse_case(good + elements + "theory = \"exact\"\n", "w.toml"); // always classical
   EXPECT_EQ(exact_options(dissimilar).elements, ElementShape::bilinear);
@@ -219,31 +219,36 @@ TEST(CaseFile, RefusesWhatATheoryCannotDo) {
             "shift_lateral, force_lateral or rotation");
   const auto polach = with("coefficient = 0.3", "law = \"polach\"\nstatic_coefficient = 0.3\nratio = 0.4\ndecay = 0.6");
   EXPECT_EQ(parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml").discretisation, Discretisation::classical);
-  EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\"\ndiscretisation = \"second_order\""),
-            "w.toml:23: solution.discretisation: must be classical for bodies of different materials, viscoelastic ones, a "
-            "layer, falling friction and temperatures");
+  EXPECT_EQ(
+      message_of(polach + "[solution]\ntheory = \"exact\"\ndiscretisation = \"second_order\""),
+      "w.toml:23: solution.discretisation: must be classical for bodies of different materials, viscoelastic ones, a "
+      "layer, falling friction and temperatures");
   EXPECT_EQ(message_of(polach + "[solution]\ntheory = \"exact\"\naccuracy = 1e-3"),
             "w.toml:23: solution.accuracy: needs steady rolling without motion.step, of second order");
-  EXPECT_EQ(message_of(with("coefficient = 0.3", "coefficient = 0.3\nmemory_distance = 1e-6")),
-            "w.toml:16: friction.memory_distance: unknown key; must be law, coefficient, thermal_change, thermal_begin or "
-            "thermal_range");
+  EXPECT_EQ(
+      message_of(with("coefficient = 0.3", "coefficient = 0.3\nmemory_distance = 1e-6")),
+      "w.toml:16: friction.memory_distance: unknown key; must be law, coefficient, thermal_change, thermal_begin or "
+      "thermal_range");
 }
 
 TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
   const std::string creep = "poisson_ratio = 0.28\ncreep_ratio = 1.5\ncreep_time = 0.01";
-  const std::string exact = "\n[solution]\ntheory = \"exact\"\n", layer = "\n[layer]\nshear_modulus = 8e9\nthickness = 1e-5\n";
+  const std::string exact = "\n[solution]\ntheory = \"exact\"\n",
+                    layer = "\n[layer]\nshear_modulus = 8e9\nthickness = 1e-5\n";
   const RollingCase slow = parse_case(with("poisson_ratio = 0.28", creep) + exact, "w.toml");
   EXPECT_EQ(slow.body1.creep.ratio, 1.5);
   EXPECT_EQ(slow.discretisation, Discretisation::classical);
   ASSERT_EQ(bodies_of(slow).delayed.size(), 1u);
   EXPECT_DOUBLE_EQ(bodies_of(slow).delayed[0].delay.distance, 0.3);
-  EXPECT_NE(message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
-            std::string::npos);
+  EXPECT_NE(
+      message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
+      std::string::npos);
   const RollingCase layered = parse_case(with("rolling_speed = 30", "rolling_speed = 30" + layer + exact), "w.toml");
   EXPECT_DOUBLE_EQ(bodies_of(layered).layer.flexibility, 1e-5 / 8e9);
   EXPECT_FALSE(bodies_of(layered).layer.yields());
   EXPECT_EQ(layered.discretisation, Discretisation::classical);
-  EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer)).find("needs solution.theory"), std::string::npos);
+  EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer)).find("needs solution.theory"),
+            std::string::npos);
   EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer + "yield_stress = -1\n" + exact))
                 .find("layer.yield_stress = -1 [Pa]: must be positive"),
             std::string::npos);

@@ -207,8 +207,8 @@ TEST(ContactFastsim, ForcesOfCreepagesGiveTheCreepagesBack) {
     }
 }
 
-/// Every force that friction bears has its creepage, near full sliding too. FaStrip's forces jump where an element comes
-/// to adhere; what lies in a jump is missed by no more than the jump.
+/// Every force that friction bears has its creepage, near full sliding too. FaStrip's forces jump where an element
+/// comes to adhere; what lies in a jump is missed by no more than the jump.
 TEST(ContactFastsim, AnyForceWithinFrictionIsFound) {
   for (const std::string material : {"3", "5", "6", "7"})
     for (const double size : {.1, .5, .8, .9, .98})
@@ -216,8 +216,8 @@ TEST(ContactFastsim, AnyForceWithinFrictionIsFound) {
         for (const std::string phi : {"0", "2d-4"}) {
           char force[80];
           std::snprintf(force, sizeof force, "%.6f %.6f ", size * std::cos(direction), size * std::sin(direction));
-          const ContactOutcome o = solve(with(simplified({"2", "0", material}, force + phi, material < "6" ? "1. 1. 1." : ""),
-                                              "223100", "223120"));
+          const ContactOutcome o = solve(with(
+              simplified({"2", "0", material}, force + phi, material < "6" ? "1. 1. 1." : ""), "223100", "223120"));
           const bool found = o.solution.status == Status::ok;
           EXPECT_TRUE(found || material != "3") << force << phi;
           const double miss = found ? 1e-6 : 0.01;
@@ -242,7 +242,8 @@ TEST(ContactFastsim, AForceBeyondFrictionSlidesInItsDirection) {
   EXPECT_NEAR(std::hypot(o.totals.fx, o.totals.fy), 1500, 15);
   EXPECT_NEAR(o.totals.fy / o.totals.fx, -8. / 9, 1e-9);
   EXPECT_NEAR(o.totals.mz, 0, 1e-6);
-  EXPECT_NEAR(o.solution.tangential.residual, std::hypot(.9, .8) * 1500 / std::hypot(o.totals.fx, o.totals.fy) - 1, 1e-9);
+  EXPECT_NEAR(o.solution.tangential.residual, std::hypot(.9, .8) * 1500 / std::hypot(o.totals.fx, o.totals.fy) - 1,
+              1e-9);
 }
 
 /// The slip that a file adds to all elements is like a creepage; without the spin's parts, no spin.
@@ -271,8 +272,7 @@ TEST(ContactFastsim, TransientRollingBecomesSteady) {
     const std::string extra = "2.5e-5 1. 1. 1.", kinematics = ".0011 -.0007 .0004";
     const ContactTotals steady = solve(simplified({"2", "0", "2"}, kinematics, extra, chi)).totals;
     std::string text = with(simplified({"2", "0", "2"}, kinematics, extra, chi), "223100", "222100");
-    for (int k = 0; k < 24; ++k)
-      text += " 3 MODULE\n 022100\n 100200\n 0100331\n 5000. " + kinematics + "\n";
+    for (int k = 0; k < 24; ++k) text += " 3 MODULE\n 022100\n 100200\n 0100331\n 5000. " + kinematics + "\n";
     const auto cases = run_cases(text);
     ASSERT_EQ(cases.size(), 25U);
     EXPECT_GT(std::abs(cases[1].outcome.totals.fx), 1.1 * std::abs(cases[0].outcome.totals.fx));

@@ -140,8 +140,9 @@ TEST(ContactInputFile, ValuesOutOfRangeAreNamed) {
   const std::string plan = replaced(first_shift, " 1 1  ", " 1 3  ") + " -1 1 -1 1\n 2 3 3 2\n";
   expect_message(plan, "a.inp:14: PL(8) = 2: must be above PL(7)");
   const std::string hertz = replaced(replaced(first_shift, "201110", "200000"), "9.1954", "-.01");
-  expect_message(replaced(hertz, " 1                   IPOTCN\n 19 19 -1.26667 -1.26667 .13333 .13333", " -3\n 19 19 1. 1. 1.2"),
-                 "a.inp:10: PEN = -0.01: must be > 0 with Hertz's geometry, IPOTCN < 0");
+  expect_message(
+      replaced(hertz, " 1                   IPOTCN\n 19 19 -1.26667 -1.26667 .13333 .13333", " -3\n 19 19 1. 1. 1.2"),
+      "a.inp:10: PEN = -0.01: must be > 0 with Hertz's geometry, IPOTCN < 0");
   expect_message(" 7 MODULE\n", "a.inp:1: MODULE = 7: must be 0, 1 or 3");
 }
 

@@ -139,7 +139,9 @@ TEST(ContactProgram, NamesWhatIsNotRunAndRunsTheRest) {
   const auto outcome = run(folder, "a.inp -o out");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.output.find("Case 1 (line 2): not run\n  MODULE = 1 (wheel on rail)\n"), std::string::npos);
-  EXPECT_NE(outcome.output.find("not run\n  B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)\n"), std::string::npos);
+  EXPECT_NE(outcome.output.find(
+                "not run\n  B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)\n"),
+            std::string::npos);
   EXPECT_NE(outcome.output.find("Case 3 (line 16): shift"), std::string::npos) << outcome.output;
   EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: 2 of 3 cases are not run\n");
   const Hdf5Reader file(folder / "out/a.h5");

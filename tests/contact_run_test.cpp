@@ -123,7 +123,9 @@ TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
   EXPECT_EQ(cases[1].outcome.reasons, std::vector<std::string>{"C = 9 (influence coefficients from a file)"});
-  EXPECT_EQ(cases[3].outcome.reasons, std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
+  EXPECT_EQ(
+      cases[3].outcome.reasons,
+      std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
 }
 
 TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
@@ -238,7 +240,8 @@ std::string heated_sliding(const std::string& law = ".3 50. -.25 150.", const st
 }
 
 TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
-  const auto cases = run_cases(heated_sliding() + heated_sliding(".3 1d4 -.25 150.") + heated_sliding(".3 -100. -.25 100."));
+  const auto cases =
+      run_cases(heated_sliding() + heated_sliding(".3 1d4 -.25 150.") + heated_sliding(".3 -100. -.25 100."));
   for (std::size_t k = 0; k < 3; ++k) {
     ASSERT_EQ(cases.at(k).outcome.kind, Kind::solved);
     ASSERT_EQ(cases[k].outcome.solution.status, Status::ok);
@@ -261,8 +264,8 @@ TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
 
 /// A memory that is long against the contact keeps friction what it was before; a short one changes nothing.
 TEST(ContactRun, FrictionThatDependsOnTheTemperatureHasMemory) {
-  const auto cases = run_cases(heated_sliding(".3 50. -.25 150.", "1d3 0") + heated_sliding(".3 50. -.25 150.", "1d-8 0") +
-                               heated_sliding());
+  const auto cases = run_cases(heated_sliding(".3 50. -.25 150.", "1d3 0") +
+                               heated_sliding(".3 50. -.25 150.", "1d-8 0") + heated_sliding());
   EXPECT_NEAR(cases.at(0).outcome.totals.x, -1, 1e-3);
   EXPECT_NEAR(cases.at(1).outcome.totals.x, cases.at(2).outcome.totals.x, 1e-5);
 }
@@ -270,13 +273,15 @@ TEST(ContactRun, FrictionThatDependsOnTheTemperatureHasMemory) {
 TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
   const auto reason = [](const std::string& text) { return run_cases(text).at(0).outcome.reasons.at(0); };
   const std::string start = "L = 6 (friction that depends on the temperature, with";
-  const std::string cold = with(with(heated_sliding(), "3000331", "0000331"),
-                                " 20. 450. 50e-3 7.85e-6\n 20. 450. 50e-3 7.85e-6\n", "");
+  const std::string cold =
+      with(with(heated_sliding(), "3000331", "0000331"), " 20. 450. 50e-3 7.85e-6\n 20. 450. 50e-3 7.85e-6\n", "");
   EXPECT_EQ(reason(cold), start + "out H = 1 or 3)");
   EXPECT_EQ(reason(with(cold, "203100", "202100")), start + " other than steady rolling)");
-  const std::string layer = with(with(heated_sliding(), "622020", "622420"), "82000. 82000.\n", "82000. 82000.\n 8d4 .01 100. 0\n");
+  const std::string layer =
+      with(with(heated_sliding(), "622020", "622420"), "82000. 82000.\n", "82000. 82000.\n 8d4 .01 100. 0\n");
   EXPECT_EQ(reason(with(layer, " -3\n", " 1.\n -3\n")), start + " a layer that yields)");
-  const std::string fastsim = with(with(heated_sliding(), "622020", "622320"), "82000. 82000.\n", "82000. 82000.\n 1. 1. 1.\n");
+  const std::string fastsim =
+      with(with(heated_sliding(), "622020", "622320"), "82000. 82000.\n", "82000. 82000.\n 1. 1. 1.\n");
   EXPECT_EQ(reason(with(fastsim, "203100", "223100")), start + " FASTSIM or FaStrip)");
 }
 

@@ -187,14 +187,15 @@ TEST(ContactSetUp, WhatIsNotSupportedIsNamed) {
   EXPECT_EQ(reasons("45d .1 1.", "203100"),
             (std::vector<std::string>{"CHI (steady rolling, or rolling on a layer, in a direction other than 0 or 180 "
                                       "degrees; CONTACT takes 0 then)"}));
-  EXPECT_EQ(reasons("0 .1 1.", "253100"),
-            (std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"}));
+  EXPECT_EQ(
+      reasons("0 .1 1.", "253100"),
+      (std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"}));
   EXPECT_EQ(reasons("0 .1 1.", "243100"),
             (std::vector<std::string>{"B = 4 (two half ellipses, SDEC, without IPOTCN = -6 and N = 1)"}));
 }
 
-/// Of CONTACT's solvers for rolling SteadyGS takes steps of DX, and so do those for a layer; the others correct the leading
-/// edge where a step is longer.
+/// Of CONTACT's solvers for rolling SteadyGS takes steps of DX, and so do those for a layer; the others correct the
+/// leading edge where a step is longer.
 TEST(ContactSetUp, StepsOfRolling) {
   const auto step = [](const std::string& rolling, const std::string& control, const std::string& method = "0",
                        const std::string& layer = "") {

@@ -54,8 +54,8 @@ Errors mean_ratios(MarchingScheme scheme, const SimplifiedOptions& options,
   return ratios;
 }
 
-/// Order 2 for FASTSIM2 under the parabolic bound. The elliptic one, whose slope is infinite at the edges, leaves between
-/// 3/2 and 2.
+/// Order 2 for FASTSIM2 under the parabolic bound. The elliptic one, whose slope is infinite at the edges, leaves
+/// between 3/2 and 2.
 TEST(Convergence, HasTheOrderOfTheScheme) {
   struct Range {
     double low, high;

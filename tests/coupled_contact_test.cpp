@@ -63,7 +63,8 @@ DenseFields dense_fields(const ContactStep& step, const ContactStepSolution& s, 
     add_pairs(step, last, shift ? 0 : way, -1 / length, f.sx, f.sy, nullptr);
   const Creepage& c = s.tangential.creepage;
   for (std::size_t k = 0; k < n; ++k) {
-    const double x = step.grid.x(static_cast<int>(k) % step.grid.mx), y = step.grid.y(static_cast<int>(k) / step.grid.mx);
+    const double x = step.grid.x(static_cast<int>(k) % step.grid.mx),
+                 y = step.grid.y(static_cast<int>(k) / step.grid.mx);
     f.sx[k] += c.longitudinal - c.spin * y;
     f.sy[k] += c.lateral + c.spin * (x + (shift ? 0 : way / 6));
     f.gap[k] += step.gap[k] - s.normal.approach;
@@ -86,7 +87,11 @@ void expect_conditions(const ContactStep& step, const ContactStepSolution& s, co
   const bool shift = step.motion.motion == ContactMotion::shift;
   const double length = shift ? 1 : step.grid.dx;
   const Influence own = influence(step.bodies.material, step.grid.dx, step.grid.dy, 0, 0);
-  const FrictionState state{s.tangential.bound, s.tangential.tractions.px, s.tangential.tractions.py, f.sx, f.sy,
+  const FrictionState state{s.tangential.bound,
+                            s.tangential.tractions.px,
+                            s.tangential.tractions.py,
+                            f.sx,
+                            f.sy,
                             (own.xx + own.yy) / 2 / length};
   EXPECT_LT(complementarity_residual(state), 1e-6);
 }
@@ -171,7 +176,8 @@ TEST(CoupledContact, TractionsOfAFrictionalCompressionAreRadialAndHaveNoResultan
   step.grid.y0 = step.grid.x0;
   step.gap.clear();
   for (int j = 0; j < 16; ++j)
-    for (int i = 0; i < 16; ++i) step.gap.push_back(curvature * (std::pow(step.grid.x(i), 2) + std::pow(step.grid.y(j), 2)));
+    for (int i = 0; i < 16; ++i)
+      step.gap.push_back(curvature * (std::pow(step.grid.x(i), 2) + std::pow(step.grid.y(j), 2)));
   step.force_x = step.force_y = 0;
   const ContactStepSolution s = ContactSequence().solve(step);
   ASSERT_EQ(s.status, Status::ok);
@@ -197,8 +203,7 @@ TEST(CoupledContact, NoContactAndExcludedElements) {
   for (int i = 0; i < step.grid.mx; ++i) step.excluded[static_cast<std::size_t>(6 * step.grid.mx + i)] = 1;
   const ContactStepSolution s = ContactSequence().solve(step);
   ASSERT_EQ(s.status, Status::ok);
-  for (std::size_t k = 0; k < step.excluded.size(); ++k)
-    EXPECT_TRUE(!step.excluded[k] || s.normal.pressure[k] == 0);
+  for (std::size_t k = 0; k < step.excluded.size(); ++k) EXPECT_TRUE(!step.excluded[k] || s.normal.pressure[k] == 0);
   EXPECT_NEAR(s.normal.normal_force, load, 1e-7 * load);
 }
 

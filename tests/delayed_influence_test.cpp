@@ -44,7 +44,8 @@ TEST(DelayedInfluence, IsTheIntegralOverThePast) {
     for (const double length : {0.03, 0.4, -6.0}) {
       const Delay delay{1.7, length};
       for (const double first : {-2.0, -1.87}) { // on the grid, and between its points
-        const auto row = delayed_row<Influence>(delay, [y](double x) { return at(x, y); }, dx, first, 9);
+        const auto row = delayed_row<Influence>(
+            delay, [y](double x) { return at(x, y); }, dx, first, 9);
         for (const int i : {0, 4, 8}) {
           SCOPED_TRACE(testing::Message() << "y " << y << " l " << length << " point " << i);
           expect_near(row[static_cast<std::size_t>(i)], brute_force(first + i * dx, y, 1.7, length), 1e-4);
@@ -62,7 +63,8 @@ TEST(DelayedInfluence, DoesNotDependOnWhereTheRowBegins) {
 }
 
 TEST(DelayedInfluence, WithoutDelayIsTheRatioTimesTheElasticOne) {
-  const auto row = delayed_row<Influence>({0.6, 0}, [](double x) { return at(x, 0); }, dx, -1, 5);
+  const auto row = delayed_row<Influence>(
+      {0.6, 0}, [](double x) { return at(x, 0); }, dx, -1, 5);
   for (int i = 0; i < 5; ++i) {
     Influence a = at(-1 + i * dx, 0);
     for (double* part : {&a.xx, &a.xy, &a.yy, &a.zz, &a.xz, &a.yz}) *part *= 0.6;
@@ -71,8 +73,10 @@ TEST(DelayedInfluence, WithoutDelayIsTheRatioTimesTheElasticOne) {
 }
 
 TEST(DelayedInfluence, IsTheMirrorImageInTheOtherDirection) {
-  const auto forward = delayed_row<Influence>({1, 0.8}, [](double x) { return at(x, dy); }, dx, -2, 9);
-  const auto backward = delayed_row<Influence>({1, -0.8}, [](double x) { return at(x, dy); }, dx, -2, 9);
+  const auto forward = delayed_row<Influence>(
+      {1, 0.8}, [](double x) { return at(x, dy); }, dx, -2, 9);
+  const auto backward = delayed_row<Influence>(
+      {1, -0.8}, [](double x) { return at(x, dy); }, dx, -2, 9);
   for (std::size_t i = 0; i < 9; ++i) {
     Influence mirrored = backward[8 - i];
     mirrored.xy *= -1, mirrored.xz *= -1;

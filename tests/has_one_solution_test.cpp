@@ -62,8 +62,8 @@ TEST(HasOneSolution, BilinearElementsAlwaysHave) {
       for (const double elements : {0.05, 0.2, 0.55, 1.0, 3.0}) {
         SCOPED_TRACE("nu " + std::to_string(nu) + ", dx/dy " + std::to_string(ratio) + ", dq/dx " +
                      std::to_string(elements));
-        const ElementGrid grid{.mx = 6, .my = 12, .x0 = 0, .y0 = 0, .dx = ratio, .dy = 1, .line = false,
-                               .shape = ElementShape::bilinear};
+        const ElementGrid grid{
+            .mx = 6, .my = 12, .x0 = 0, .y0 = 0, .dx = ratio, .dy = 1, .line = false, .shape = ElementShape::bilinear};
         EXPECT_TRUE(has_one_solution(grid, steady(elements * grid.dx)));
         EXPECT_TRUE(is_positive_definite({1, nu, 0}, grid, elements * grid.dx));
       }

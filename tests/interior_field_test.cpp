@@ -195,15 +195,17 @@ TEST(InteriorField, BilinearElements) {
     const std::vector<InteriorState> states = layers.at_depth(depth);
     for (const int i : {0, 3}) {
       const InteriorState one = field.at({grid.x(i), grid.line ? 0 : grid.y(0), depth});
-      EXPECT_LT(difference(nine(states[static_cast<std::size_t>(i)]), nine(one), 1e6 * grid.dx / steel.shear_modulus, 1e6),
-                1e-12);
+      EXPECT_LT(
+          difference(nine(states[static_cast<std::size_t>(i)]), nine(one), 1e6 * grid.dx / steel.shear_modulus, 1e6),
+          1e-12);
     }
   }
 }
 
 // --- bodies whose deformation comes late
 
-/// The elastic displacements at a point, and the integral of those of its past by the midpoint rule in t = 1 - exp(-q/l).
+/// The elastic displacements at a point, and the integral of those of its past by the midpoint rule in t = 1 -
+/// exp(-q/l).
 InteriorState by_brute_force(const InteriorField& elastic, const InteriorPoint& p, const Delay& delay) {
   constexpr int n = 20000;
   InteriorState sum = elastic.at(p);
@@ -226,7 +228,8 @@ TEST(InteriorField, LateDisplacementsAreTheIntegralOverThePast) {
         const Delay delay = {1.6, distance};
         const InteriorField elastic(steel, body, grid, load.tractions());
         const InteriorField late(steel, body, grid, load.tractions(), delay);
-        EXPECT_LT(difference(nine(late.at(p)), nine(by_brute_force(elastic, p, delay)), 1e6 * grid.dx / 82e9, 1e6), 2e-4);
+        EXPECT_LT(difference(nine(late.at(p)), nine(by_brute_force(elastic, p, delay)), 1e6 * grid.dx / 82e9, 1e6),
+                  2e-4);
       }
 }
 
@@ -240,8 +243,11 @@ TEST(InteriorField, LateDisplacementsHaveElasticLimits) {
     return InteriorField(steel, Body::first, grid, load.tractions(), delay).at(p);
   };
   const double unit = std::abs(elastic.ux) + std::abs(elastic.uy) + std::abs(elastic.uz);
-  for (const auto& [delay, factor] :
-       {std::pair<Delay, double>{{0.8, 0}, 1.8}, {{0.8, 1e-9}, 1.8}, {{0.8, -1e-9}, 1.8}, {{0.8, 1e4}, 1}, {{0, 1}, 1}}) {
+  for (const auto& [delay, factor] : {std::pair<Delay, double>{{0.8, 0}, 1.8},
+                                      {{0.8, 1e-9}, 1.8},
+                                      {{0.8, -1e-9}, 1.8},
+                                      {{0.8, 1e4}, 1},
+                                      {{0, 1}, 1}}) {
     const InteriorState s = late(delay);
     EXPECT_NEAR(s.ux, factor * elastic.ux, 2e-5 * unit);
     EXPECT_NEAR(s.uy, factor * elastic.uy, 2e-5 * unit);
@@ -262,7 +268,9 @@ TEST(InteriorField, LayersOfLateDisplacementsAreTheSumsAtTheCentres) {
           for (int i = 0; i < layers.grid().mx; ++i) {
             const InteriorState sum = field.at({layers.grid().x(i), layers.grid().y(j), depth});
             EXPECT_LT(difference(nine(states[static_cast<std::size_t>(j) * layers.grid().mx + i]), nine(sum),
-                                 1e6 * grid.mx * grid.dx / 82e9, 1e6), 1e-8) << text(grid) << ", " << i << ", " << j;
+                                 1e6 * grid.mx * grid.dx / 82e9, 1e6),
+                      1e-8)
+                << text(grid) << ", " << i << ", " << j;
           }
       }
     }
@@ -279,8 +287,8 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
         const Load load = random_load(grid, 11);
         const Bodies bodies = viscoelastic(steel, slow, brass, creep2, velocity);
         std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
-        CoupledResponse::displacement(bodies, grid).apply({load.px, load.py, load.pn},
-                                                          std::array{std::span(ux), std::span(uy), std::span(uz)});
+        CoupledResponse::displacement(bodies, grid)
+            .apply({load.px, load.py, load.pn}, std::array{std::span(ux), std::span(uy), std::span(uz)});
         const auto of = [&](const Material& material, Body body, const Creep& creep) {
           return InteriorLayers(InteriorField(material, body, grid, load.tractions(), delay_of(creep, velocity)))
               .at_depth(0);

@@ -227,7 +227,8 @@ TEST(Program, SolvesEveryExampleWithPictures) {
 TEST(Program, PlotDrawsWhatIsAskedFor) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
-  const auto outcome = run_program(folder, "plot out/result.h5 -o p --field pressure --field px --surface slip --cut=-1.5");
+  const auto outcome =
+      run_program(folder, "plot out/result.h5 -o p --field pressure --field px --surface slip --cut=-1.5");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "p/field_pressure.png\np/field_px.png\np/surface_slip.png\np/cut.png\n");
   EXPECT_EQ(folder.entries(), (Names{"out", "out/result.h5", "p", "p/cut.png", "p/field_pressure.png", "p/field_px.png",

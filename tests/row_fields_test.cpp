@@ -215,8 +215,8 @@ double power_misfit(MarchingScheme scheme, FlexibilityModel model, int n) {
   return misfits[misfits.size() / 2];
 }
 
-/// With order 1 from FASTSIM. From FASTSIM2 with order 3/2 at least: the cell in which slip begins counts whole, an error of
-/// the cell's length in each row that has either sign and so grows with the root of the number of rows only.
+/// With order 1 from FASTSIM. From FASTSIM2 with order 3/2 at least: the cell in which slip begins counts whole, an
+/// error of the cell's length in each row that has either sign and so grows with the root of the number of rows only.
 TEST(RowFields, FrictionalPowerTendsToTheDrivingPower) {
   for (const auto model : all_flexibility_models)
     for (const auto scheme : all_schemes) {

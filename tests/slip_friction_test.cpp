@@ -20,7 +20,8 @@ const FrictionLaw law = FrictionLaw::exponential(0.1, {.drop = 0.3, .half_veloci
 
 TEST(SlipFriction, WithoutMemoryIsTheLaw) {
   const FrictionLaw laws[] = {law, FrictionLaw::coulomb(0.2)};
-  const SlipFriction friction(grid, laws, {}, {}, {.time = 1e-3, .along_rows = true, .from_high_x = true, .before = {}});
+  const SlipFriction friction(grid, laws, {}, {},
+                              {.time = 1e-3, .along_rows = true, .from_high_x = true, .before = {}});
   EXPECT_FALSE(friction.is_constant());
   const std::vector<double> v = {0, 1, 2, 4, 8, 100, 0, 1, 2, 4, 8, 100};
   const auto mu = friction.coefficients(v);
@@ -45,8 +46,9 @@ TEST(SlipFriction, RemembersAlongARow) {
 
 TEST(SlipFriction, ForgetsWithTimeEvenInAdhesion) {
   const FrictionLaw laws[] = {law};
-  const SlipFriction friction(grid, laws, {.distance = 1e-3, .slowest = 0.5}, {},
-                              {.time = 1e-3, .along_rows = false, .from_high_x = true, .before = std::vector<double>(12, 0.15)});
+  const SlipFriction friction(
+      grid, laws, {.distance = 1e-3, .slowest = 0.5}, {},
+      {.time = 1e-3, .along_rows = false, .from_high_x = true, .before = std::vector<double>(12, 0.15)});
   const double theta = 1e-3 / (1e-3 + 1e-3 * 0.5);
   for (const double mu : friction.coefficients(std::vector<double>(12, 0.0)))
     EXPECT_NEAR(mu, theta * 0.15 + (1 - theta) * 0.4, 1e-15);

@@ -141,7 +141,8 @@ TEST(SurfaceResponse, DiagonalIsWhatAnElementDoesToItself) {
     EXPECT_GT(d, 0);
   }
   const Influence self = influence(steel, grid.dx, grid.dy, 0, 0);
-  EXPECT_NEAR(TangentialResponse::displacement(steel, grid, {}, 2).diagonal(), (self.xx + self.yy) / 4, 1e-14 * self.xx);
+  EXPECT_NEAR(TangentialResponse::displacement(steel, grid, {}, 2).diagonal(), (self.xx + self.yy) / 4,
+              1e-14 * self.xx);
 }
 
 /// Betti: q.Ap = p.Aq; and the elastic energy p.Ap/2 is positive.

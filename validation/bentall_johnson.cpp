@@ -61,8 +61,9 @@ ElementGrid plane_grid(int across) {
 
 bool run_bentall_johnson(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  report.line(fmt::format("Aluminium on steel, R = 25 mm, K = {:.4f}, rolling along -x; creepage found for the force given",
-                          aluminium_on_steel.material.dissimilarity));
+  report.line(
+      fmt::format("Aluminium on steel, R = 25 mm, K = {:.4f}, rolling along -x; creepage found for the force given",
+                  aluminium_on_steel.material.dissimilarity));
   report.heading("On CONTACT's grid, 200 elements across: computed, CONTACT");
   ContactSequence sequence, in_turn, plane;
   long newton = 0, alternating = 0;
@@ -70,7 +71,8 @@ bool run_bentall_johnson(const StudyOptions& options, std::ostream& out) {
     ContactStep step = rolling(contact_grid(), c);
     const ContactStepSolution s = sequence.solve(step);
     const double creepage = s.tangential.creepage.longitudinal, peak = s.normal.peak_pressure * 1e-6;
-    report.figure(fmt::format("{}: creepage", c.name), fmt::format("{:.4e}", creepage), fmt::format("{:.3e}", c.creepage),
+    report.figure(fmt::format("{}: creepage", c.name), fmt::format("{:.4e}", creepage),
+                  fmt::format("{:.3e}", c.creepage),
                   s.status == Status::ok && std::abs(creepage - c.creepage) <= 0.6e-7);
     report.figure("  peak pressure [N/mm2]", fmt::format("{:.2f}", peak), fmt::format("{:.1f}", c.peak),
                   std::abs(peak - c.peak) <= 0.06);

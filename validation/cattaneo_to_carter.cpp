@@ -105,7 +105,8 @@ void report_edge(Report& report) {
                     corrected ? "with the leading edge's correction   " : "without the leading edge's correction",
                     coarse, fine, finest, limit(fine, 2, finest, 4)));
   }
-  const double coarse = second_order_creepage(28), fine = second_order_creepage(56), finest = second_order_creepage(112);
+  const double coarse = second_order_creepage(28), fine = second_order_creepage(56),
+               finest = second_order_creepage(112);
   report.line(fmt::format("second order                           {:.4e}  {:.4e}  {:.4e}  {:.4e}", coarse, fine, finest,
                           limit_of_second_order(fine, finest)));
 }

@@ -73,8 +73,8 @@ double rounding(const std::string& text) {
   return 0.5 * std::pow(10.0, power - decimals);
 }
 
-/// Extremes of the stresses inside the bodies that CONTACT prints for a case, one block of points after the other, in the
-/// order of interior_extremes.
+/// Extremes of the stresses inside the bodies that CONTACT prints for a case, one block of points after the other, in
+/// the order of interior_extremes.
 std::map<int, std::vector<double>> read_extremes(const std::string& name) {
   std::map<int, std::vector<double>> extremes;
   std::ifstream in(fs::path(input_folder) / (name + ".ref_out"));
@@ -143,7 +143,8 @@ std::vector<Comparison> compare(const ContactOutcome& o, const Printed& printed)
   return all;
 }
 
-/// A case of steady rolling that both discretisations can take, with part of the contact in adhesion: -Fx, -Fy over mu Fn.
+/// A case of steady rolling that both discretisations can take, with part of the contact in adhesion: -Fx, -Fy over mu
+/// Fn.
 struct SteadyCase {
   std::string name;
   EllipticContact contact;
@@ -156,31 +157,33 @@ std::optional<SteadyCase> steady_case(const std::string& name, const ContactCase
   const auto gap = gap_curvatures(c);
   const bool is_plain = c.digits.tang == 3 && c.digits.mater == 0 && c.friction.law == 0 && !c.friction.by_row &&
                         c.digits.force == 0 && c.extra == 0 && !step.bodies.are_coupled() && !step.given;
-  if (!is_plain || !gap || !(gap->y > 0) || o.solution.adhesion_elements == 0 || o.solution.slip_elements == 0) return {};
+  if (!is_plain || !gap || !(gap->y > 0) || o.solution.adhesion_elements == 0 || o.solution.slip_elements == 0)
+    return {};
   const CombinedMaterial& material = step.bodies.material;
   const HertzContact hertz = hertz_from_load(*gap, material, o.totals.fn);
   const auto across = [](double axis, double element) { return static_cast<int>(std::lround(2 * axis / element)); };
   return SteadyCase{.name = fmt::format("{}, case {}", name, c.number),
-                     .contact = {.a = hertz.a,
-                                 .b = hertz.b,
-                                 .shear_modulus = material.shear_modulus,
-                                 .poisson_ratio = material.poisson_ratio,
-                                 .normal_force = hertz.normal_force,
-                                 .friction = step.friction[0],
-                                 .creepage = step.motion.creepage,
-                                 .rolling_speed = step.motion.rolling_speed},
-                     .options = {.mx = across(hertz.a, step.grid.dx),
-                                 .my = across(hertz.b, step.grid.dy),
-                                 .direction = step.motion.direction,
-                                 .tolerance = 1e-7},
-                     .fx = o.totals.x,
-                     .fy = o.totals.y};
+                    .contact = {.a = hertz.a,
+                                .b = hertz.b,
+                                .shear_modulus = material.shear_modulus,
+                                .poisson_ratio = material.poisson_ratio,
+                                .normal_force = hertz.normal_force,
+                                .friction = step.friction[0],
+                                .creepage = step.motion.creepage,
+                                .rolling_speed = step.motion.rolling_speed},
+                    .options = {.mx = across(hertz.a, step.grid.dx),
+                                .my = across(hertz.b, step.grid.dy),
+                                .direction = step.motion.direction,
+                                .tolerance = 1e-7},
+                    .fx = o.totals.x,
+                    .fy = o.totals.y};
 }
 
 /// Which discretisation is nearer to the limit of nested grids, for the cases of rolling with adhesion and slip.
 bool compare_discretisations(Report& report, const std::vector<SteadyCase>& cases, const Progress& progress) {
   constexpr double accuracy = 2e-4;
-  report.heading("Errors of Fx, Fy in mu Fn against the limit on nested grids: elements across, classical, second order");
+  report.heading(
+      "Errors of Fx, Fy in mu Fn against the limit on nested grids: elements across, classical, second order");
   double sum_classical = 0, sum_second = 0;
   int nearer = 0;
   for (const SteadyCase& c : cases) {
@@ -190,8 +193,8 @@ bool compare_discretisations(Report& report, const std::vector<SteadyCase>& case
     const Vec2 to_classical = {c.fx - exact.forces.fx / limit, c.fy - exact.forces.fy / limit};
     const Vec2 to_second = {(second.fx - exact.forces.fx) / limit, (second.fy - exact.forces.fy) / limit};
     const double classical = std::hypot(to_classical.x, to_classical.y), own = std::hypot(to_second.x, to_second.y);
-    report.line(fmt::format("{:<26} {:>3} x {:<3}  {:>8.5f} {:>8.5f}   {:>8.5f} {:>8.5f}", c.name, c.options.mx, c.options.my,
-                            to_classical.x, to_classical.y, to_second.x, to_second.y));
+    report.line(fmt::format("{:<26} {:>3} x {:<3}  {:>8.5f} {:>8.5f}   {:>8.5f} {:>8.5f}", c.name, c.options.mx,
+                            c.options.my, to_classical.x, to_classical.y, to_second.x, to_second.y));
     sum_classical += classical * classical;
     sum_second += own * own;
     nearer += own < classical && exact.forces.status == Status::ok;
@@ -261,7 +264,8 @@ private:
       if (std::abs(value - printed) <= 0.501e-3)
         ++stresses_to_the_digit_;
       else
-        report_.figure(fmt::format("case {}, {}", number, name), fmt::format("{:.4f}", value), fmt::format("{:.3f}", printed),
+        report_.figure(fmt::format("case {}, {}", number, name), fmt::format("{:.4f}", value),
+                       fmt::format("{:.3f}", printed),
                        std::abs(value - printed) <= relative_difference * std::abs(printed) + 0.5e-3);
     }
   }

@@ -87,8 +87,9 @@ HertzContact ellipse() {
 }
 
 bool report_layer(Report& report, const Progress& progress) {
-  report.heading("A locomotive's wheel by exact theory, 48 x 44 elements, with a layer of G/h = 6.56 N/mm3 and mu = .14 + .19 "
-                 "2^(-s/(1.25 m/s)): computed, CONTACT");
+  report.heading(
+      "A locomotive's wheel by exact theory, 48 x 44 elements, with a layer of G/h = 6.56 N/mm3 and mu = .14 + .19 "
+      "2^(-s/(1.25 m/s)): computed, CONTACT");
   const HertzContact hertz = ellipse();
   ContactStep step;
   step.grid = {columns, rows, 0, 0, 2 * scale * hertz.a / columns, 2 * scale * hertz.b / rows};
@@ -121,8 +122,9 @@ constexpr std::array modified = {Point{0.001, .2721}, Point{0.002, .4388}, Point
                                  Point{0.010, .7979}, Point{0.022, .8451}, Point{0.05, .7999},  Point{0.25, .4877}};
 
 void report_modified_fastsim(Report& report) {
-  report.heading("The same by modified FASTSIM: k0 = .54, alpha = .02, beta = .62, mu = .1368 + .2232 2^(-s/(.99 m/s)), 40 x 40 "
-                 "cells: computed, CONTACT");
+  report.heading(
+      "The same by modified FASTSIM: k0 = .54, alpha = .02, beta = .62, mu = .1368 + .2232 2^(-s/(.99 m/s)), 40 x 40 "
+      "cells: computed, CONTACT");
   const HertzContact hertz = ellipse();
   Fastsim solver({.mx = 40,
                   .my = 40,

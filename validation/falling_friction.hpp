@@ -4,7 +4,8 @@
 
 namespace microslip::validation {
 
-/// The study `falling-friction`. Friction that falls with the slip: a cylinder with two branches of solutions, and creep curves of a locomotive's wheel.
+/// The study `falling-friction`. Friction that falls with the slip: a cylinder with two branches of solutions, and
+/// creep curves of a locomotive's wheel.
 bool run_falling_friction(const StudyOptions& options, std::ostream& out);
 
 } // namespace microslip::validation

@@ -346,8 +346,8 @@ std::vector<EdgeVariant> edge_variants() {
     const std::string prefix = shape == ElementShape::bilinear ? "bilinear_" : "";
     variants.push_back({prefix + "plain", "without", shape, {}});
     for (const double theta : {0.35, 0.5, 0.65, 0.8})
-      variants.push_back({prefix + fmt::format("theta_{:.0f}", 100 * theta), fmt::format("theta = {:.2f}", theta), shape,
-                          LeadingEdge{theta, {}}});
+      variants.push_back({prefix + fmt::format("theta_{:.0f}", 100 * theta), fmt::format("theta = {:.2f}", theta),
+                          shape, LeadingEdge{theta, {}}});
     variants.push_back({prefix + "true_edge", "true edge", shape, LeadingEdge{}});
   }
   return variants;
@@ -393,8 +393,8 @@ bool find_theta(Report& report, std::vector<EdgeVariant>& variants, double exact
     apart = std::max(apart, std::abs(with_tents(variants, v).force.back() - v.force.back()));
     spread_by_theta = std::max(spread_by_theta, std::abs(v.force.back() - variants.front().force.back()));
   }
-  report.figure("bilinear less constant, largest on 201, over what theta does", fmt::format("{:.2f}", apart / spread_by_theta),
-                "comparable", apart <= 0.5 * spread_by_theta);
+  report.figure("bilinear less constant, largest on 201, over what theta does",
+                fmt::format("{:.2f}", apart / spread_by_theta), "comparable", apart <= 0.5 * spread_by_theta);
   return true;
 }
 

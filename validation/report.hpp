@@ -10,7 +10,7 @@ namespace microslip::validation {
 
 /// A figure of a study as it is printed.
 struct Figure {
-  std::string section, name;   ///< `section` is the heading above it
+  std::string section, name; ///< `section` is the heading above it
   std::string computed, expected;
   std::optional<bool> met; ///< none: it is shown but not judged
   std::string remark = {}; ///< why it is not

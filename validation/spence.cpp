@@ -28,7 +28,8 @@ struct Outcome {
 
 /// Load in `stages` steps such that the contact grows by an element in each: k elements across after stage k. `ok` is
 /// false if a step fails.
-Outcome compress(int stages, int stages_of_full_load, double dx, double shift, Coupling coupling, const Progress& progress) {
+Outcome compress(int stages, int stages_of_full_load, double dx, double shift, Coupling coupling,
+                 const Progress& progress) {
   const int m = stages + 10;
   ContactStep step;
   step.grid = {m, m, -0.5 * (m - 1) * dx + shift, -0.5 * (m - 1) * dx + shift, dx, dx};
@@ -60,9 +61,10 @@ Outcome compress(int stages, int stages_of_full_load, double dx, double shift, C
 
 bool run_spence(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  report.line(fmt::format("nu = 0, G = .5 on a rigid plane, K = {:.4f}, mu = .2986, Fn = (k/45)^3 after stage k; one Newton "
-                          "system in each stage",
-                          on_rigid.material.dissimilarity));
+  report.line(
+      fmt::format("nu = 0, G = .5 on a rigid plane, K = {:.4f}, mu = .2986, Fn = (k/45)^3 after stage k; one Newton "
+                  "system in each stage",
+                  on_rigid.material.dissimilarity));
   const Outcome whole = compress(35, 45, element, contact_shift, Coupling::newton, part_of(options.progress, 0, 0.1));
   report.heading("35 stages, elements of .2 mm: computed, CONTACT");
   const auto figure = [&](const char* name, double value, double published, double half_digit, const char* format) {
@@ -73,12 +75,14 @@ bool run_spence(const StudyOptions& options, std::ostream& out) {
   figure("peak pressure [N/mm2]", whole.last.normal.peak_pressure, 2.392e-2, 0.6e-5, "{:.5f}");
   figure("elements in contact", whole.last.contact_elements, 921, 0, "{}");
   figure("in adhesion", whole.last.adhesion_elements, 225, 0, "{}");
-  const Outcome in_turn = compress(35, 45, element, contact_shift, Coupling::alternating, part_of(options.progress, 0.1, 0.3));
+  const Outcome in_turn =
+      compress(35, 45, element, contact_shift, Coupling::alternating, part_of(options.progress, 0.1, 0.3));
   report.figure("approach by the alternating process: difference",
                 fmt::format("{:.1e}", std::abs(in_turn.last.normal.approach - whole.last.normal.approach)), "<= 1e-7",
                 in_turn.ok && std::abs(in_turn.last.normal.approach - whole.last.normal.approach) <= 1e-7);
 
-  report.heading("The same load in more and more stages and elements: stages, centre pressure over Hertz's, adhesion radius");
+  report.heading(
+      "The same load in more and more stages and elements: stages, centre pressure over Hertz's, adhesion radius");
   constexpr std::array stages = {17, 35, 69};
   std::array<Outcome, stages.size()> series;
   for (std::size_t n = 0; n < stages.size(); ++n) {

@@ -15,7 +15,8 @@ namespace microslip::validation {
 namespace {
 
 constexpr Material polymer = {1143e6, 0.4}; // for quick loads
-constexpr double ratio = 1, speed = 1, curvature = 10, load_per_length = 600e3, length = 1, friction = 0.3, force = -0.6;
+constexpr double ratio = 1, speed = 1, curvature = 10, load_per_length = 600e3, length = 1, friction = 0.3,
+                 force = -0.6;
 
 /// As CONTACT prints it (its guide, section 5.4, after Wang and Knothe 1993).
 struct Case {
@@ -71,7 +72,8 @@ void report_limit(Report& report, const char* name, double time, const Material&
 
 bool run_viscoelastic_cylinders(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  report.line("nu = .4, G = 1143 N/mm2 and half of it for slow loads, R = 50 mm, 600 N/mm, mu = .3, Fx = -.6 mu Fn, V = 1 m/s");
+  report.line(
+      "nu = .4, G = 1143 N/mm2 and half of it for slow loads, R = 50 mm, 600 N/mm, mu = .3, Fx = -.6 mu Fn, V = 1 m/s");
   report.heading("CONTACT's grid, 99 x 1 elements of .16 mm x 1 m: computed, CONTACT");
   const ElementGrid grid = {99, 1, -7.92e-3, 0, 0.16e-3, length};
   for (const Case& c : cases) {
@@ -82,13 +84,15 @@ bool run_viscoelastic_cylinders(const StudyOptions& options, std::ostream& out) 
       report.figure(name, fmt::format(fmt::runtime(format), value), fmt::format(fmt::runtime(format), published),
                     s.status == Status::ok && std::abs(value - published) <= half_digit);
     };
-    figure(fmt::format("tau = {} s: peak pressure [N/mm2]", c.time), s.normal.peak_pressure * 1e-6, c.peak, 0.015, "{:.2f}");
+    figure(fmt::format("tau = {} s: peak pressure [N/mm2]", c.time), s.normal.peak_pressure * 1e-6, c.peak, 0.015,
+           "{:.2f}");
     figure("  approach [mm]", s.normal.approach * 1e3, c.approach, 5e-5, "{:.5f}");
     figure("  creepage", s.tangential.creepage.longitudinal, c.creepage, 0.6e-5, "{:.5f}");
     figure("  frictional power [W]", s.tangential.frictional_power, c.power, 0.6, "{:.1f}");
     figure("  elements in contact", s.contact_elements, c.contact, 0, "{}");
     figure("  in adhesion", s.adhesion_elements, c.adhesion, 0, "{}");
-    report.line(fmt::format("  the pressure's resultant lies {:.4f} mm ahead of the middle", 1e3 * resistance(step, s)));
+    report.line(
+        fmt::format("  the pressure's resultant lies {:.4f} mm ahead of the middle", 1e3 * resistance(step, s)));
   }
   if (options.progress && !options.progress(0.5)) return false;
   report.heading("Limits in plane strain, 200 elements across");

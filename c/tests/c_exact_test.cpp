@@ -186,7 +186,8 @@ TEST(CExact, TellsWhyAContactIsInvalid) {
   microslip_contact falling = some_contact();
   falling.friction_law = MICROSLIP_LINEAR;
   EXPECT_EQ(microslip_exact_solve(solver.get(), &falling, nullptr, &result, &error), MICROSLIP_OK) << error.text;
-  EXPECT_EQ(microslip_exact_differentiate(solver.get(), &falling, 9, jacobian, &result, &error), MICROSLIP_INVALID_INPUT);
+  EXPECT_EQ(microslip_exact_differentiate(solver.get(), &falling, 9, jacobian, &result, &error),
+            MICROSLIP_INVALID_INPUT);
   EXPECT_EQ(std::string(error.text).find("friction_law"), 0U) << error.text;
 }
 

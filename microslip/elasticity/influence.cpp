@@ -37,7 +37,7 @@ Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& 
   const double nu = material.poisson_ratio, k = material.dissimilarity;
   const double f = 1 / (std::numbers::pi * material.shear_modulus);
   return {f * (i.xx + (1 - nu) * i.yy), f * nu * i.xy, f * (i.yy + (1 - nu) * i.xx),
-          f * (1 - nu) * (i.xx + i.yy), -f * k * i.x, -f * k * i.y};
+          f * (1 - nu) * (i.xx + i.yy), -f * k * i.x,  -f * k * i.y};
 }
 
 Influence influence(const CombinedMaterial& material, double dx, double dy, double x, double y) {

@@ -9,8 +9,9 @@ namespace microslip {
 
 /// A standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau)).
 struct Creep {
-  double ratio = 0; ///< f [-], >= 0; 0 for an elastic body. G is the modulus of quick loads, G/(1 + f) that of slow ones
-  double time = 0;  ///< tau [s], >= 0; 0: the deformation grows at once
+  double ratio =
+      0;           ///< f [-], >= 0; 0 for an elastic body. G is the modulus of quick loads, G/(1 + f) that of slow ones
+  double time = 0; ///< tau [s], >= 0; 0: the deformation grows at once
 };
 
 /// Deformation that comes late in steady rolling: with the displacement u of an elastic material, f times the integral
@@ -43,8 +44,8 @@ struct Bodies {
   bool are_coupled() const;
 };
 
-/// Two standard linear solids that roll steadily with speed V [m/s], positive along +x. Throws Error for constants out of
-/// range.
+/// Two standard linear solids that roll steadily with speed V [m/s], positive along +x. Throws Error for constants out
+/// of range.
 Bodies viscoelastic(const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
                     double speed);
 

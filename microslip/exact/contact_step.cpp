@@ -17,8 +17,8 @@ std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const
   heat.reserve(step.grid.count());
   for (std::size_t k = 0; k < step.grid.count(); ++k)
     heat.push_back(-motion.rolling_speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
-  return surface_temperature(step.grid, motion.direction, motion.rolling_speed, *step.thermal,
-                             solution.normal.pressure, heat);
+  return surface_temperature(step.grid, motion.direction, motion.rolling_speed, *step.thermal, solution.normal.pressure,
+                             heat);
 }
 
 ElementGrid origin_of_particles(const ContactStep& step) {

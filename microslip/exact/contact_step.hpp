@@ -37,17 +37,17 @@ struct ContactStep {
   std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
   std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
   NormalLoad load = {};
-  std::optional<GivenPressure> given = {};          ///< in the place of gap and load
-  std::vector<FrictionLaw> friction = {};           ///< of each row of the grid; one: the same for all
-  FrictionMemory friction_memory = {};              ///< of friction that depends on the slip
-  SlipStart slip_start = SlipStart::below;          ///< where the slip of such friction begins
-  std::optional<ThermalBodies> thermal = {};        ///< bodies whose surfaces have temperatures, in steady rolling
+  std::optional<GivenPressure> given = {};   ///< in the place of gap and load
+  std::vector<FrictionLaw> friction = {};    ///< of each row of the grid; one: the same for all
+  FrictionMemory friction_memory = {};       ///< of friction that depends on the slip
+  SlipStart slip_start = SlipStart::below;   ///< where the slip of such friction begins
+  std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures, in steady rolling
   /// What these add to the friction of each row; one: the same for all; empty: nothing. Not with a layer that yields.
   std::vector<TemperatureEffect> temperature_effect = {};
-  bool frictionless = false;                        ///< the normal problem only; tractions are zero
-  StepStart start = StepStart::fresh;               ///< of shifts and transient rolling
-  bool warm_start = false;                          ///< the iteration starts from the tractions of the step before
-  TangentialInput motion = {};                      ///< but for forces, extra slip, previous and start
+  bool frictionless = false;          ///< the normal problem only; tractions are zero
+  StepStart start = StepStart::fresh; ///< of shifts and transient rolling
+  bool warm_start = false;            ///< the iteration starts from the tractions of the step before
+  TangentialInput motion = {};        ///< but for forces, extra slip, previous and start
   /// Slip of each element on top of that of the creepages; empty: none. In a shift [m], else [-].
   std::vector<double> extra_slip_x = {}, extra_slip_y = {};
   std::optional<double> force_x = {}, force_y = {}; ///< given, over Fn [-]
@@ -63,12 +63,12 @@ struct ContactStepSolution {
   double normal_force = 0; ///< Fn [N]
   int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
   Status status = Status::ok;
-  std::vector<double> friction;   ///< mu of the elements [-]; empty without tractions
-  int friction_rounds = 0;        ///< problems solved until friction that depends on the slip went with it; else 0
-  double friction_residual = 0;   ///< last change of the slip, over the slip; above friction_tolerance: not converged
+  std::vector<double> friction; ///< mu of the elements [-]; empty without tractions
+  int friction_rounds = 0;      ///< problems solved until friction that depends on the slip went with it; else 0
+  double friction_residual = 0; ///< last change of the slip, over the slip; above friction_tolerance: not converged
   std::vector<double> plastic_deformation; ///< of a layer that yields, of the elements [m]; else empty
   int plastic_elements = 0;                ///< where it yields; they do not count as slip
-  int alternations = 0; ///< with Coupling::alternating: how often both problems were solved
+  int alternations = 0;                    ///< with Coupling::alternating: how often both problems were solved
 };
 
 /// Temperatures that go with a solution, by the heat -V p.s; none without thermal bodies or for other than steady

@@ -39,8 +39,8 @@ private:
   Bodies bodies_;
   ElementGrid grid_;
   CoupledResponse displacement_;
-  NormalProblem normal_; ///< of the bodies as if they were similar and elastic
-  std::unique_ptr<TangentialProblem> tangential_; ///< with the pressure given
+  NormalProblem normal_;                           ///< of the bodies as if they were similar and elastic
+  std::unique_ptr<TangentialProblem> tangential_;  ///< with the pressure given
   std::unique_ptr<CoupledResponse> slip_response_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   double step_ = 0;

@@ -9,8 +9,8 @@
 
 namespace microslip {
 
-/// The discrete normal and tangential problem as one: find p_n and p = (px, py) with e = h - delta + u_n >= 0, p_n >= 0,
-/// p_n e = 0, |p| <= mu p_n and, with the slip s = c + D (p, p_n), p = -mu p_n s/|s| where s is not zero. The normal
+/// The discrete normal and tangential problem as one: find p_n and p = (px, py) with e = h - delta + u_n >= 0, p_n >=
+/// 0, p_n e = 0, |p| <= mu p_n and, with the slip s = c + D (p, p_n), p = -mu p_n s/|s| where s is not zero. The normal
 /// displacement u_n depends on p_n and p. Where a force is given, delta or the constant part of c is an unknown too.
 struct CoupledFrictionProblem {
   CoupledResponse& response;
@@ -23,15 +23,15 @@ struct CoupledFrictionProblem {
 };
 
 struct CoupledFrictionSolution {
-  FrictionSolution friction; ///< tractions and slip; its residual, steps, products and status are those of the whole
+  FrictionSolution friction;    ///< tractions and slip; its residual, steps, products and status are those of the whole
   std::vector<double> pressure; ///< p_n [Pa]
   double approach = 0;          ///< delta [m]
 };
 
 /// Solves for pressure and tractions at once by a semi-smooth Newton method for p_n - max(0, p_n - r e) = 0 and, as
-/// FrictionNewton, p - P_g(p - rho s) = 0 with g = mu p_n (Alart & Curnier 1991). The residual is the 2-norm of both over
-/// the elements, tractions in units of the mean friction, over that of the pressure. Cost: products with the response,
-/// each three transforms there and three back.
+/// FrictionNewton, p - P_g(p - rho s) = 0 with g = mu p_n (Alart & Curnier 1991). The residual is the 2-norm of both
+/// over the elements, tractions in units of the mean friction, over that of the pressure. Cost: products with the
+/// response, each three transforms there and three back.
 class CoupledNewton {
 public:
   struct Options {

@@ -27,8 +27,8 @@ ExactContact invalid() {
 bool is_valid(const EllipticContact& c) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   return positive(c.a) && positive(c.b) && positive(c.shear_modulus) && positive(c.normal_force) &&
-         positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 && std::isfinite(c.creepage.longitudinal) &&
-         std::isfinite(c.creepage.lateral) && std::isfinite(c.creepage.spin);
+         positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 &&
+         std::isfinite(c.creepage.longitudinal) && std::isfinite(c.creepage.lateral) && std::isfinite(c.creepage.spin);
 }
 
 bool is_valid(const ExactMotion& m) {
@@ -71,7 +71,7 @@ void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
 bool EllipticContactSolver::needs_sequence(const EllipticContact& contact) const {
   return contact.friction.kind() != FrictionLaw::Kind::coulomb || options_.thermal ||
          (options_.bodies && (options_.bodies->are_coupled() || !options_.bodies->are_elastic() ||
-                               options_.bodies->layer.flexibility > 0));
+                              options_.bodies->layer.flexibility > 0));
 }
 
 bool EllipticContactSolver::is_second_order(const EllipticContact& contact, const ExactMotion& motion) const {
@@ -211,8 +211,7 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
   step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin + wider);
   step.grid.shape = options_.elements;
-  const GapCurvatures gap =
-      hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;
+  const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;
   step.gap = hertzian_gap(gap, step.grid);
   step.load = {NormalLoad::Given::force, contact.normal_force};
   step.friction = {contact.friction};

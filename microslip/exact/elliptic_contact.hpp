@@ -27,8 +27,9 @@ struct ExactOptions {
   ElementShape elements = ElementShape::constant; ///< bilinear needs Discretisation::classical
   RollingDirection direction = RollingDirection::forward;
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
-  /// Bodies of different materials, viscoelastic ones, or with a layer between them, which are solved classically; none: similar elastic bodies with
-  /// the contact's constants. The ellipse is that of the elastic bodies without friction.
+  /// Bodies of different materials, viscoelastic ones, or with a layer between them, which are solved classically;
+  /// none: similar elastic bodies with the contact's constants. The ellipse is that of the elastic bodies without
+  /// friction.
   std::optional<Bodies> bodies = {};
   Coupling coupling = Coupling::newton;
   FrictionMemory friction_memory = {}; ///< of friction that depends on the slip, which is solved classically, too
@@ -72,9 +73,9 @@ struct ExactContact {
   double residual = 0;
   int newton_steps = 0; ///< of all steps together
   long products = 0;
-  int friction_rounds = 0;        ///< as in ContactStepSolution, of the last step; and so is the residual
+  int friction_rounds = 0; ///< as in ContactStepSolution, of the last step; and so is the residual
   double friction_residual = 0;
-  std::vector<double> friction;   ///< mu of the cells [-], if it depends on slip or temperature; else empty
+  std::vector<double> friction; ///< mu of the cells [-], if it depends on slip or temperature; else empty
   std::vector<double> temperature1, temperature2; ///< of the surfaces at the cells [deg C], with thermal bodies
   double highest_temperature = 0;                 ///< in contact
   std::vector<double> gap;        ///< deformed distance of the bodies [m]; empty at second order, see deformed_gap
@@ -88,8 +89,9 @@ struct ExactDerivatives {
   long products = 0; ///< that the derivatives took
 };
 
-/// Hertzian contacts by the exact theory: normal and tangential problem on a grid of mx x my elements across the ellipse.
-/// Influence coefficients are kept for the next contact if it has the same ellipse and material. Distinct objects may be used from distinct threads.
+/// Hertzian contacts by the exact theory: normal and tangential problem on a grid of mx x my elements across the
+/// ellipse. Influence coefficients are kept for the next contact if it has the same ellipse and material. Distinct
+/// objects may be used from distinct threads.
 class EllipticContactSolver {
 public:
   /// Throws Error if an option is out of range, or if the grid needs more memory than the machine has.
@@ -105,7 +107,8 @@ public:
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
   /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
-  /// `progress` is told of the Newton steps; false ends them, with status not_converged and derivatives that mean nothing.
+  /// `progress` is told of the Newton steps; false ends them, with status not_converged and derivatives that mean
+  /// nothing.
   ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
 
   /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal

@@ -39,8 +39,8 @@ public:
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions,
                 const Delay& delay = {});
 
-  /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near the
-  /// surface; with a delay some 100 times as much. Throws Error unless depth >= 0 and all is finite.
+  /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
+  /// the surface; with a delay some 100 times as much. Throws Error unless depth >= 0 and all is finite.
   InteriorState at(const InteriorPoint& point) const;
   /// The same at many points, which OpenMP's threads share out.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points) const;

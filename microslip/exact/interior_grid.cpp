@@ -87,8 +87,9 @@ constexpr Measure measures[] = {
 
 } // namespace
 
-std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
-                                           const SurfaceTractions& tractions, const InteriorGrid& points) {
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ElementGrid& elements, const SurfaceTractions& tractions,
+                                           const InteriorGrid& points) {
   std::optional<BodyStates> first, second;
   States all;
   for (const double z : points.z) {
@@ -100,8 +101,9 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
   return all;
 }
 
-std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2, const ExactContact& contact,
-                                           double dx, double dy, const InteriorGrid& points) {
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ExactContact& contact, double dx, double dy,
+                                           const InteriorGrid& points) {
   const ContactFields& f = contact.fields;
   const auto n = static_cast<std::size_t>(f.mx), count = f.px.size(), middle = count / n / 2 * n;
   if (count == 0) return {};

@@ -29,13 +29,15 @@ struct InteriorBody {
 
 /// Displacements and stresses at the points of a grid, x fastest, then y, then z: by InteriorLayers where there are
 /// many points below elements' centres, else by InteriorField. Errors as theirs.
-std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
-                                           const SurfaceTractions& tractions, const InteriorGrid& points);
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ElementGrid& elements, const SurfaceTractions& tractions,
+                                           const InteriorGrid& points);
 
 /// The same for what EllipticContactSolver has found on elements of the sides dx, dy [m]. A leading element of another
 /// width counts as one of the grid's with the same forces, which is felt less than an element deep only.
-std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2, const ExactContact& contact,
-                                           double dx, double dy, const InteriorGrid& points);
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ExactContact& contact, double dx, double dy,
+                                           const InteriorGrid& points);
 
 /// The largest value of a measure of stress among points, or the smallest of one that is a compression.
 struct InteriorExtreme {

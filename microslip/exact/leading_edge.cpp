@@ -36,8 +36,7 @@ std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::spa
       if (!in_contact(lead) || in_contact(lead + ahead)) continue;
       const bool has_room = lead + 2 * ahead >= 0 && lead + 2 * ahead < grid.mx;
       if (!has_room && edge.where_possible) continue;
-      if (!has_room)
-        throw Error("grid: the leading edge's correction needs two elements ahead of the contact");
+      if (!has_room) throw Error("grid: the leading edge's correction needs two elements ahead of the contact");
       const double distance = distance_to_edge(grid, edge, ahead, lead, j);
       for (int i = lead; in_contact(i); i -= ahead) {
         const double share = (distance + std::abs(i - lead) * grid.dx) / std::abs(step);

@@ -28,8 +28,8 @@ struct EnteringElement {
 
 /// The elements of contact (bound > 0) whose particles come from beyond the edge; `step` is +dq for rolling along +x,
 /// -dq for -x. (R16) with theta = 1/2 has the same extrapolation; for other theta it goes to the edge that theta means.
-/// Throws Error if the grid has not two elements ahead of the contact, unless `where_possible`, or a true edge is not ahead of a leading
-/// element's centre.
+/// Throws Error if the grid has not two elements ahead of the contact, unless `where_possible`, or a true edge is not
+/// ahead of a leading element's centre.
 std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::span<const double> bound, double step,
                                                const LeadingEdge& edge);
 

@@ -37,8 +37,8 @@ void add_layer(double flexibility, double dx, double first, std::vector<Influenc
   }
 }
 
-/// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the average
-/// of the two places where the elastic ones are.
+/// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the
+/// average of the two places where the elastic ones are.
 Influence far_away(const Delay& delay, const RowInfluence<Influence>& influence, const ElementGrid& grid) {
   const double far = far_of(grid);
   const Influence a = delayed_row(delay, influence, grid.dx, -far, 1)[0];
@@ -64,8 +64,7 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
     }
   }
   const double sheared = grid.line ? 1 : share_within(y, grid.dy);
-  if (sheared > 0 && bodies.layer.flexibility > 0)
-    add_layer(sheared * bodies.layer.flexibility, grid.dx, first, row);
+  if (sheared > 0 && bodies.layer.flexibility > 0) add_layer(sheared * bodies.layer.flexibility, grid.dx, first, row);
   return row;
 }
 

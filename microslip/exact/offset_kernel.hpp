@@ -69,8 +69,7 @@ struct CoupledKernel {
   OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
 
   /// As CoupledResponse::displacement and CoupledResponse::growth.
-  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
-                                    double length = 1);
+  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1);
   static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
 };
 

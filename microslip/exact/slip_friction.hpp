@@ -12,8 +12,8 @@
 
 namespace microslip {
 
-/// How fast the coefficient of friction follows a change of the slip velocity s: d mu/dt = -max(s, s0)/d (mu - mu_law(s))
-/// (Vollebregt & Schuttelaars 2012). Without it the law holds at once.
+/// How fast the coefficient of friction follows a change of the slip velocity s: d mu/dt = -max(s, s0)/d (mu -
+/// mu_law(s)) (Vollebregt & Schuttelaars 2012). Without it the law holds at once.
 struct FrictionMemory {
   double distance = 0; ///< d [m], >= 0; 0: no memory
   double slowest = 0;  ///< s0 [m/s], >= 0
@@ -59,7 +59,8 @@ public:
   /// the temperature's effect on top, where the temperature is that of friction with these very coefficients, slip
   /// velocities and pressures [Pa]; found element by element from the leading edge on. Cost then O(mx^2 my).
   std::vector<double> coefficients(std::span<const double> slip_velocity, std::span<const double> pressure = {}) const;
-  /// Plastic deformation [m] after slip with this velocity where the layer yields: all of it there, and nothing elsewhere.
+  /// Plastic deformation [m] after slip with this velocity where the layer yields: all of it there, and nothing
+  /// elsewhere.
   std::vector<double> plastic_deformation(std::span<const double> slip_velocity, std::span<const char> yields) const;
   /// Coefficients limited by the layer's yield stress after a deformation, and where it yields.
   void limit(std::span<double> friction, std::span<const double> pressure, std::span<const double> deformation,

@@ -25,7 +25,8 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
     if (state && !state->px.empty() && (state->px.size() != count || state->py.size() != count))
       throw Error("previous, start: must have tractions for all " + wanted + " elements");
   for (const auto extra : {input.extra_x, input.extra_y}) {
-    if (!extra.empty() && extra.size() != count) throw Error("extra slip: must have mx times my = " + wanted + " values");
+    if (!extra.empty() && extra.size() != count)
+      throw Error("extra slip: must have mx times my = " + wanted + " values");
     if (!std::all_of(extra.begin(), extra.end(), [](double s) { return std::isfinite(s); }))
       throw Error("extra slip: must be finite");
   }
@@ -107,8 +108,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   check_input(input, bound, grid_.count());
   if (!bodies_.are_elastic() && input.motion != ContactMotion::steady)
     throw Error("motion: viscoelastic bodies need steady rolling");
-  if (!bodies_.are_elastic() && input.leading_edge)
-    throw Error("leading_edge: its correction is for elastic bodies");
+  if (!bodies_.are_elastic() && input.leading_edge) throw Error("leading_edge: its correction is for elastic bodies");
   const double step = signed_step(input, grid_);
   const bool shift = input.motion == ContactMotion::shift;
   const std::size_t n = grid_.count();

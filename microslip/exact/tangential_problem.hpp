@@ -22,8 +22,8 @@ enum class ContactMotion {
 struct TangentialState {
   std::vector<double> px, py;        ///< [Pa]; empty: none
   std::vector<double> pressure = {}; ///< p_n [Pa], which counts for bodies of different materials; empty: none
-  /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity [m/s];
-  /// empty: nothing.
+  /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity
+  /// [m/s]; empty: nothing.
   std::vector<double> friction_drop = {}, slip_velocity = {};
   std::vector<double> plastic_deformation = {}; ///< of a layer [m]; empty: none
 };
@@ -38,8 +38,8 @@ struct TangentialInput {
   RollingDirection direction = RollingDirection::forward;
   /// Transient rolling: the angle from the direction along x to that of rolling, towards +y with forward [rad].
   double heading = 0;
-  std::optional<LeadingEdge> leading_edge;   ///< rolling: with its correction (R13); none: without
-  double rolling_speed = 1;                  ///< V [m/s], for the frictional power
+  std::optional<LeadingEdge> leading_edge; ///< rolling: with its correction (R13); none: without
+  double rolling_speed = 1;                ///< V [m/s], for the frictional power
   /// Slip of each element on top of the rigid slip of the creepages; empty: none. In a shift [m], else [-].
   std::span<const double> extra_x = {}, extra_y = {};
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
@@ -53,8 +53,8 @@ struct TangentialInput {
 /// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
 /// it is with bilinear elements. With constant ones it is but for steady rolling with a step below .55 dx on elements
 /// that are longer than wide (dx > dy): there the differences of displacements over a step miss what changes within an
-/// element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of .05 to .5 dx, a/b of .1 to 10 and as many elements along either
-/// axis, 98 % converge; the others end with Status::not_converged.
+/// element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of .05 to .5 dx, a/b of .1
+/// to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
 
 struct TangentialSolution {

@@ -151,13 +151,17 @@ void bind_solver(py::module_& module) {
            "'classical'\n"
            "(Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or "
            "'backward'; tolerance of\n"
-           "the relative residual [-]. elements 'constant' or, classical, 'bilinear'. material: CombinedMaterial of bodies of "
+           "the relative residual [-]. elements 'constant' or, classical, 'bilinear'. material: CombinedMaterial of "
+           "bodies of "
            "different\n"
-           "materials (classical; coupling 'newton' or 'alternating'); None: similar ones, with the contact's G and nu. Friction "
+           "materials (classical; coupling 'newton' or 'alternating'); None: similar ones, with the contact's G and "
+           "nu. Friction "
            "that falls\n"
-           "with the slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of several "
+           "with the slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of "
+           "several "
            "solutions\n"
-           "slip_start picks that from 'below' or 'above'. Error if an option is out of range or the grid needs more memory than the "
+           "slip_start picks that from 'below' or 'above'. Error if an option is out of range or the grid needs more "
+           "memory than the "
            "machine has.")
       .def("solve", &solve, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = none,
            "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,

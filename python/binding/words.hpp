@@ -50,7 +50,8 @@ template <>
 class type_caster<microslip::ContactMotion> : public microslip::python::WordCaster<microslip::ContactMotion> {};
 template <>
 class type_caster<microslip::Discretisation> : public microslip::python::WordCaster<microslip::Discretisation> {};
-template <> class type_caster<microslip::ElementShape> : public microslip::python::WordCaster<microslip::ElementShape> {};
+template <>
+class type_caster<microslip::ElementShape> : public microslip::python::WordCaster<microslip::ElementShape> {};
 template <> class type_caster<microslip::Coupling> : public microslip::python::WordCaster<microslip::Coupling> {};
 template <> class type_caster<microslip::SlipStart> : public microslip::python::WordCaster<microslip::SlipStart> {};
 template <> class type_caster<microslip::Theory> : public microslip::python::WordCaster<microslip::Theory> {};

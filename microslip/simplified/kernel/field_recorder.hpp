@@ -8,7 +8,8 @@ namespace microslip::detail {
 class FieldRecorder {
 public:
   FieldRecorder(int cells, int width)
-      : cells_(cells), width_(width), px_(std::size_t(cells) * width), py_(px_), slip_x_(px_), slip_y_(px_), sliding_(px_) {}
+      : cells_(cells), width_(width), px_(std::size_t(cells) * width), py_(px_), slip_x_(px_), slip_y_(px_),
+        sliding_(px_) {}
 
   void attach(MarchingRows& rows) {
     rows.px = px_.data();
