@@ -1,6 +1,9 @@
 // Counts memory taken, locks, writes and exceptions of calls that must do none of it: replaces the functions by which
-// they could, and passes on to the real ones. A program includes this once.
+// they could, and passes on to the real ones. The sanitizers replace the C functions themselves; with them only the C++
+// ones are counted. A program includes this once.
 #pragma once
+
+#include "tests/sanitized.hpp"
 
 #include <atomic>
 #include <cstdio>
@@ -12,15 +15,6 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
-
-// The sanitizers replace the C functions themselves; with them only the C++ ones are counted.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define MICROSLIP_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define MICROSLIP_SANITIZED
-#endif
-#endif
 
 namespace {
 

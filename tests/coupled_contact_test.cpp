@@ -58,9 +58,8 @@ DenseFields dense_fields(const ContactStep& step, const ContactStepSolution& s, 
   TangentialState p = s.tangential.tractions;
   p.pressure = s.normal.pressure;
   add_pairs(step, p, 0, 1 / length, f.sx, f.sy, &f.gap);
-  const TangentialState& last = step.motion.motion == ContactMotion::steady ? p : *before;
-  if (step.motion.motion == ContactMotion::steady || before)
-    add_pairs(step, last, shift ? 0 : way, -1 / length, f.sx, f.sy, nullptr);
+  if (step.motion.motion == ContactMotion::steady) before = &p;
+  if (before) add_pairs(step, *before, shift ? 0 : way, -1 / length, f.sx, f.sy, nullptr);
   const Creepage& c = s.tangential.creepage;
   for (std::size_t k = 0; k < n; ++k) {
     const double x = step.grid.x(static_cast<int>(k) % step.grid.mx),

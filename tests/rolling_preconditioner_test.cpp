@@ -21,42 +21,71 @@ double some_traction(std::size_t k) {
   return std::sin(1.3 * double(k)) + 0.2 * std::cos(0.1 * double(k * k % 97));
 }
 
-/// The periodic |ky| on a column by its definition, a sum over all waves; in units of 1/h.
-Field column_filter(const Field& column, double h_over_dy) {
-  const int n = fftw::good_even_size(static_cast<int>(column.size()));
-  Field out(column.size());
-  for (std::size_t to = 0; to < column.size(); ++to)
-    for (std::size_t from = 0; from < column.size(); ++from)
-      for (int wave = 0; wave < n; ++wave) {
-        const double angle = 2 * M_PI * wave / n;
-        const double size = std::min(angle, 2 * M_PI - angle) * h_over_dy;
-        out[to] += size / n * std::cos(angle * (double(to) - double(from))) * column[from];
-      }
+using Complex = std::complex<double>;
+
+/// The coefficients of size c (1 - .75 z/c)/(1 - .25 z/c) as a power series in z.
+Field series(double size, double c, int count) {
+  Field out;
+  for (int n = 0; n < count; ++n) out.push_back(size * c * (n == 0 ? 1 : -0.5 / c * std::pow(0.25 / c, n - 1)));
   return out;
 }
 
-TEST(RollingPreconditioner, SumsWavesFromTheLeadingEdgeOn) {
+/// M^-1 by its definition on a grid of columns: sums over all waves along y, and over all elements behind and ahead.
+class Definition {
+public:
+  Definition(const ElementGrid& grid, std::span<const double> p)
+      : grid_(grid), n_(fftw::good_even_size(grid.my)), waves_(static_cast<std::size_t>(grid.mx) * n_) {
+    for (int i = 0; i < grid.mx; ++i)
+      for (int wave = 0; wave < n_; ++wave)
+        for (int j = 0; j < grid.my; ++j)
+          waves_[i * n_ + wave] += p[j * grid.mx + i] / n_ * std::polar(1.0, -2 * M_PI * wave * j / n_);
+    for (int wave = 0; wave < n_; ++wave) filter(wave);
+  }
+
+  /// Without the sum along the row.
+  double at(int i, int j) const {
+    Complex sum = 0;
+    for (int wave = 0; wave < n_; ++wave) sum += waves_[i * n_ + wave] * std::polar(1.0, 2 * M_PI * wave * j / n_);
+    return sum.real();
+  }
+
+private:
+  void filter(int wave) {
+    const double h_ky = grid_.dx * 2 * M_PI / (n_ * grid_.dy) * std::min(wave, n_ - wave), c = 1 + 0.35 * h_ky;
+    const Field behind = series(0.45, c, grid_.mx), ahead = series(1 / c, c, grid_.mx);
+    std::vector<Complex> first(grid_.mx), second(grid_.mx);
+    for (int to = 0; to < grid_.mx; ++to)
+      for (int from = 0; from <= to; ++from) first[to] += behind[to - from] * waves_[from * n_ + wave];
+    for (int to = 0; to < grid_.mx; ++to)
+      for (int from = to; from < grid_.mx; ++from) second[to] += ahead[from - to] * first[from];
+    for (int i = 0; i < grid_.mx; ++i) waves_[i * n_ + wave] = second[i];
+  }
+
+  const ElementGrid& grid_;
+  int n_;
+  std::vector<Complex> waves_;
+};
+
+TEST(RollingPreconditioner, FiltersWavesAndSumsFromTheLeadingEdgeOn) {
   for (const auto& [mx, my] : {std::pair{9, 7}, {12, 20}, {1, 5}, {6, 1}}) {
     const FittedContact contact = fit_ellipse(6e-3, 4e-3, mx, my);
     const std::size_t n = contact.elements.size();
     const ElementGrid& grid = contact.grid;
-    Field px(n), py(n), qx(n), qy(n), filtered(grid.count());
+    Field px(n), py(n), qx(n), qy(n);
     for (std::size_t k = 0; k < n; ++k) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
     RollingPreconditioner preconditioner(contact);
     preconditioner.apply(px, py, qx, qy);
     for (const auto& [p, q] : {std::pair{&px, &qx}, {&py, &qy}}) {
-      for (int i = 0; i < grid.mx; ++i) {
-        Field column(static_cast<std::size_t>(grid.my), 0.0);
-        for (std::size_t k = 0; k < n; ++k)
-          if (static_cast<int>(contact.elements[k].cell % grid.mx) == i) column[contact.elements[k].row] = (*p)[k];
-        column = column_filter(column, grid.dx / grid.dy);
-        for (int j = 0; j < grid.my; ++j) filtered[static_cast<std::size_t>(j) * grid.mx + i] = column[j];
-      }
+      Field on_grid(grid.count());
+      for (std::size_t k = 0; k < n; ++k) on_grid[contact.elements[k].cell] = (*p)[k];
+      const Definition filtered(grid, on_grid);
       for (std::size_t k = 0; k < n; ++k) {
         double sum = 0;
-        for (std::size_t other = k; other < n && contact.elements[other].row == contact.elements[k].row; ++other)
-          sum += filtered[contact.elements[other].cell];
-        EXPECT_NEAR((*q)[k], sum, 1e-12 * mx * (1 + grid.dx / grid.dy)) << mx << ' ' << my << ' ' << k;
+        for (std::size_t other = k; other < n && contact.elements[other].row == contact.elements[k].row; ++other) {
+          const std::size_t cell = contact.elements[other].cell;
+          sum += filtered.at(static_cast<int>(cell % grid.mx), static_cast<int>(cell / grid.mx));
+        }
+        EXPECT_NEAR((*p)[k] + (*q)[k], sum, 1e-12 * mx * (1 + grid.dx / grid.dy)) << mx << ' ' << my << ' ' << k;
       }
     }
   }
@@ -93,7 +122,7 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
       EXPECT_NEAR(fast.py[k], plain.py[k], 1e-5 * bound[n / 2]);
     }
   }
-  EXPECT_LT(double(fast_products), 0.7 * double(plain_products));
+  EXPECT_LT(double(fast_products), 0.5 * double(plain_products));
 }
 
 } // namespace

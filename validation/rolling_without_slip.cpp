@@ -44,7 +44,7 @@ public:
       // A line with the normal w on the disk has the direction (-a d, b c) on the ellipse.
       const double rho2 = a * a * d * d + b * b * c * c, scale = a * b / (pi * std::sqrt(rho2) * samples);
       for (int m = 0; m <= harmonics; ++m) {
-        const Complex wave = std::polar(scale, -2 * pi * (m * s % samples) / samples);
+        const Complex wave = scale * std::polar(1.0, -2 * pi * (m * s % samples) / samples);
         xx_[m] += wave * (1 - nu + nu * a * a * d * d / rho2);
         xy_[m] -= wave * (nu * a * b * d * c / rho2);
         yy_[m] += wave * (1 - nu + nu * b * b * c * c / rho2);
@@ -73,7 +73,7 @@ Vector harmonics_of(int n, const std::vector<Ridge>& field) {
   Vector side(2 * (n + 1));
   for (const Ridge& r : field)
     for (int k = 0; k <= n; ++k)
-      side[r.component * (n + 1) + k] += std::polar(r.share / pi, -(2 * k - n) * r.direction);
+      side[r.component * (n + 1) + k] += r.share / pi * std::polar(1.0, -(2 * k - n) * r.direction);
   return side;
 }
 

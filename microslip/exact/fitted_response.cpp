@@ -21,14 +21,6 @@ template <class Weights> void interpolate(double t, int count, Weights& weights)
   }
 }
 
-/// Where each row begins in a list ordered by rows, and the list's end.
-template <class RowOf> std::vector<std::size_t> first_indices(int rows, std::size_t count, const RowOf& row_of) {
-  std::vector<std::size_t> first(rows + 1, count);
-  for (std::size_t k = count; k-- > 0;) first[row_of(k)] = k;
-  for (int j = rows; j-- > 0;) first[j] = std::min(first[j], first[j + 1]);
-  return first;
-}
-
 } // namespace
 
 /// The displacements that an element of the grid makes at the centres of others. xx and yy are even in both components
@@ -105,13 +97,11 @@ void FittedResponse::find_moments() {
   }
 }
 
-/// The difference between what an element does to a point and what the transforms make of it.
+/// The difference between what an element does to a point and what the transforms make of it: for a point that is none
+/// of the grid's from all elements nearby, for the grid's points from the fitted elements nearby.
 void FittedResponse::find_corrections(const CombinedMaterial& material, const QuarterKernel& kernel) {
   std::vector<std::size_t> moments_of(elements_.size(), regular);
   for (std::size_t i = 0; i < moments_.size(); ++i) moments_of[moments_[i].element] = i;
-  const auto first_of_row = first_indices(grid_.my, elements_.size(), [&](std::size_t k) { return elements_[k].row; });
-  const auto first_moments_of_row =
-      first_indices(grid_.my, moments_.size(), [&](std::size_t i) { return elements_[moments_[i].element].row; });
 
   const auto by_transforms = [&](std::size_t point, std::size_t element) {
     Influence sum{};
@@ -136,31 +126,81 @@ void FittedResponse::find_corrections(const CombinedMaterial& material, const Qu
     }
     return sum;
   };
-  const auto correct = [&](std::size_t point, std::size_t element) {
+  const auto correct = [&](Corrections& by, std::size_t point, std::size_t element) {
     const FittedElement& e = elements_[element];
     const double x = point_x_[point] - e.centre(), y = (point_row_[point] - e.row) * grid_.dy;
-    if (std::abs(x) > near * grid_.dx) return;
     const Influence exact = element_influence(material, grid_, e.width(), x, y), fast = by_transforms(point, element);
-    corrections_.push_back({static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(element), exact.xx - fast.xx,
-                            exact.xy - fast.xy, exact.yy - fast.yy});
+    by.xx.push_back(exact.xx - fast.xx);
+    by.xy.push_back(exact.xy - fast.xy);
+    by.yy.push_back(exact.yy - fast.yy);
   };
-  // On a regular point the fitted elements nearby, on another one all elements nearby.
   const int rows = static_cast<int>(std::min(near * grid_.dx / grid_.dy + 1, double(grid_.my)));
+  const auto first_of_row = first_elements();
+  /// Calls `add` with the elements of each row nearby whose centres are near x.
+  const auto each_row = [&](int row, double x, const auto& add) {
+    for (int other = std::max(row - rows, 0); other < std::min(row + rows + 1, grid_.my); ++other) {
+      const auto end = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[other + 1]);
+      auto from = std::partition_point(elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[other]), end,
+                                       [&](const auto& e) { return e.centre() < x - near * grid_.dx; });
+      const auto to = std::partition_point(from, end, [&](const auto& e) { return e.centre() <= x + near * grid_.dx; });
+      if (from != to) add(from - elements_.begin(), to - elements_.begin());
+    }
+  };
   for (std::size_t point = 0; point < point_x_.size(); ++point) {
-    const int low = std::max(point_row_[point] - rows, 0), high = std::min(point_row_[point] + rows + 1, grid_.my);
-    if (stencil_of_[point] == regular) {
-      for (std::size_t i = first_moments_of_row[low]; i < first_moments_of_row[high]; ++i)
-        correct(point, moments_[i].element);
-      continue;
+    if (stencil_of_[point] == regular) continue;
+    each_row(point_row_[point], point_x_[point], [&](std::size_t from, std::size_t to) {
+      at_points_.runs.push_back({point, from, to - from});
+      for (std::size_t element = from; element < to; ++element) correct(at_points_, point, element);
+    });
+  }
+  for (const Moments& m : moments_) {
+    const FittedElement& e = elements_[m.element];
+    each_row(e.row, e.centre(), [&](std::size_t from, std::size_t to) {
+      for (std::size_t point = from; point < to; ++point) {
+        if (stencil_of_[point] != regular) continue;
+        if (point == from || stencil_of_[point - 1] != regular) of_elements_.runs.push_back({point, m.element, 0});
+        ++of_elements_.runs.back().count;
+        correct(of_elements_, point, m.element);
+      }
+    });
+  }
+}
+
+/// Of each row, and behind them the number of all.
+std::vector<std::size_t> FittedResponse::first_elements() const {
+  std::vector<std::size_t> first(grid_.my + 1, elements_.size());
+  for (std::size_t k = elements_.size(); k-- > 0;) first[elements_[k].row] = k;
+  for (int j = grid_.my; j-- > 0;) first[j] = std::min(first[j], first[j + 1]);
+  return first;
+}
+
+/// Adds the corrections to the displacements.
+void FittedResponse::correct(std::span<const double> px, std::span<const double> py) {
+  std::size_t at = 0;
+  for (const Run& run : at_points_.runs) {
+    const double *xx = &at_points_.xx[at], *xy = &at_points_.xy[at], *yy = &at_points_.yy[at];
+    const double *x = &px[run.element], *y = &py[run.element];
+    double ux = 0, uy = 0;
+#pragma omp simd reduction(+ : ux, uy)
+    for (std::size_t i = 0; i < run.count; ++i) {
+      ux += xx[i] * x[i] + xy[i] * y[i];
+      uy += xy[i] * x[i] + yy[i] * y[i];
     }
-    for (int row = low; row < high; ++row) {
-      const auto begin = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[row]);
-      const auto end = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[row + 1]);
-      const double from = point_x_[point] - (near + 2) * grid_.dx, to = point_x_[point] + (near + 2) * grid_.dx;
-      for (auto e = std::partition_point(begin, end, [&](const auto& other) { return other.right < from; });
-           e != end && e->left <= to; ++e)
-        correct(point, static_cast<std::size_t>(e - elements_.begin()));
+    point_ux_[run.point] += ux;
+    point_uy_[run.point] += uy;
+    at += run.count;
+  }
+  at = 0;
+  for (const Run& run : of_elements_.runs) {
+    const double *xx = &of_elements_.xx[at], *xy = &of_elements_.xy[at], *yy = &of_elements_.yy[at];
+    const double x = px[run.element], y = py[run.element];
+    double *ux = &point_ux_[run.point], *uy = &point_uy_[run.point];
+#pragma omp simd
+    for (std::size_t i = 0; i < run.count; ++i) {
+      ux[i] += xx[i] * x + xy[i] * y;
+      uy[i] += xy[i] * x + yy[i] * y;
     }
+    at += run.count;
   }
 }
 
@@ -194,10 +234,7 @@ void FittedResponse::apply(std::span<const double> px, std::span<const double> p
     point_ux_[point] = ux;
     point_uy_[point] = uy;
   }
-  for (const Correction& c : corrections_) {
-    point_ux_[c.point] += c.xx * px[c.element] + c.xy * py[c.element];
-    point_uy_[c.point] += c.xy * px[c.element] + c.yy * py[c.element];
-  }
+  correct(px, py);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const double way = elements_[k].end - elements_[k].centre();
     sx[k] = (point_ux_[k] - point_ux_[end_point_[k]]) / way;

@@ -44,14 +44,21 @@ private:
     std::size_t first_cell;
     std::array<double, 3> weight;
   };
-  struct Correction {
-    std::uint32_t point, element;
-    double xx, xy, yy;
+  /// `count` elements that follow one another, from `element` on, and a point; or an element and points.
+  struct Run {
+    std::size_t point, element, count;
+  };
+  /// What elements do to points less what the transforms make of it, run after run.
+  struct Corrections {
+    std::vector<Run> runs;
+    std::vector<double> xx, xy, yy;
   };
 
   void place_points();
   void find_moments();
   void find_corrections(const CombinedMaterial& material, const QuarterKernel& kernel);
+  std::vector<std::size_t> first_elements() const;
+  void correct(std::span<const double> px, std::span<const double> py);
 
   ElementGrid grid_;
   std::vector<FittedElement> elements_;
@@ -64,7 +71,8 @@ private:
   std::vector<std::size_t> end_point_;  ///< of each element
   std::vector<Stencil> stencils_;
   std::vector<Moments> moments_;
-  std::vector<Correction> corrections_;
+  Corrections at_points_;   ///< at points that are none of the grid's, of elements
+  Corrections of_elements_; ///< of fitted elements, at the grid's points
 
   std::unique_ptr<SymmetricToeplitz> transform_;
   double diagonal_ = 0;

@@ -189,11 +189,12 @@ public:
   }
 
 private:
-  /// The part of a change of an element's traction that slip can bring about: all of it in adhesion, alpha times what
-  /// is across the traction in slip.
+  /// The part of a change of an element's traction that slip can bring about: all of it in adhesion, a share of what
+  /// is across the traction in slip. Taken before and after the preconditioner's map the share alpha comes out: where D
+  /// is s, with |s| = 1, and the map 1/s, (1 - alpha + alpha s)(1 - alpha + alpha/s) is real and positive.
   Vec2 free_part(std::size_t k, Vec2 change) const {
     if (!state_[k]) return change;
-    const double across = alpha_[k] * (normal_x_[k] * change.y - normal_y_[k] * change.x);
+    const double across = std::sqrt(alpha_[k]) * (normal_x_[k] * change.y - normal_y_[k] * change.x);
     return {-across * normal_y_[k], across * normal_x_[k]};
   }
 
@@ -329,34 +330,25 @@ FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& prob
   const long products_before = problem.response.products();
   Iterate at(problem, 1 / problem.response.diagonal());
   const std::size_t n = at.size();
-  Field x(n), slip(n), right(n), step(n), change(n), growth(n), total(n), total_growth(n), given(n);
-  at.start({.px = solution.px, .py = solution.py}, x, slip);
+  Field x(n), slip(n), right(n), step(n), growth(n), total(n), total_growth(n);
+  at.gather(solution.px, solution.py, x);
+  at.gather(solution.sx, solution.sy, slip);
   at.linearise(x, slip);
-  at.gather(dcx, dcy, given);
   const auto misfit = [&] {
     at.derivative(total, total_growth, 0, right);
     double sum = 0;
     for (double& value : right) sum += value * value, value = -value;
     return std::sqrt(sum);
   };
-  total_growth = given;
+  at.gather(dcx, dcy, total_growth);
   const double without_start = misfit();
   double fall = tolerance;
   if (start) {
     at.gather(start->px, start->py, total);
-    at.respond(total, total_growth);
-    for (std::size_t k = 0; k < n; ++k) total_growth[k] += given[k];
+    at.gather(start->sx, start->sy, total_growth);
     fall *= without_start / misfit();
   }
-  const auto product = [&](std::span<const double> v, std::span<double> out) {
-    std::copy(v.begin(), v.end(), change.begin());
-    at.precondition(change);
-    at.respond(change, growth);
-    at.derivative(change, growth, 0, out);
-  };
-  gmres_.solve(product, right, step, fall, most);
-  at.precondition(step);
-  at.respond(step, growth);
+  LinearisedProblem(at, gmres_, n).solve(right, 0, fall, most, step, growth);
   for (std::size_t k = 0; k < n; ++k) total[k] += step[k], total_growth[k] += growth[k];
   Change out;
   at.scatter(total, out.px, out.py);

@@ -73,7 +73,7 @@ public:
   /// By how much the tractions of a solution change when the slip without tractions changes by dcx, dcy (per unit of
   /// whatever changes): the implicit function theorem for F(p) = 0, forces not given. Also the slip's change. Solved to
   /// a relative residual of `tolerance`; holds where no element is just between adhesion and slip. `start` is a change
-  /// near the one looked for.
+  /// near the one looked for, with its slip's change for these dcx, dcy.
   struct Change {
     std::vector<double> px, py, sx, sy;
     long products = 0;

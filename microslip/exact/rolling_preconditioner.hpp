@@ -7,12 +7,13 @@
 
 namespace microslip {
 
-/// Makes the linear systems of steady rolling along +x easy to solve. For waves of the numbers kx, ky the slip's matrix
-/// D is some (1 - e^(-i kx h))/(h |k|): of the order of 1, but small where waves are much longer along x than along y,
-/// which costs GMRES many iterations on fine grids. The map M^-1 = 1 + h |ky|/(1 - e^(-i kx h)) makes of it some
-/// (h |ky| + 1 - e^(-i kx h))/(h |k|), near 1 in size and with a positive real part for all waves. Division by 1 -
-/// e^(-i kx h) is a sum along the row from the leading edge on, as particles run, so that no boundary is needed behind.
-/// Cost O(N log N), about a fifth of a product with D; memory O(N). Results do not depend on the number of OpenMP
+/// Makes the linear systems of steady rolling along +x easy to solve: a map M^-1 near the inverse of the slip's matrix
+/// D. For waves of the numbers kx, ky, with z = e^(i kx h) for what is one element ahead, D is some (1 - z)/(h |k|),
+/// and h |k| is some sqrt(c - z) sqrt(c - 1/z), c = 1 + h |ky|. Wiener & Hopf's factors: sqrt(c - 1/z) looks behind and
+/// sqrt(c - z)/(1 - z) ahead only, as particles run, so that in this order they invert D on a half-line, which begins
+/// at a leading edge, as well as on a line. Each root is Pade's (1 - 3/4 z/c)/(1 - 1/4 z/c): a recursion along x for
+/// each wave along y. Division by 1 - z is a sum along the row from the leading edge on. Cost O(N log N), about a fifth
+/// of a product with D; memory 16 bytes for each element of the grid. Results do not depend on the number of OpenMP
 /// threads, which large grids use.
 class RollingPreconditioner {
 public:
@@ -21,8 +22,8 @@ public:
   RollingPreconditioner& operator=(RollingPreconditioner&&) noexcept;
   ~RollingPreconditioner();
 
-  /// q = (M^-1 - 1) p: the sum of h |ky| p over an element and those ahead of it in its row. One number for each
-  /// element; the periodic |ky| acts on the columns of the grid, with zeros where no elements are.
+  /// q = (M^-1 - 1) p. One number for each element; |ky| is that of the periodic columns of the grid, with zeros where
+  /// no elements are, also ahead of the leading edge before the sum.
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> qx, std::span<double> qy);
 
 private:

@@ -26,12 +26,48 @@ struct NewtonState {
   bool stopped = false; ///< by the progress function
 };
 
+/// The linearised equations F' v = right of such a problem, solved by GMRES. `Problem` has size(), precondition(v),
+/// respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp are documented.
+template <class Problem> class LinearisedProblem {
+public:
+  using Field = std::vector<double>;
+
+  LinearisedProblem(Problem& problem, Gmres& gmres, std::size_t responses)
+      : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
+
+  /// v and its response, which costs no product more: it is summed of those that the products had. Returns |F' v -
+  /// right|.
+  double solve(std::span<const double> right, double damping, double tolerance, int most, std::span<double> v,
+               std::span<double> growth) {
+    std::size_t count = 0;
+    const auto product = [&](std::span<const double> in, std::span<double> out) {
+      if (growths_.size() <= count) growths_.emplace_back();
+      Field& response = growths_[count++];
+      response.resize(responses_);
+      std::copy(in.begin(), in.end(), change_.begin());
+      problem_.precondition(change_);
+      problem_.respond(change_, response);
+      problem_.derivative(change_, response, damping, out);
+    };
+    const Gmres::Result result = gmres_.solve(product, right, v, tolerance, most);
+    problem_.precondition(v);
+    combine(result.weights, growths_, growth);
+    return result.residual;
+  }
+
+private:
+  Problem& problem_;
+  Gmres& gmres_;
+  Field change_;
+  std::size_t responses_;
+  std::vector<Field> growths_; ///< of the products' vectors
+};
+
 /// Takes semi-smooth Newton steps for F(x) = 0 until a limit is reached, and leaves the best iterate in `x` and
 /// `response`; steps count on from `state`. F depends on x and on a response that is affine in x and costs a product.
-/// `Problem` has size(), scale(), evaluate(x, response, f), which returns |F|, linearise(x, response), mean_alpha(),
-/// respond(v, growth), precondition(v) and derivative(v, growth, damping, out), as those in friction_newton.cpp are
-/// documented. The linear systems are solved by GMRES as well as they predicted the last step (Eisenstat & Walker 1996,
-/// choice 1); steps are halved until |F| falls.
+/// `Problem` has what LinearisedProblem needs and scale(), evaluate(x, response, f), which returns |F|, linearise(x,
+/// response) and mean_alpha(). The linear systems are solved by GMRES as well as they predicted the last step
+/// (Eisenstat & Walker 1996, choice 1); steps are halved until |F| falls.
 template <class Problem>
 void take_newton_steps(Problem& problem, Gmres& gmres, const NewtonLimits& limits, std::vector<double>& x,
                        std::vector<double>& response, NewtonState& state) {
@@ -42,8 +78,9 @@ void take_newton_steps(Problem& problem, Gmres& gmres, const NewtonLimits& limit
   constexpr double roughest = 0.3; // of the linear equations' residual
   constexpr int most_halvings = 12;
   const std::size_t n = problem.size();
-  Field f(n), right(n), step(n), change(n), growth(response.size()), trial(n), trial_response(response.size()),
-      trial_f(n), best_x, best_response;
+  Field f(n), right(n), step(n), growth(response.size()), trial(n), trial_response(response.size()), trial_f(n), best_x,
+      best_response;
+  LinearisedProblem<Problem> linearised(problem, gmres, response.size());
   double& norm = state.norm = problem.evaluate(x, response, f);
   double best_norm = norm, misfit = roughest;
   const double first_norm = norm;
@@ -51,17 +88,9 @@ void take_newton_steps(Problem& problem, Gmres& gmres, const NewtonLimits& limit
     problem.linearise(x, response);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
     const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
-    const auto product = [&](std::span<const double> v, std::span<double> out) {
-      std::copy(v.begin(), v.end(), change.begin());
-      problem.precondition(change);
-      problem.respond(change, growth);
-      problem.derivative(change, growth, damping, out);
-    };
     const double least = std::min(0.8 * limits.goal / norm, roughest);
     const double linear_norm =
-        gmres.solve(product, right, step, std::clamp(misfit, least, roughest), limits.most_inner).residual;
-    problem.precondition(step);
-    problem.respond(step, growth);
+        linearised.solve(right, damping, std::clamp(misfit, least, roughest), limits.most_inner, step, growth);
 
     double length = 1, trial_norm = norm;
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {

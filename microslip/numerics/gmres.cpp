@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -98,9 +99,11 @@ private:
 
 Gmres::Result Gmres::solve(const Product& matrix, std::span<const double> b, std::span<double> x, double tolerance,
                            int most) {
-  std::fill(x.begin(), x.end(), 0.0);
   const double size = std::sqrt(dot(b, b));
-  if (!(size > 0)) return {0, size};
+  if (!(size > 0)) {
+    std::fill(x.begin(), x.end(), 0.0);
+    return {0, size, {}};
+  }
   const auto vector = [&](std::size_t k) -> Vector& {
     if (basis_.size() <= k) basis_.emplace_back();
     basis_[k].resize(b.size());
@@ -134,9 +137,20 @@ Gmres::Result Gmres::solve(const Product& matrix, std::span<const double> b, std
     }
     scale(1 / length, next);
   }
-  const Vector y = triangle.solve();
-  for (std::size_t i = 0; i < y.size(); ++i) add_scaled(y[i], basis_[i], x);
-  return {k, residual};
+  Vector weights = triangle.solve();
+  combine(weights, basis_, x);
+  return {k, residual, std::move(weights)};
+}
+
+void combine(std::span<const double> weights, const std::vector<Vector>& vectors, std::span<double> sum) {
+#pragma omp parallel for if (sum.size() >= smallest_threaded)
+  for (std::size_t begin = 0; begin < sum.size(); begin += block) {
+    const std::size_t count = std::min(block, sum.size() - begin);
+    const std::span<double> part = sum.subspan(begin, count);
+    std::fill(part.begin(), part.end(), 0.0);
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      add_scaled(weights[k], std::span(vectors[k]).subspan(begin, count), part);
+  }
 }
 
 } // namespace microslip

@@ -15,6 +15,9 @@ public:
   struct Result {
     int products;    ///< with the matrix
     double residual; ///< |b - A x| as the method's recurrence has it
+    /// x is the sum of these times the vectors that the products were asked for, in their order: what else is linear
+    /// and was found with a product, x has the same sum of it.
+    std::vector<double> weights;
   };
 
   /// Starts from x = 0 and stops when |b - A x| <= tolerance |b| or after `most` products. Cost: products, and for k of
@@ -24,5 +27,9 @@ public:
 private:
   std::vector<std::vector<double>> basis_;
 };
+
+/// sum = the sum of weights[k] vectors[k]; there may be more vectors than weights. Long vectors use OpenMP's threads;
+/// results do not depend on their number.
+void combine(std::span<const double> weights, const std::vector<std::vector<double>>& vectors, std::span<double> sum);
 
 } // namespace microslip
