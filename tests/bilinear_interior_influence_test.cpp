@@ -127,8 +127,8 @@ TEST(BilinearInteriorInfluence, ErrorsByDepth) {
       for (const auto& [v, wv] : fine_rule(y, dy))
         for (const auto& [u, wu] : fine_rule(x, dx)) {
           const InteriorInfluence a = interior_influence(material, Body::first, dx, dy, u, v, depth);
+          const double w = wu * wv;
           const auto add = [&](InteriorState& to, const InteriorState& s) {
-            const double w = wu * wv;
             to.ux += w * s.ux, to.uy += w * s.uy, to.uz += w * s.uz;
             to.stress.xx += w * s.stress.xx, to.stress.yy += w * s.stress.yy, to.stress.zz += w * s.stress.zz;
             to.stress.xy += w * s.stress.xy, to.stress.xz += w * s.stress.xz, to.stress.yz += w * s.stress.yz;

@@ -91,6 +91,46 @@ TEST(RollingPreconditioner, FiltersWavesAndSumsFromTheLeadingEdgeOn) {
   }
 }
 
+TEST(RollingPreconditioner, OfAGridIsThatOfItsElementsInContact) {
+  const FittedContact contact = fit_ellipse(6e-3, 4e-3, 12, 20);
+  const std::size_t n = contact.elements.size(), count = contact.grid.count();
+  Field px(n), py(n), qx(n), qy(n), bound(count), grid_px(count, NAN), grid_py(count, NAN), grid_qx(count, -7.0),
+      grid_qy(count);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t cell = contact.elements[k].cell;
+    bound[cell] = 1;
+    grid_px[cell] = px[k] = some_traction(k);
+    grid_py[cell] = py[k] = some_traction(k + 1000);
+  }
+  RollingPreconditioner(contact).apply(px, py, qx, qy);
+  RollingPreconditioner(contact.grid, bound, RollingDirection::forward).apply(grid_px, grid_py, grid_qx, grid_qy);
+  for (std::size_t k = 0; k < n; ++k) {
+    EXPECT_DOUBLE_EQ(grid_qx[contact.elements[k].cell], qx[k]);
+    EXPECT_DOUBLE_EQ(grid_qy[contact.elements[k].cell], qy[k]);
+  }
+  for (std::size_t k = 0; k < count; ++k) EXPECT_TRUE(bound[k] > 0 || grid_qx[k] == -7) << k;
+}
+
+/// Two patches in the same rows.
+TEST(RollingPreconditioner, TheOtherDirectionIsTheMirrorImage) {
+  const ElementGrid grid{.mx = 14, .my = 6, .x0 = 0, .y0 = 0, .dx = 1e-3, .dy = 2e-3};
+  const std::size_t count = grid.count();
+  const auto mirrored = [&](std::size_t k) { return k / 14 * 14 + 13 - k % 14; };
+  Field bound(count), px(count), py(count), qx(count), qy(count), other_bound(bound), other_px(px), other_py(py),
+      other_qx(qx), other_qy(qy);
+  for (std::size_t k = 0; k < count; ++k) {
+    other_bound[mirrored(k)] = bound[k] = k % 14 != 6 && k % 14 > k / 14;
+    other_px[mirrored(k)] = px[k] = some_traction(k);
+    other_py[mirrored(k)] = py[k] = some_traction(k + 1000);
+  }
+  RollingPreconditioner(grid, bound, RollingDirection::forward).apply(px, py, qx, qy);
+  RollingPreconditioner(grid, other_bound, RollingDirection::backward).apply(other_px, other_py, other_qx, other_qy);
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_NEAR(other_qx[mirrored(k)], qx[k], 1e-12);
+    EXPECT_NEAR(other_qy[mirrored(k)], qy[k], 1e-12);
+  }
+}
+
 /// Partial slip with all three creepages.
 TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
   long plain_products = 0, fast_products = 0;

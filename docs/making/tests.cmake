@@ -22,11 +22,11 @@ foreach(page ${pages})
   endif()
   get_filename_component(name ${page} NAME_WE)
   add_test(NAME docs_code_${name}
-    COMMAND sh -c "${python_packages}; exec \"$0\" \"$@\"" ${Python3_EXECUTABLE} ${making}/run_blocks.py check ${page}
+    COMMAND sh -c "${python_packages}; exec \"$0\" \"$@\"" ${python_interpreter} ${making}/run_blocks.py check ${page}
       ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
   set_tests_properties(docs_code_${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
 endforeach()
-add_test(NAME docs_making COMMAND sh -c "${python_packages}; exec \"$0\" -m unittest discover -s tests -t ." ${Python3_EXECUTABLE}
+add_test(NAME docs_making COMMAND sh -c "${python_packages}; exec \"$0\" -m unittest discover -s tests -t ." ${python_interpreter}
   WORKING_DIRECTORY ${making})
 set_tests_properties(docs_making PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
 

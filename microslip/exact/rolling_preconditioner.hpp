@@ -1,13 +1,14 @@
 #pragma once
 
 #include "microslip/exact/fitted_contact.hpp"
+#include "microslip/simplified/options.hpp"
 
 #include <memory>
 #include <span>
 
 namespace microslip {
 
-/// Makes the linear systems of steady rolling along +x easy to solve: a map M^-1 near the inverse of the slip's matrix
+/// Makes the linear systems of steady rolling along x easy to solve: a map M^-1 near the inverse of the slip's matrix
 /// D. For waves of the numbers kx, ky, with z = e^(i kx h) for what is one element ahead, D is some (1 - z)/(h |k|),
 /// and h |k| is some sqrt(c - z) sqrt(c - 1/z), c = 1 + h |ky|. Wiener & Hopf's factors: sqrt(c - 1/z) looks behind and
 /// sqrt(c - z)/(1 - z) ahead only, as particles run, so that in this order they invert D on a half-line, which begins
@@ -17,7 +18,10 @@ namespace microslip {
 /// threads, which large grids use.
 class RollingPreconditioner {
 public:
+  /// For rolling along +x.
   explicit RollingPreconditioner(const FittedContact& contact);
+  /// For the elements of a grid that have a traction bound; numbers of the others are neither read nor written.
+  RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound, RollingDirection direction);
   RollingPreconditioner(RollingPreconditioner&&) noexcept;
   RollingPreconditioner& operator=(RollingPreconditioner&&) noexcept;
   ~RollingPreconditioner();

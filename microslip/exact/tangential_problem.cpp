@@ -127,8 +127,11 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   find_free_slip(input, out.creepage, step, entering, cx, cy);
 
   const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
-  const FrictionProblem problem{
+  FrictionProblem problem{
       slip_response(input, step, entering), bound, cx, cy, area, input.force_x, input.force_y, share};
+  std::optional<RollingPreconditioner> preconditioner;
+  if (input.motion == ContactMotion::steady)
+    problem.preconditioner = &preconditioner.emplace(grid_, bound, input.direction);
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   FrictionSolution s;
   if (wanted >= capacity && wanted > 0) {
