@@ -118,6 +118,28 @@ TEST(Gmres, ResidualIsTheLeastOfTheKrylovSpace) {
   }
 }
 
+TEST(Gmres, WeightsGiveWhateverWasFoundWithTheProducts) {
+  const Matrix a = random_matrix(60, 11, 2);
+  const Vector b = random_vector(60, 12);
+  Vector x(60), sum(60), image_sum(60);
+  std::vector<Vector> asked, images;
+  const Gmres::Product product = [&](std::span<const double> in, std::span<double> out) {
+    asked.emplace_back(in.begin(), in.end());
+    images.push_back(a * asked.back());
+    std::copy(images.back().begin(), images.back().end(), out.begin());
+  };
+  const auto result = Gmres().solve(product, b, x, 1e-4, 60);
+  ASSERT_GT(asked.size(), 3u);
+  ASSERT_EQ(result.weights.size(), asked.size());
+  combine(result.weights, asked, sum);
+  combine(result.weights, images, image_sum);
+  const Vector image = a * x;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_NEAR(sum[i], x[i], 1e-14);
+    EXPECT_NEAR(image_sum[i], image[i], 1e-12);
+  }
+}
+
 TEST(Gmres, ZeroRightSide) {
   const Matrix a = random_matrix(6, 1, 1);
   Vector x = random_vector(6, 2);

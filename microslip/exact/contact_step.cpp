@@ -1,8 +1,7 @@
 #include "microslip/exact/contact_step.hpp"
 
-#include "microslip/exact/tangential_totals.hpp"
-
 #include "microslip/exact/normal_totals.hpp"
+#include "microslip/exact/tangential_totals.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,6 @@
 #include <complex>
 #include <vector>
 
-#include <omp.h>
-
 namespace microslip {
 namespace {
 
@@ -19,7 +17,7 @@ constexpr int block = 64;                          // waves along y that are fil
 constexpr std::size_t smallest_threaded = 1 << 14; // numbers in a grid that are worth several threads
 
 /// Found by trial on ellipses of all shapes with 12 to 300 elements across: the size of M^-1, and of h |ky| in it,
-/// which is less than one because elements average short waves. With half or twice of either a solve takes up to a
+/// which is less than one because elements average short waves. With twice of either a solve takes up to a
 /// fifth more products.
 constexpr double size = 0.45, ky_share = 0.35;
 /// (1 - 3/4 w)/(1 - w/4), Pade's approximation of sqrt(1 - w).

@@ -8,14 +8,14 @@
 
 namespace microslip {
 
-/// Makes the linear systems of steady rolling along x easy to solve: a map M^-1 near the inverse of the slip's matrix
-/// D. For waves of the numbers kx, ky, with z = e^(i kx h) for what is one element ahead, D is some (1 - z)/(h |k|),
-/// and h |k| is some sqrt(c - z) sqrt(c - 1/z), c = 1 + h |ky|. Wiener & Hopf's factors: sqrt(c - 1/z) looks behind and
-/// sqrt(c - z)/(1 - z) ahead only, as particles run, so that in this order they invert D on a half-line, which begins
-/// at a leading edge, as well as on a line. Each root is Pade's (1 - 3/4 z/c)/(1 - 1/4 z/c): a recursion along x for
-/// each wave along y. Division by 1 - z is a sum along the row from the leading edge on. Cost O(N log N), about a fifth
-/// of a product with D; memory 16 bytes for each element of the grid. Results do not depend on the number of OpenMP
-/// threads, which large grids use.
+/// Makes the linear systems of steady rolling along x easy to solve: a map M^-1, (E36), near the inverse of the slip's
+/// matrix D. For waves of the numbers kx, ky, with z = e^(i kx h) for what is one element ahead, D is some (1 - z)/(h
+/// |k|), and h |k| is some sqrt(c - z) sqrt(c - 1/z), c = 1 + h |ky|. Wiener & Hopf's factors: sqrt(c - 1/z) looks
+/// behind and sqrt(c - z)/(1 - z) ahead only, as particles run, so that in this order they invert D on a half-line,
+/// which begins at a leading edge, as well as on a line. Each root is Pade's (1 - 3/4 z/c)/(1 - 1/4 z/c): a recursion
+/// along x for each wave along y. Division by 1 - z is a sum along the row from the leading edge on. Cost O(N log N),
+/// about a fifth of a product with D; memory 16 bytes for each element of the grid. Results do not depend on the number
+/// of OpenMP threads, which large grids use.
 class RollingPreconditioner {
 public:
   /// For rolling along +x.

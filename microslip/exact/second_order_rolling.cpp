@@ -140,7 +140,7 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
                                                                   const SecondOrderSolution& solution,
                                                                   double tolerance) {
   const std::size_t n = contact_.elements.size();
-  Field cx(n), cy(n), corrected_x(n), corrected_y(n), dcx(n), dcy(n), more_x(n), more_y(n);
+  Field cx(n), cy(n), corrected_x(n), corrected_y(n), dcx(n), dcy(n);
   rigid_slip(creepage, cx, cy);
   corrected_x = cx;
   corrected_y = cy;
@@ -151,13 +151,9 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
   for (std::size_t i = 0; i < units.size(); ++i) {
     rigid_slip(units[i], dcx, dcy);
     auto first = newton_.differentiate(plain, solution.plain, dcx, dcy, plain_over_corrected * tolerance);
-    std::fill(more_x.begin(), more_x.end(), 0.0);
-    std::fill(more_y.begin(), more_y.end(), 0.0);
-    add_correction(solution.plain, first.sx, first.sy, more_x, more_y);
-    for (std::size_t k = 0; k < n; ++k) {
-      dcx[k] += more_x[k], dcy[k] += more_y[k];
-      first.sx[k] += more_x[k], first.sy[k] += more_y[k];
-    }
+    const Field sx = first.sx, sy = first.sy;
+    add_correction(solution.plain, sx, sy, dcx, dcy);
+    add_correction(solution.plain, sx, sy, first.sx, first.sy); // the slip that goes with these
     out.by[i] = newton_.differentiate(corrected, solution.friction, dcx, dcy, tolerance, &first);
     out.products += first.products + out.by[i].products;
   }

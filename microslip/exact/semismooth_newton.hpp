@@ -26,8 +26,9 @@ struct NewtonState {
   bool stopped = false; ///< by the progress function
 };
 
-/// The linearised equations F' v = right of such a problem, solved by GMRES. `Problem` has size(), precondition(v),
-/// respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp are documented.
+/// The equations F'(x) v = right of a linearised problem F(x) = 0, solved by GMRES. `Problem` has size(),
+/// precondition(v), respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp are
+/// documented.
 template <class Problem> class LinearisedProblem {
 public:
   using Field = std::vector<double>;

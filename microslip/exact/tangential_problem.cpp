@@ -129,9 +129,6 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
   FrictionProblem problem{
       slip_response(input, step, entering), bound, cx, cy, area, input.force_x, input.force_y, share};
-  std::optional<RollingPreconditioner> preconditioner;
-  if (input.motion == ContactMotion::steady)
-    problem.preconditioner = &preconditioner.emplace(grid_, bound, input.direction);
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   FrictionSolution s;
   if (wanted >= capacity && wanted > 0) {
@@ -150,7 +147,11 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     const FrictionNewton::Tractions before = tractions_of(steady ? nullptr : input.previous);
     const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
     FrictionNewton::Options options{.tolerance = input.tolerance, .progress = input.progress};
-    if (!steady) options.before = before;
+    std::optional<RollingPreconditioner> preconditioner;
+    if (steady)
+      problem.preconditioner = &preconditioner.emplace(grid_, bound, input.direction);
+    else
+      options.before = before;
     s = newton_.solve(problem, options, {.px = start.px, .py = start.py});
   }
   out.creepage.longitudinal += s.constant_x;
