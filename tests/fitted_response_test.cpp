@@ -194,5 +194,28 @@ TEST(FittedResponse, CanBeUsedAgain) {
   EXPECT_EQ(response.products(), 3);
 }
 
+/// Slip in units of the size of its terms.
+TEST(FittedProduct, SinglePrecisionIsNearDouble) {
+  for (const auto& [n, m] : {Shape{1, 1}, {2, 5}, {24, 24}, {60, 31}})
+    for (const double factor : {1.0, 3e12}) {
+      const FittedContact contact = contact_of(n, m, 1.3);
+      const std::size_t count = contact.elements.size();
+      FittedResponse response(steel, contact);
+      FittedProduct<float> single(response.product(), factor);
+      Pair p{contact.load_share, contact.load_share}, s{Field(count), Field(count)};
+      for (std::size_t k = 0; k < count; ++k) p[1][k] *= std::sin(double(k));
+      response.apply(p[0], p[1], s[0], s[1]);
+      const std::vector<float> px(p[0].begin(), p[0].end()), py(p[1].begin(), p[1].end());
+      std::vector<float> sx(count), sy(count);
+      single.apply(px, py, sx, sy);
+      const double size = response.diagonal() * *std::max_element(p[0].begin(), p[0].end());
+      for (std::size_t k = 0; k < count; ++k) {
+        EXPECT_NEAR(sx[k] / factor, s[0][k], 2e-5 * size) << n << ' ' << m << ' ' << k;
+        EXPECT_NEAR(sy[k] / factor, s[1][k], 2e-5 * size) << n << ' ' << m << ' ' << k;
+      }
+      EXPECT_EQ(single.products(), 1);
+    }
+}
+
 } // namespace
 } // namespace microslip

@@ -22,7 +22,7 @@ struct Matrix {
       for (std::size_t j = 0; j < n; ++j) y[i] += values[i * n + j] * x[j];
     return y;
   }
-  Gmres::Product product() const {
+  Gmres<double>::Product product() const {
     return [this](std::span<const double> in, std::span<double> out) {
       const Vector y = *this * Vector(in.begin(), in.end());
       std::copy(y.begin(), y.end(), out.begin());
@@ -66,7 +66,7 @@ TEST(Gmres, IsExactAfterAsManyProductsAsUnknowns) {
       const Matrix a = random_matrix(n, seed, 0.5);
       const Vector exact = random_vector(n, 100 + seed), b = a * exact;
       Vector x(n);
-      const auto result = Gmres().solve(a.product(), b, x, 1e-13, static_cast<int>(n));
+      const auto result = Gmres<double>().solve(a.product(), b, x, 1e-13, static_cast<int>(n));
       EXPECT_LE(result.products, static_cast<int>(n));
       EXPECT_LT(residual(a, x, b), 1e-12 * norm(b)) << n;
       EXPECT_NEAR(result.residual, residual(a, x, b), 1e-12 * norm(b));
@@ -80,13 +80,14 @@ TEST(Gmres, StopsAtTheTolerance) {
   int before = 0;
   for (const double tolerance : {0.5, 1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     Vector x(n);
-    const auto result = Gmres().solve(a.product(), b, x, tolerance, 80);
+    const auto result = Gmres<double>().solve(a.product(), b, x, tolerance, 80);
     EXPECT_LE(residual(a, x, b), 1.0001 * tolerance * norm(b));
     EXPECT_LE(result.residual, tolerance * norm(b));
     EXPECT_GT(result.products, before);
     // One product fewer is not enough.
     Vector shorter(n);
-    EXPECT_GT(Gmres().solve(a.product(), b, shorter, tolerance, result.products - 1).residual, tolerance * norm(b));
+    EXPECT_GT(Gmres<double>().solve(a.product(), b, shorter, tolerance, result.products - 1).residual,
+              tolerance * norm(b));
     before = result.products;
   }
   EXPECT_LT(before, 60);
@@ -100,7 +101,7 @@ TEST(Gmres, ResidualIsTheLeastOfTheKrylovSpace) {
   double before = norm(b);
   for (int k = 1; k < 20; ++k) {
     Vector x(n);
-    const auto result = Gmres().solve(a.product(), b, x, 0, k);
+    const auto result = Gmres<double>().solve(a.product(), b, x, 0, k);
     EXPECT_EQ(result.products, k);
     const double r = residual(a, x, b);
     EXPECT_NEAR(result.residual, r, 1e-12 * norm(b));
@@ -123,16 +124,16 @@ TEST(Gmres, WeightsGiveWhateverWasFoundWithTheProducts) {
   const Vector b = random_vector(60, 12);
   Vector x(60), sum(60), image_sum(60);
   std::vector<Vector> asked, images;
-  const Gmres::Product product = [&](std::span<const double> in, std::span<double> out) {
+  const Gmres<double>::Product product = [&](std::span<const double> in, std::span<double> out) {
     asked.emplace_back(in.begin(), in.end());
     images.push_back(a * asked.back());
     std::copy(images.back().begin(), images.back().end(), out.begin());
   };
-  const auto result = Gmres().solve(product, b, x, 1e-4, 60);
+  const auto result = Gmres<double>().solve(product, b, x, 1e-4, 60);
   ASSERT_GT(asked.size(), 3u);
   ASSERT_EQ(result.weights.size(), asked.size());
-  combine(result.weights, asked, sum);
-  combine(result.weights, images, image_sum);
+  combine<double>(result.weights, asked, sum);
+  combine<double>(result.weights, images, image_sum);
   const Vector image = a * x;
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(sum[i], x[i], 1e-14);
@@ -143,7 +144,7 @@ TEST(Gmres, WeightsGiveWhateverWasFoundWithTheProducts) {
 TEST(Gmres, ZeroRightSide) {
   const Matrix a = random_matrix(6, 1, 1);
   Vector x = random_vector(6, 2);
-  const auto result = Gmres().solve(a.product(), Vector(6, 0.0), x, 1e-6, 10);
+  const auto result = Gmres<double>().solve(a.product(), Vector(6, 0.0), x, 1e-6, 10);
   EXPECT_EQ(result.products, 0);
   EXPECT_EQ(result.residual, 0);
   EXPECT_EQ(x, Vector(6, 0.0));
@@ -153,8 +154,8 @@ TEST(Gmres, StartsFromZeroWhateverXHolds) {
   const Matrix a = random_matrix(12, 1, 2);
   const Vector b = random_vector(12, 2);
   Vector x(12, 0.0), filled = random_vector(12, 3);
-  Gmres().solve(a.product(), b, x, 1e-3, 12);
-  Gmres().solve(a.product(), b, filled, 1e-3, 12);
+  Gmres<double>().solve(a.product(), b, x, 1e-3, 12);
+  Gmres<double>().solve(a.product(), b, filled, 1e-3, 12);
   EXPECT_EQ(x, filled);
 }
 
@@ -162,7 +163,7 @@ TEST(Gmres, IdentityTakesOneProduct) {
   const Matrix identity = diagonal_matrix(Vector(20, 1.0));
   const Vector b = random_vector(20, 5);
   Vector x(20);
-  const auto result = Gmres().solve(identity.product(), b, x, 1e-12, 20);
+  const auto result = Gmres<double>().solve(identity.product(), b, x, 1e-12, 20);
   EXPECT_EQ(result.products, 1);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], b[i], 1e-15);
 }
@@ -173,7 +174,7 @@ TEST(Gmres, ThreeEigenvaluesTakeThreeProducts) {
   for (std::size_t i = 0; i < diagonal.size(); ++i) diagonal[i] = i % 3 == 0 ? -2 : i % 3 == 1 ? 1 : 5;
   const Vector b = random_vector(30, 6);
   Vector x(30);
-  EXPECT_EQ(Gmres().solve(diagonal_matrix(diagonal).product(), b, x, 1e-12, 30).products, 3);
+  EXPECT_EQ(Gmres<double>().solve(diagonal_matrix(diagonal).product(), b, x, 1e-12, 30).products, 3);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], b[i] / diagonal[i], 1e-12);
 }
 
@@ -184,8 +185,8 @@ TEST(Gmres, CyclicShiftTakesAllProducts) {
   for (std::size_t i = 0; i < n; ++i) shift.values[i * n + (i + 1) % n] = 1;
   Vector b(n, 0.0), x(n);
   b[0] = 1;
-  EXPECT_NEAR(Gmres().solve(shift.product(), b, x, 1e-12, static_cast<int>(n) - 1).residual, 1, 1e-14);
-  EXPECT_LT(Gmres().solve(shift.product(), b, x, 1e-12, static_cast<int>(n)).residual, 1e-14);
+  EXPECT_NEAR(Gmres<double>().solve(shift.product(), b, x, 1e-12, static_cast<int>(n) - 1).residual, 1, 1e-14);
+  EXPECT_LT(Gmres<double>().solve(shift.product(), b, x, 1e-12, static_cast<int>(n)).residual, 1e-14);
   EXPECT_LT(residual(shift, x, b), 1e-14);
 }
 
@@ -201,7 +202,7 @@ TEST(Gmres, SingularMatrices) {
     for (unsigned seed = 0; seed < 4; ++seed) {
       Vector b = random_vector(a.n, 10 + seed), x(a.n);
       if (seed == 0) std::fill(b.begin() + 1, b.end(), 0.0);
-      const auto result = Gmres().solve(a.product(), b, x, 1e-10, 50);
+      const auto result = Gmres<double>().solve(a.product(), b, x, 1e-10, 50);
       for (double value : x) ASSERT_TRUE(std::isfinite(value));
       const double r = residual(a, x, b);
       EXPECT_NEAR(result.residual, r, 1e-6 * norm(b)) << a.n << ", seed " << seed;
@@ -216,20 +217,20 @@ TEST(Gmres, SolvesASingularSystemThatHasASolution) {
   diagonal[7] = 3;
   Vector b = random_vector(9, 1), x(9);
   b[4] = 0;
-  const auto result = Gmres().solve(diagonal_matrix(diagonal).product(), b, x, 1e-10, 50);
+  const auto result = Gmres<double>().solve(diagonal_matrix(diagonal).product(), b, x, 1e-10, 50);
   EXPECT_LT(result.residual, 1e-10 * norm(b));
   EXPECT_LT(residual(diagonal_matrix(diagonal), x, b), 1e-10 * norm(b));
 }
 
 /// The memory of an earlier, larger problem does no harm.
 TEST(Gmres, OneObjectForManyProblems) {
-  Gmres gmres;
+  Gmres<double> gmres;
   for (const std::size_t n : {50U, 3U, 20U}) {
     const Matrix a = random_matrix(n, static_cast<unsigned>(n), 2);
     const Vector b = random_vector(n, 1);
     Vector x(n), fresh(n);
     const auto result = gmres.solve(a.product(), b, x, 1e-8, 100);
-    EXPECT_EQ(result.products, Gmres().solve(a.product(), b, fresh, 1e-8, 100).products);
+    EXPECT_EQ(result.products, Gmres<double>().solve(a.product(), b, fresh, 1e-8, 100).products);
     EXPECT_EQ(x, fresh);
   }
 }
@@ -240,16 +241,31 @@ TEST(Gmres, ScaleDoesNotMatter) {
   const Matrix a = random_matrix(n, 1, 1);
   const Vector b = random_vector(n, 2);
   Vector x(n), scaled(n);
-  const auto result = Gmres().solve(a.product(), b, x, 1e-7, 100);
+  const auto result = Gmres<double>().solve(a.product(), b, x, 1e-7, 100);
   for (const double of_a : {0x1p-60, 0x1p80})
     for (const double of_b : {0x1p-90, 0x1p70}) {
       Matrix other = a;
       for (double& value : other.values) value *= of_a;
       Vector right = b;
       for (double& value : right) value *= of_b;
-      EXPECT_EQ(Gmres().solve(other.product(), right, scaled, 1e-7, 100).products, result.products);
+      EXPECT_EQ(Gmres<double>().solve(other.product(), right, scaled, 1e-7, 100).products, result.products);
       for (std::size_t i = 0; i < n; ++i) EXPECT_EQ(scaled[i] * of_a / of_b, x[i]);
     }
+}
+
+/// It goes on to some times the rounding of a number.
+TEST(Gmres, SinglePrecision) {
+  const Matrix a = random_matrix(60, 17, 2);
+  const Vector b = random_vector(60, 18);
+  const std::vector<float> right(b.begin(), b.end());
+  std::vector<float> x(60);
+  const Gmres<float>::Product product = [&](std::span<const float> in, std::span<float> out) {
+    const Vector y = a * Vector(in.begin(), in.end());
+    std::copy(y.begin(), y.end(), out.begin());
+  };
+  const auto result = Gmres<float>().solve(product, right, x, 1e-5, 60);
+  EXPECT_LE(result.residual, 1e-5 * norm(b));
+  EXPECT_NEAR(residual(a, Vector(x.begin(), x.end()), b), result.residual, 3e-6 * norm(b));
 }
 
 } // namespace

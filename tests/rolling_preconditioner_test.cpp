@@ -34,7 +34,7 @@ Field series(double size, double c, int count) {
 class Definition {
 public:
   Definition(const ElementGrid& grid, std::span<const double> p)
-      : grid_(grid), n_(fftw::good_even_size(grid.my)), waves_(static_cast<std::size_t>(grid.mx) * n_) {
+      : grid_(grid), n_(fftw::quick_size(grid.my)), waves_(static_cast<std::size_t>(grid.mx) * n_) {
     for (int i = 0; i < grid.mx; ++i)
       for (int wave = 0; wave < n_; ++wave)
         for (int j = 0; j < grid.my; ++j)
@@ -73,7 +73,7 @@ TEST(RollingPreconditioner, FiltersWavesAndSumsFromTheLeadingEdgeOn) {
     const ElementGrid& grid = contact.grid;
     Field px(n), py(n), qx(n), qy(n);
     for (std::size_t k = 0; k < n; ++k) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
-    RollingPreconditioner preconditioner(contact);
+    RollingPreconditioner<double> preconditioner(contact);
     preconditioner.apply(px, py, qx, qy);
     for (const auto& [p, q] : {std::pair{&px, &qx}, {&py, &qy}}) {
       Field on_grid(grid.count());
@@ -102,8 +102,9 @@ TEST(RollingPreconditioner, OfAGridIsThatOfItsElementsInContact) {
     grid_px[cell] = px[k] = some_traction(k);
     grid_py[cell] = py[k] = some_traction(k + 1000);
   }
-  RollingPreconditioner(contact).apply(px, py, qx, qy);
-  RollingPreconditioner(contact.grid, bound, RollingDirection::forward).apply(grid_px, grid_py, grid_qx, grid_qy);
+  RollingPreconditioner<double>(contact).apply(px, py, qx, qy);
+  RollingPreconditioner<double>(contact.grid, bound, RollingDirection::forward)
+      .apply(grid_px, grid_py, grid_qx, grid_qy);
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_DOUBLE_EQ(grid_qx[contact.elements[k].cell], qx[k]);
     EXPECT_DOUBLE_EQ(grid_qy[contact.elements[k].cell], qy[k]);
@@ -123,11 +124,27 @@ TEST(RollingPreconditioner, TheOtherDirectionIsTheMirrorImage) {
     other_px[mirrored(k)] = px[k] = some_traction(k);
     other_py[mirrored(k)] = py[k] = some_traction(k + 1000);
   }
-  RollingPreconditioner(grid, bound, RollingDirection::forward).apply(px, py, qx, qy);
-  RollingPreconditioner(grid, other_bound, RollingDirection::backward).apply(other_px, other_py, other_qx, other_qy);
+  RollingPreconditioner<double>(grid, bound, RollingDirection::forward).apply(px, py, qx, qy);
+  RollingPreconditioner<double>(grid, other_bound, RollingDirection::backward)
+      .apply(other_px, other_py, other_qx, other_qy);
   for (std::size_t k = 0; k < count; ++k) {
     EXPECT_NEAR(other_qx[mirrored(k)], qx[k], 1e-12);
     EXPECT_NEAR(other_qy[mirrored(k)], qy[k], 1e-12);
+  }
+}
+
+TEST(RollingPreconditioner, SinglePrecisionIsNearDouble) {
+  const FittedContact contact = fit_ellipse(6e-3, 4e-3, 30, 20);
+  const std::size_t n = contact.elements.size();
+  Field px(n), py(n), qx(n), qy(n);
+  for (std::size_t k = 0; k < n; ++k) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
+  RollingPreconditioner<double>(contact).apply(px, py, qx, qy);
+  const std::vector<float> single_px(px.begin(), px.end()), single_py(py.begin(), py.end());
+  std::vector<float> single_qx(n), single_qy(n);
+  RollingPreconditioner<float>(contact).apply(single_px, single_py, single_qx, single_qy);
+  for (std::size_t k = 0; k < n; ++k) {
+    EXPECT_NEAR(single_qx[k], qx[k], 1e-5);
+    EXPECT_NEAR(single_qy[k], qy[k], 1e-5);
   }
 }
 
@@ -139,7 +156,7 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
     const std::size_t n = contact.elements.size();
     const double spin = 3e-4 / (6e-3 / std::min(ratio, 1.0));
     FittedResponse response(steel, contact);
-    RollingPreconditioner preconditioner(contact);
+    RollingPreconditioner<double> preconditioner(contact);
     Field bound(n), cx(n), cy(n);
     for (std::size_t k = 0; k < n; ++k) {
       const FittedElement& e = contact.elements[k];

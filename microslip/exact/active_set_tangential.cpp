@@ -177,7 +177,7 @@ private:
   std::vector<char> slips_;
   Field p_, s_, right_, step_; ///< x components, then y components, of the elements in contact
   Field wide_x_, wide_y_, wide_sx_, wide_sy_;
-  Gmres gmres_;
+  Gmres<double> gmres_;
   int newton_steps_ = 0;
 };
 

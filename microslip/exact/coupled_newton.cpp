@@ -15,6 +15,8 @@ using Field = std::vector<double>;
 /// the constants of cx, cy. What the equations make of them.
 class Iterate {
 public:
+  using Real = double;
+
   explicit Iterate(const CoupledFrictionProblem& problem, std::span<const double> pressure)
       : problem_(problem), n_(problem.gap.size()), rho_(1 / problem.response.slip_diagonal()),
         normal_rho_(1 / problem.response.normal_diagonal()), slip_(n_), alpha_(n_), normal_x_(n_), normal_y_(n_),

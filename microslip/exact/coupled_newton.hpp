@@ -48,7 +48,7 @@ public:
   CoupledFrictionSolution solve(const CoupledFrictionProblem& problem, const Options& options, const Start& start);
 
 private:
-  Gmres gmres_;
+  Gmres<double> gmres_;
 };
 
 } // namespace microslip

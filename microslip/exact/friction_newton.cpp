@@ -1,5 +1,6 @@
 #include "microslip/exact/friction_newton.hpp"
 
+#include "microslip/exact/linearised_friction.hpp"
 #include "microslip/exact/semismooth_newton.hpp"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ constexpr double least_goal = 1e-12;
 /// what the equations make of it.
 class Iterate {
 public:
+  using Real = double;
+
   Iterate(const FrictionProblem& problem, double rho)
       : problem_(problem), rho_(rho), wide_px_(problem.bound.size()), wide_py_(wide_px_), wide_sx_(wide_px_),
         wide_sy_(wide_px_) {
@@ -33,8 +36,8 @@ public:
       scale_ += g_[k] * g_[k];
     }
     scale_ = std::sqrt(scale_);
-    state_.resize(n_);
-    normal_x_.resize(n_), normal_y_.resize(n_), alpha_.resize(n_);
+    friction_ = LinearisedFriction<double>(n_);
+    change_.resize(2 * n_);
   }
 
   std::size_t size() const { return 2 * n_ + forces_.size(); }
@@ -96,43 +99,20 @@ public:
     return std::sqrt(norm2);
   }
 
-  /// The mean of alpha at the point of the derivative, 1 in adhesion: how much the constants can move the tractions.
-  double mean_alpha() const {
-    double sum = 0;
-    for (std::size_t k = 0; k < n_; ++k) sum += state_[k] ? alpha_[k] : 1;
-    return sum / static_cast<double>(n_);
-  }
+  /// At the point of the derivative: how much the constants can move the tractions.
+  double mean_alpha() const { return friction_.mean_alpha(); }
 
   /// Fixes adhesion, slip and directions for the derivative at this point.
   void linearise(std::span<const double> unknowns, std::span<const double> slip) {
-    for (std::size_t k = 0; k < n_; ++k) {
-      const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
-      const double size = std::hypot(zx, zy);
-      state_[k] = size > g_[k];
-      if (!state_[k]) continue;
-      normal_x_[k] = zx / size;
-      normal_y_[k] = zy / size;
-      alpha_[k] = g_[k] / size;
-    }
+    for (std::size_t k = 0; k < n_; ++k)
+      friction_.set(k, unknowns[k] - rho_ * slip[k], unknowns[n_ + k] - rho_ * slip[n_ + k], g_[k]);
   }
 
   /// The derivative of F times a vector whose response is `growth`. `damping` keeps the constants' steps finite
   /// where everything slides: there the forces do not depend on them, and the matrix is singular.
   void derivative(std::span<const double> v, std::span<const double> growth, double damping,
                   std::span<double> out) const {
-    for (std::size_t k = 0; k < n_; ++k) {
-      const double gx = rho_ * growth[k], gy = rho_ * growth[n_ + k];
-      if (!state_[k]) {
-        out[k] = gx;
-        out[n_ + k] = gy;
-        continue;
-      }
-      const double nx = normal_x_[k], ny = normal_y_[k], a = alpha_[k];
-      const double along = nx * v[k] + ny * v[n_ + k];
-      const double across = (1 - a) * (nx * v[n_ + k] - ny * v[k]) + a * (nx * gy - ny * gx);
-      out[k] = along * nx - across * ny;
-      out[n_ + k] = along * ny + across * nx;
-    }
+    friction_.derivative(v, growth, rho_, out);
     for (std::size_t i = 0; i < forces_.size(); ++i) {
       double sum = 0;
       for (std::size_t k = 0; k < n_; ++k) sum += area(k) * v[forces_[i] * n_ + k];
@@ -161,16 +141,6 @@ public:
     follow_constants(unknowns);
   }
 
-  /// The values of two fields at the elements in contact as one vector, and back.
-  void gather(std::span<const double> fx, std::span<const double> fy, std::span<double> vector) const {
-    for (std::size_t k = 0; k < n_; ++k) vector[k] = fx[elements_[k]], vector[n_ + k] = fy[elements_[k]];
-  }
-  void scatter(std::span<const double> vector, Field& fx, Field& fy) const {
-    fx.assign(problem_.bound.size(), 0.0);
-    fy.assign(problem_.bound.size(), 0.0);
-    for (std::size_t k = 0; k < n_; ++k) fx[elements_[k]] = vector[k], fy[elements_[k]] = vector[n_ + k];
-  }
-
   void copy_to(FrictionSolution& s, std::span<const double> unknowns, std::span<const double> slip) const {
     for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(problem_.bound.size(), 0.0);
     s.sliding.assign(problem_.bound.size(), 0);
@@ -189,27 +159,19 @@ public:
   }
 
 private:
-  /// The part of a change of an element's traction that slip can bring about: all of it in adhesion, a share of what
-  /// is across the traction in slip. Taken before and after the preconditioner's map the share alpha comes out: where D
-  /// is s, with |s| = 1, and the map 1/s, (1 - alpha + alpha s)(1 - alpha + alpha/s) is real and positive.
-  Vec2 free_part(std::size_t k, Vec2 change) const {
-    if (!state_[k]) return change;
-    const double across = std::sqrt(alpha_[k]) * (normal_x_[k] * change.y - normal_y_[k] * change.x);
-    return {-across * normal_y_[k], across * normal_x_[k]};
-  }
-
   void follow_waves(std::span<double> unknowns) {
+    friction_.free_part(unknowns, change_);
     for (std::size_t k = 0; k < n_; ++k) {
-      const Vec2 p = free_part(k, {unknowns[k], unknowns[n_ + k]});
-      wide_px_[elements_[k]] = p.x;
-      wide_py_[elements_[k]] = p.y;
+      wide_px_[elements_[k]] = change_[k];
+      wide_py_[elements_[k]] = change_[n_ + k];
     }
     problem_.preconditioner->apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
     for (std::size_t k = 0; k < n_; ++k) {
-      const Vec2 q = free_part(k, {wide_sx_[elements_[k]], wide_sy_[elements_[k]]});
-      unknowns[k] += q.x;
-      unknowns[n_ + k] += q.y;
+      change_[k] = wide_sx_[elements_[k]];
+      change_[n_ + k] = wide_sy_[elements_[k]];
     }
+    friction_.free_part(change_, change_);
+    for (std::size_t k = 0; k < 2 * n_; ++k) unknowns[k] += change_[k];
   }
 
   /// Replaces the unknown constants by what the equations of the forces want: with the tractions that grow with the
@@ -284,8 +246,9 @@ private:
   std::array<FrictionNewton::Tractions, 2> growth_ = {};   ///< with the constant of each of them
   bool growth_is_known_ = false;                           ///< for all of them
   std::array<std::array<double, 2>, 2> force_growth_ = {}; ///< of each force's equation with each constant
-  Field g_, normal_x_, normal_y_, alpha_;
-  std::vector<char> state_; ///< 1 in slip
+  Field g_;
+  LinearisedFriction<double> friction_{0};
+  Field change_; ///< of the tractions
   Field wide_px_, wide_py_, wide_sx_, wide_sy_;
 };
 
@@ -321,40 +284,6 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   s.products = problem.response.products() - products_before;
   s.status = state.norm <= goal ? Status::ok : Status::not_converged;
   return s;
-}
-
-FrictionNewton::Change FrictionNewton::differentiate(const FrictionProblem& problem, const FrictionSolution& solution,
-                                                     std::span<const double> dcx, std::span<const double> dcy,
-                                                     double tolerance, const Change* start) {
-  constexpr int most = 1000;
-  const long products_before = problem.response.products();
-  Iterate at(problem, 1 / problem.response.diagonal());
-  const std::size_t n = at.size();
-  Field x(n), slip(n), right(n), step(n), growth(n), total(n), total_growth(n);
-  at.gather(solution.px, solution.py, x);
-  at.gather(solution.sx, solution.sy, slip);
-  at.linearise(x, slip);
-  const auto misfit = [&] {
-    at.derivative(total, total_growth, 0, right);
-    double sum = 0;
-    for (double& value : right) sum += value * value, value = -value;
-    return std::sqrt(sum);
-  };
-  at.gather(dcx, dcy, total_growth);
-  const double without_start = misfit();
-  double fall = tolerance;
-  if (start) {
-    at.gather(start->px, start->py, total);
-    at.gather(start->sx, start->sy, total_growth);
-    fall *= without_start / misfit();
-  }
-  LinearisedProblem(at, gmres_, n).solve(right, 0, fall, most, step, growth);
-  for (std::size_t k = 0; k < n; ++k) total[k] += step[k], total_growth[k] += growth[k];
-  Change out;
-  at.scatter(total, out.px, out.py);
-  at.scatter(total_growth, out.sx, out.sy);
-  out.products = problem.response.products() - products_before;
-  return out;
 }
 
 } // namespace microslip

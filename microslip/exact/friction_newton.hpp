@@ -24,7 +24,7 @@ struct FrictionProblem {
   std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known but for a constant ...
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
   std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
-  RollingPreconditioner* preconditioner = nullptr;  ///< for D
+  RollingPreconditioner<double>* preconditioner = nullptr; ///< for D
 };
 
 struct FrictionSolution {
@@ -39,8 +39,7 @@ struct FrictionSolution {
 };
 
 /// Solves F(p) = p - P_g(p - rho s(p)) = 0, where P_g projects each element's traction on the disk of radius g, by a
-/// semi-smooth Newton method. With z = p - rho s, n = z/|z|, t orthogonal to n, alpha = g/|z| a Newton step solves rho
-/// D dp = -F in adhesion (|z| <= g), and n.dp = -n.F, (1 - alpha) t.dp + alpha rho t.D dp = -t.F in slip.
+/// semi-smooth Newton method, with the derivative of LinearisedFriction.
 class FrictionNewton {
 public:
   /// Tractions [Pa]; empty: zero.
@@ -70,19 +69,8 @@ public:
   FrictionSolution solve(const FrictionProblem& problem, const Options& options, const Start& start);
   FrictionSolution solve(const FrictionProblem& problem, const Options& options) { return solve(problem, options, {}); }
 
-  /// By how much the tractions of a solution change when the slip without tractions changes by dcx, dcy (per unit of
-  /// whatever changes): the implicit function theorem for F(p) = 0, forces not given. Also the slip's change. Solved to
-  /// a relative residual of `tolerance`; holds where no element is just between adhesion and slip. `start` is a change
-  /// near the one looked for, with its slip's change for these dcx, dcy.
-  struct Change {
-    std::vector<double> px, py, sx, sy;
-    long products = 0;
-  };
-  Change differentiate(const FrictionProblem& problem, const FrictionSolution& solution, std::span<const double> dcx,
-                       std::span<const double> dcy, double tolerance, const Change* start = nullptr);
-
 private:
-  Gmres gmres_;
+  Gmres<double> gmres_;
 };
 
 } // namespace microslip

@@ -26,7 +26,7 @@ public:
   /// As SecondOrderRolling::differentiate, for a solution with creepages given and its plain part converged.
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
                                                 double tolerance) {
-    return rolling_.differentiate(bound(contact), contact.creepage, solution, tolerance);
+    return rolling_.differentiate(bound(contact), solution, tolerance);
   }
 
 private:

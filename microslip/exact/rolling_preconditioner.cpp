@@ -1,6 +1,7 @@
 #include "microslip/exact/rolling_preconditioner.hpp"
 
 #include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +9,13 @@
 #include <complex>
 #include <vector>
 
+#include <omp.h>
+
 namespace microslip {
 namespace {
 
-using Complex = std::complex<double>;
-
 constexpr int block = 64;                          // waves along y that are filtered together
+constexpr int batch = 8;                           // columns that are transformed together
 constexpr std::size_t smallest_threaded = 1 << 14; // numbers in a grid that are worth several threads
 
 /// Found by trial on ellipses of all shapes with 12 to 300 elements across: the size of M^-1, and of h |ky| in it,
@@ -25,51 +27,51 @@ constexpr double zero = 0.75, pole = 0.25;
 
 } // namespace
 
-struct RollingPreconditioner::Plans {
+template <class Real> struct RollingPreconditioner<Real>::Plans {
+  using Complex = std::complex<Real>;
   /// Of an element in contact.
   struct Place {
-    std::size_t element, wave; ///< its numbers, and its place in the columns
+    std::size_t element, place; ///< its numbers, and its place in the columns
     bool leads;
   };
   /// size times (1 - zero z)/(1 - pole z), and the same with 1/z.
   struct Filter {
-    double size, zero, pole;
+    Real size, zero, pole;
   };
 
   int mx, my, ny;
   bool forward;
+  int threads;
   std::vector<Place> places;   ///< row after row, in each from the trailing to the leading edge
   std::vector<Filter> filters; ///< of the waves along y
-  fftw::Buffer<Complex> waves; ///< px + i py, or its transforms along y; column after column, each of length ny
-  fftw::Plan to_waves, from_waves;
-  bool threaded;
+  /// px + i py and its transforms along y; column after column, each of length ny, a multiple of `batch` of them.
+  fftw::Buffer<Complex> tractions, waves;
+  fftw::Transforms<Real> to_waves, from_waves;
 
   Plans(const ElementGrid& grid, RollingDirection direction)
-      : mx(grid.mx), my(grid.my), ny(fftw::good_even_size(my)), forward(direction == RollingDirection::forward),
-        waves(fftw::allocate<Complex>(count())), threaded(count() >= smallest_threaded) {
+      : mx(grid.mx), my(grid.my), ny(fftw::quick_size(my)), forward(direction == RollingDirection::forward),
+        threads(count() >= smallest_threaded ? omp_get_max_threads() : 1), tractions(fftw::allocate<Complex>(count())),
+        waves(fftw::allocate<Complex>(count())), to_waves(ny, batch, FFTW_FORWARD, tractions.get(), waves.get()),
+        from_waves(ny, batch, FFTW_BACKWARD, waves.get(), tractions.get()) {
     const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
     for (int j = 0; j < ny; ++j) {
       const double c = 1 + ky_share * grid.dx * lowest * std::min(j, ny - j);
-      filters.push_back({size * c / ny, zero / c, pole / c}); // 1/ny scales the transforms
+      // 1/ny scales the transforms
+      filters.push_back({static_cast<Real>(size * c / ny), static_cast<Real>(zero / c), static_cast<Real>(pole / c)});
     }
-    const auto plan = [&](int sign) {
-      fftw_complex* column = fftw::raw(waves.get());
-      return fftw::make([&] { return fftw_plan_dft_1d(ny, column, column, sign, FFTW_ESTIMATE); });
-    };
-    to_waves = plan(FFTW_FORWARD);
-    from_waves = plan(FFTW_BACKWARD);
   }
 
   void add(std::size_t element, std::size_t cell, bool leads) {
     places.push_back({element, cell % mx * ny + cell / mx, leads});
   }
 
-  std::size_t count() const { return static_cast<std::size_t>(mx) * ny; }
+  int batches() const { return (mx + batch - 1) / batch; }
+  std::size_t count() const { return static_cast<std::size_t>(batches()) * batch * ny; }
   Complex* column(int i) { return waves.get() + static_cast<std::size_t>(i) * ny; }
 
-  void transform(const fftw::Plan& plan) {
-#pragma omp parallel for if (threaded)
-    for (int i = 0; i < mx; ++i) fftw_execute_dft(plan.get(), fftw::raw(column(i)), fftw::raw(column(i)));
+  void transform(const fftw::Transforms<Real>& plan, Complex* in, Complex* out) {
+    const std::size_t step = static_cast<std::size_t>(batch) * ny;
+    share_out(batches(), threads, [&](int b, int) { plan.execute(in + b * step, out + b * step); });
   }
 
   /// (1 - zero z)/(1 - pole z) for the waves `begin` to `end`, where z takes what is in column i - step.
@@ -95,31 +97,33 @@ struct RollingPreconditioner::Plans {
       for (int j = begin; j < end; ++j) column(i)[j] *= filters[j].size;
   }
 
-  void apply(std::span<const double> px, std::span<const double> py, std::span<double> qx, std::span<double> qy) {
-    std::fill_n(waves.get(), count(), Complex(0));
-    for (const Place& p : places) waves[p.wave] = {px[p.element], py[p.element]};
-    transform(to_waves);
-#pragma omp parallel for if (threaded)
-    for (int begin = 0; begin < ny; begin += block) filter_both_ways(begin, std::min(begin + block, ny));
-    transform(from_waves);
+  void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy) {
+    std::fill_n(tractions.get(), count(), Complex(0));
+    for (const Place& p : places) tractions[p.place] = {px[p.element], py[p.element]};
+    transform(to_waves, tractions.get(), waves.get());
+    share_out((ny + block - 1) / block, threads,
+              [&](int b, int) { filter_both_ways(b * block, std::min((b + 1) * block, ny)); });
+    transform(from_waves, waves.get(), tractions.get());
     Complex ahead = 0;
     for (std::size_t k = places.size(); k-- > 0;) { // each row from its leading element on
       const Place& p = places[k];
-      ahead = (p.leads ? 0 : ahead) + waves[p.wave];
+      ahead = (p.leads ? Complex(0) : ahead) + tractions[p.place];
       qx[p.element] = ahead.real() - px[p.element];
       qy[p.element] = ahead.imag() - py[p.element];
     }
   }
 };
 
-RollingPreconditioner::RollingPreconditioner(const FittedContact& contact)
+template <class Real>
+RollingPreconditioner<Real>::RollingPreconditioner(const FittedContact& contact)
     : plans_(std::make_unique<Plans>(contact.grid, RollingDirection::forward)) {
   for (std::size_t k = 0; k < contact.elements.size(); ++k)
     plans_->add(k, contact.elements[k].cell, contact.elements[k].leads);
 }
 
-RollingPreconditioner::RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound,
-                                             RollingDirection direction)
+template <class Real>
+RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound,
+                                                   RollingDirection direction)
     : plans_(std::make_unique<Plans>(grid, direction)) {
   const int ahead = plans_->forward ? 1 : -1, trailing = plans_->forward ? 0 : grid.mx - 1;
   for (int j = 0; j < grid.my; ++j)
@@ -130,13 +134,18 @@ RollingPreconditioner::RollingPreconditioner(const ElementGrid& grid, std::span<
     }
 }
 
-RollingPreconditioner::RollingPreconditioner(RollingPreconditioner&&) noexcept = default;
-RollingPreconditioner& RollingPreconditioner::operator=(RollingPreconditioner&&) noexcept = default;
-RollingPreconditioner::~RollingPreconditioner() = default;
+template <class Real> RollingPreconditioner<Real>::RollingPreconditioner(RollingPreconditioner&&) noexcept = default;
+template <class Real>
+RollingPreconditioner<Real>& RollingPreconditioner<Real>::operator=(RollingPreconditioner&&) noexcept = default;
+template <class Real> RollingPreconditioner<Real>::~RollingPreconditioner() = default;
 
-void RollingPreconditioner::apply(std::span<const double> px, std::span<const double> py, std::span<double> qx,
-                                  std::span<double> qy) {
+template <class Real>
+void RollingPreconditioner<Real>::apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx,
+                                        std::span<Real> qy) {
   plans_->apply(px, py, qx, qy);
 }
+
+template class RollingPreconditioner<double>;
+template class RollingPreconditioner<float>;
 
 } // namespace microslip

@@ -15,8 +15,8 @@ namespace microslip {
 /// which begins at a leading edge, as well as on a line. Each root is Pade's (1 - 3/4 z/c)/(1 - 1/4 z/c): a recursion
 /// along x for each wave along y. Division by 1 - z is a sum along the row from the leading edge on. Cost O(N log N),
 /// about a fifth of a product with D; memory 16 bytes for each element of the grid. Results do not depend on the number
-/// of OpenMP threads, which large grids use.
-class RollingPreconditioner {
+/// of OpenMP threads, which large grids use. In double or in single precision.
+template <class Real> class RollingPreconditioner {
 public:
   /// For rolling along +x.
   explicit RollingPreconditioner(const FittedContact& contact);
@@ -28,7 +28,7 @@ public:
 
   /// q = (M^-1 - 1) p. One number for each element; |ky| is that of the periodic columns of the grid, with zeros where
   /// no elements are, also ahead of the leading edge before the sum.
-  void apply(std::span<const double> px, std::span<const double> py, std::span<double> qx, std::span<double> qy);
+  void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy);
 
 private:
   struct Plans;

@@ -12,8 +12,9 @@ namespace {
 constexpr double tolerance_of_first = 3e-4;
 
 /// Derivatives of the plain solution enter those of the forces through the correction only, whose share is some
-/// hundredths: its equations and its derivatives need not be as good.
-constexpr double plain_over_corrected = 10;
+/// hundredths: its equations and its derivatives need not be as good. By trial at 8 to 128 rows: with more, derivatives
+/// of forces become worse.
+constexpr double plain_over_corrected = 10, plain_over_corrected_equations = 30;
 
 /// Progress of a part of the work.
 Progress part(const Progress& whole, double from, double to) {
@@ -99,7 +100,7 @@ void SecondOrderRolling::solve_twice(std::span<const double> bound, const Second
   with.force_x = input.force_x;
   with.force_y = input.force_y;
   double first = std::max(tolerance_of_first, input.tolerance);
-  if (input.converge_plain) first = std::min(first, plain_over_corrected * input.tolerance);
+  if (input.converge_plain) first = std::min(first, plain_over_corrected_equations * input.tolerance);
   out.plain = newton_.solve(with, {.tolerance = first, .progress = part(input.progress, 0, 0.3)}, input.start);
   FrictionSolution& s = out.friction = out.plain;
   if (s.status != Status::ok) return;
@@ -136,26 +137,28 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
 }
 
 SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<const double> bound,
-                                                                  const Creepage& creepage,
                                                                   const SecondOrderSolution& solution,
                                                                   double tolerance) {
   const std::size_t n = contact_.elements.size();
-  Field cx(n), cy(n), corrected_x(n), corrected_y(n), dcx(n), dcy(n);
-  rigid_slip(creepage, cx, cy);
-  corrected_x = cx;
-  corrected_y = cy;
-  add_correction(solution.plain, solution.plain.sx, solution.plain.sy, corrected_x, corrected_y);
-  const FrictionProblem plain = problem(bound, cx, cy), corrected = problem(bound, corrected_x, corrected_y);
+  Field dcx(n), dcy(n);
+  if (!derivative_) derivative_ = std::make_unique<RollingDerivative>(response_, contact_);
   Derivatives out;
   const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
+  derivative_->linearise(bound, solution.plain);
   for (std::size_t i = 0; i < units.size(); ++i) {
     rigid_slip(units[i], dcx, dcy);
-    auto first = newton_.differentiate(plain, solution.plain, dcx, dcy, plain_over_corrected * tolerance);
-    const Field sx = first.sx, sy = first.sy;
+    out.by[i] = derivative_->solve(dcx, dcy, plain_over_corrected * tolerance);
+  }
+  derivative_->linearise(bound, solution.friction);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    auto& change = out.by[i];
+    const Field sx = change.sx, sy = change.sy;
+    const long products = change.products;
+    rigid_slip(units[i], dcx, dcy);
     add_correction(solution.plain, sx, sy, dcx, dcy);
-    add_correction(solution.plain, sx, sy, first.sx, first.sy); // the slip that goes with these
-    out.by[i] = newton_.differentiate(corrected, solution.friction, dcx, dcy, tolerance, &first);
-    out.products += first.products + out.by[i].products;
+    add_correction(solution.plain, sx, sy, change.sx, change.sy); // the slip that goes with these
+    change = derivative_->solve(dcx, dcy, tolerance, &change);
+    out.products += products + change.products;
   }
   return out;
 }

@@ -2,9 +2,11 @@
 
 #include "microslip/exact/fitted_response.hpp"
 #include "microslip/exact/friction_newton.hpp"
+#include "microslip/exact/rolling_derivative.hpp"
 #include "microslip/simplified/contact.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,11 +50,10 @@ public:
   /// one and the corrected one, with the linear systems solved to `tolerance`. Holds where no element is just between
   /// adhesion and slip. Cost: six linear solves.
   struct Derivatives {
-    std::array<FrictionNewton::Change, 3> by; ///< xi, eta, phi
+    std::array<RollingDerivative::Change, 3> by; ///< xi, eta, phi
     long products = 0;
   };
-  Derivatives differentiate(std::span<const double> bound, const Creepage& creepage,
-                            const SecondOrderSolution& solution, double tolerance);
+  Derivatives differentiate(std::span<const double> bound, const SecondOrderSolution& solution, double tolerance);
 
 private:
   void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;
@@ -65,9 +66,10 @@ private:
 
   FittedContact contact_;
   FittedResponse response_;
-  RollingPreconditioner preconditioner_;
+  RollingPreconditioner<double> preconditioner_;
   FrictionNewton newton_;
   std::vector<double> area_share_;
+  std::unique_ptr<RollingDerivative> derivative_; ///< made when it is first needed
 };
 
 } // namespace microslip

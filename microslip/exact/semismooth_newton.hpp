@@ -26,22 +26,23 @@ struct NewtonState {
   bool stopped = false; ///< by the progress function
 };
 
-/// The equations F'(x) v = right of a linearised problem F(x) = 0, solved by GMRES. `Problem` has size(),
-/// precondition(v), respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp are
-/// documented.
+/// The equations F'(x) v = right of a linearised problem F(x) = 0, solved by GMRES. `Problem` has a type Real,
+/// size(), precondition(v), respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp
+/// are documented.
 template <class Problem> class LinearisedProblem {
 public:
-  using Field = std::vector<double>;
+  using Real = typename Problem::Real;
+  using Field = std::vector<Real>;
 
-  LinearisedProblem(Problem& problem, Gmres& gmres, std::size_t responses)
+  LinearisedProblem(Problem& problem, Gmres<Real>& gmres, std::size_t responses)
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
   /// v and its response, which costs no product more: it is summed of those that the products had. Returns |F' v -
   /// right|.
-  double solve(std::span<const double> right, double damping, double tolerance, int most, std::span<double> v,
-               std::span<double> growth) {
+  double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
+               std::span<Real> growth) {
     std::size_t count = 0;
-    const auto product = [&](std::span<const double> in, std::span<double> out) {
+    const auto product = [&](std::span<const Real> in, std::span<Real> out) {
       if (growths_.size() <= count) growths_.emplace_back();
       Field& response = growths_[count++];
       response.resize(responses_);
@@ -50,7 +51,7 @@ public:
       problem_.respond(change_, response);
       problem_.derivative(change_, response, damping, out);
     };
-    const Gmres::Result result = gmres_.solve(product, right, v, tolerance, most);
+    const auto result = gmres_.solve(product, right, v, tolerance, most);
     problem_.precondition(v);
     combine(result.weights, growths_, growth);
     return result.residual;
@@ -58,7 +59,7 @@ public:
 
 private:
   Problem& problem_;
-  Gmres& gmres_;
+  Gmres<Real>& gmres_;
   Field change_;
   std::size_t responses_;
   std::vector<Field> growths_; ///< of the products' vectors
@@ -70,7 +71,7 @@ private:
 /// response) and mean_alpha(). The linear systems are solved by GMRES as well as they predicted the last step
 /// (Eisenstat & Walker 1996, choice 1); steps are halved until |F| falls.
 template <class Problem>
-void take_newton_steps(Problem& problem, Gmres& gmres, const NewtonLimits& limits, std::vector<double>& x,
+void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimits& limits, std::vector<double>& x,
                        std::vector<double>& response, NewtonState& state) {
   using Field = std::vector<double>;
   /// Found by trial: with .03 and .1 all of 14,000 seeded problems converge to 1e-10; with .001, .01 and .3 one to

@@ -147,7 +147,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     const FrictionNewton::Tractions before = tractions_of(steady ? nullptr : input.previous);
     const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
     FrictionNewton::Options options{.tolerance = input.tolerance, .progress = input.progress};
-    std::optional<RollingPreconditioner> preconditioner;
+    std::optional<RollingPreconditioner<double>> preconditioner;
     if (steady)
       problem.preconditioner = &preconditioner.emplace(grid_, bound, input.direction);
     else

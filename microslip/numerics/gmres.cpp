@@ -1,55 +1,78 @@
 #include "microslip/numerics/gmres.hpp"
 
+#include "microslip/numerics/threads.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <utility>
+
+#include <omp.h>
 
 namespace microslip {
 namespace {
 
-using Vector = std::vector<double>;
+using Weights = std::vector<double>;
+template <class Real> using Basis = std::vector<std::vector<Real>>;
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
+template <class Real> Real dot(std::span<const Real> a, std::span<const Real> b) {
+  Real sum = 0;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
-void add_scaled(double factor, std::span<const double> a, std::span<double> to) {
+template <class Real> void add_scaled(Real factor, std::span<const Real> a, std::span<Real> to) {
 #pragma omp simd
   for (std::size_t i = 0; i < a.size(); ++i) to[i] += factor * a[i];
 }
-void scale(double factor, std::span<double> a) {
-  for (double& value : a) value *= factor;
+template <class Real> void scale(double factor, std::span<Real> a) {
+  for (Real& value : a) value *= static_cast<Real>(factor);
 }
 
 constexpr std::size_t block = 2048;                // numbers of a vector that stay in the cache
 constexpr std::size_t smallest_threaded = 1 << 15; // numbers in a vector that are worth several threads
 
+/// A vector in blocks, and the threads that share them.
+struct Blocks {
+  explicit Blocks(std::size_t vector_size)
+      : size(vector_size), count(static_cast<int>((size + block - 1) / block)),
+        threads(size >= smallest_threaded ? omp_get_max_threads() : 1) {}
+
+  template <class Real> std::span<Real> part(int b, std::span<Real> v) const {
+    const std::size_t begin = b * block;
+    return v.subspan(begin, std::min(block, size - begin));
+  }
+  template <class Real> std::span<const Real> part(int b, const std::vector<Real>& v) const {
+    return part(b, std::span<const Real>(v));
+  }
+
+  std::size_t size;
+  int count, threads;
+};
+
+template <class Real> double norm(const std::vector<Real>& v) {
+  const Blocks blocks(v.size());
+  double sum = 0;
+  for (int b = 0; b < blocks.count; ++b) sum += dot(blocks.part(b, v), blocks.part(b, v));
+  return std::sqrt(sum);
+}
+
 /// Takes the components along the first `count` basis vectors off `v` and adds them to `components`: Gram and Schmidt's
 /// classical method, block by block, so that each basis vector is read twice only. The sums are formed in an order that
 /// does not depend on the number of threads.
-void orthogonalise(const std::vector<Vector>& basis, std::size_t count, std::span<double> v,
-                   std::span<double> components) {
-  const std::size_t blocks = (v.size() + block - 1) / block;
-  Vector sums(blocks * count), total(count);
-  const auto part = [&](std::size_t b, std::span<const double> vector) {
-    return vector.subspan(b * block, std::min(block, vector.size() - b * block));
-  };
-#pragma omp parallel if (v.size() >= smallest_threaded)
-  {
-#pragma omp for
-    for (std::size_t b = 0; b < blocks; ++b)
-      for (std::size_t i = 0; i < count; ++i) sums[b * count + i] = dot(part(b, basis[i]), part(b, v));
-#pragma omp single
+template <class Real>
+void orthogonalise(const Basis<Real>& basis, std::size_t count, std::vector<Real>& v, std::span<double> components) {
+  const Blocks blocks(v.size());
+  Weights sums(blocks.count * count), total(count);
+  share_out(blocks.count, blocks.threads, [&](int b, int) {
+    for (std::size_t i = 0; i < count; ++i) sums[b * count + i] = dot(blocks.part(b, basis[i]), blocks.part(b, v));
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    for (int b = 0; b < blocks.count; ++b) total[i] += sums[b * count + i];
+  share_out(blocks.count, blocks.threads, [&](int b, int) {
     for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t b = 0; b < blocks; ++b) total[i] += sums[b * count + i];
-#pragma omp for
-    for (std::size_t b = 0; b < blocks; ++b)
-      for (std::size_t i = 0; i < count; ++i)
-        add_scaled(-total[i], part(b, basis[i]), v.subspan(b * block, std::min(block, v.size() - b * block)));
-  }
+      add_scaled(static_cast<Real>(-total[i]), blocks.part(b, basis[i]), blocks.part(b, std::span(v)));
+  });
   for (std::size_t i = 0; i < count; ++i) components[i] += total[i];
 }
 
@@ -60,7 +83,7 @@ public:
 
   /// Adds a column (its last entry is the new subdiagonal) and returns the new residual. A column that lies in the
   /// span of those before, but for `rounding`, is left out: the matrix is singular and it gains nothing.
-  double add(Vector column, double rounding) {
+  double add(Weights column, double rounding) {
     const std::size_t k = columns_.size();
     for (std::size_t i = 0; i < k; ++i) rotate(i, column);
     const double length = std::hypot(column[k], column[k + 1]);
@@ -74,8 +97,8 @@ public:
     return std::abs(rhs_.back());
   }
 
-  Vector solve() const {
-    Vector y(columns_.size());
+  Weights solve() const {
+    Weights y(columns_.size());
     for (std::size_t i = y.size(); i-- > 0;) {
       double value = rhs_[i];
       for (std::size_t j = i + 1; j < y.size(); ++j) value -= columns_[j][i] * y[j];
@@ -85,48 +108,49 @@ public:
   }
 
 private:
-  void rotate(std::size_t i, Vector& column) const {
+  void rotate(std::size_t i, Weights& column) const {
     const double first = column[i], second = column[i + 1];
     column[i] = cosine_[i] * first + sine_[i] * second;
     column[i + 1] = -sine_[i] * first + cosine_[i] * second;
   }
 
-  std::vector<Vector> columns_;
-  Vector rhs_, cosine_, sine_;
+  std::vector<Weights> columns_;
+  Weights rhs_, cosine_, sine_;
 };
 
 } // namespace
 
-Gmres::Result Gmres::solve(const Product& matrix, std::span<const double> b, std::span<double> x, double tolerance,
-                           int most) {
-  const double size = std::sqrt(dot(b, b));
-  if (!(size > 0)) {
-    std::fill(x.begin(), x.end(), 0.0);
-    return {0, size, {}};
-  }
-  const auto vector = [&](std::size_t k) -> Vector& {
+template <class Real>
+typename Gmres<Real>::Result Gmres<Real>::solve(const Product& matrix, std::span<const Real> b, std::span<Real> x,
+                                                double tolerance, int most) {
+  const auto vector = [&](std::size_t k) -> std::vector<Real>& {
     if (basis_.size() <= k) basis_.emplace_back();
     basis_[k].resize(b.size());
     return basis_[k];
   };
   std::copy(b.begin(), b.end(), vector(0).begin());
-  scale(1 / size, basis_[0]);
+  const double size = norm(basis_[0]);
+  if (!(size > 0)) {
+    std::fill(x.begin(), x.end(), Real(0));
+    return {0, size, {}};
+  }
+  scale(1 / size, std::span(basis_[0]));
 
   Triangle triangle(size);
   double residual = size, largest = 0; // largest: |A v| so far
   int k = 0;
   for (; k < most && residual > tolerance * size; ++k) {
-    Vector& next = vector(k + 1);
+    std::vector<Real>& next = vector(k + 1);
     matrix(basis_[k], next);
-    double before = std::sqrt(dot(next, next)), length = before;
+    double before = norm(next), length = before;
     largest = std::max(largest, before);
-    const double rounding = 1e-14 * largest;
-    Vector column(k + 2);
+    const double rounding = 50 * std::numeric_limits<Real>::epsilon() * largest;
+    Weights column(k + 2);
     // Once more where little is left: it has the rounding errors of what was taken off.
     for (int pass = 0; pass < 2 && (pass == 0 || length < 0.1 * before); ++pass) {
       before = length;
       orthogonalise(basis_, k + 1, next, column);
-      length = std::sqrt(dot(next, next));
+      length = norm(next);
     }
     const bool closed = !(length > rounding); // the space holds its own image: it has nothing more to give
     column[k + 1] = closed ? 0 : length;
@@ -135,22 +159,26 @@ Gmres::Result Gmres::solve(const Product& matrix, std::span<const double> b, std
       ++k;
       break;
     }
-    scale(1 / length, next);
+    scale(1 / length, std::span(next));
   }
-  Vector weights = triangle.solve();
+  Weights weights = triangle.solve();
   combine(weights, basis_, x);
   return {k, residual, std::move(weights)};
 }
 
-void combine(std::span<const double> weights, const std::vector<Vector>& vectors, std::span<double> sum) {
-#pragma omp parallel for if (sum.size() >= smallest_threaded)
-  for (std::size_t begin = 0; begin < sum.size(); begin += block) {
-    const std::size_t count = std::min(block, sum.size() - begin);
-    const std::span<double> part = sum.subspan(begin, count);
-    std::fill(part.begin(), part.end(), 0.0);
+template <class Real> void combine(std::span<const double> weights, const Basis<Real>& vectors, std::span<Real> sum) {
+  const Blocks blocks(sum.size());
+  share_out(blocks.count, blocks.threads, [&](int b, int) {
+    const std::span<Real> part = blocks.part(b, sum);
+    std::fill(part.begin(), part.end(), Real(0));
     for (std::size_t k = 0; k < weights.size(); ++k)
-      add_scaled(weights[k], std::span(vectors[k]).subspan(begin, count), part);
-  }
+      add_scaled(static_cast<Real>(weights[k]), blocks.part(b, vectors[k]), part);
+  });
 }
+
+template class Gmres<double>;
+template class Gmres<float>;
+template void combine(std::span<const double>, const Basis<double>&, std::span<double>);
+template void combine(std::span<const double>, const Basis<float>&, std::span<float>);
 
 } // namespace microslip

@@ -7,10 +7,11 @@
 namespace microslip {
 
 /// The generalised minimal residual method (Saad & Schultz 1986) for A x = b with any square matrix, given by its
-/// product. The object keeps the memory of its basis, which grows as needed and is used again.
-class Gmres {
+/// product. The object keeps the memory of its basis, which grows as needed and is used again. In double or in single
+/// precision, the small least squares problem always in double.
+template <class Real> class Gmres {
 public:
-  using Product = std::function<void(std::span<const double> in, std::span<double> out)>;
+  using Product = std::function<void(std::span<const Real> in, std::span<Real> out)>;
 
   struct Result {
     int products;    ///< with the matrix
@@ -22,14 +23,15 @@ public:
 
   /// Starts from x = 0 and stops when |b - A x| <= tolerance |b| or after `most` products. Cost: products, and for k of
   /// them 2 k^2 operations with vectors.
-  Result solve(const Product& matrix, std::span<const double> b, std::span<double> x, double tolerance, int most);
+  Result solve(const Product& matrix, std::span<const Real> b, std::span<Real> x, double tolerance, int most);
 
 private:
-  std::vector<std::vector<double>> basis_;
+  std::vector<std::vector<Real>> basis_;
 };
 
 /// sum = the sum of weights[k] vectors[k]; there may be more vectors than weights. Long vectors use OpenMP's threads;
 /// results do not depend on their number.
-void combine(std::span<const double> weights, const std::vector<std::vector<double>>& vectors, std::span<double> sum);
+template <class Real>
+void combine(std::span<const double> weights, const std::vector<std::vector<Real>>& vectors, std::span<Real> sum);
 
 } // namespace microslip

@@ -2,17 +2,17 @@
 
 #include "microslip/numerics/fftw.hpp"
 #include "microslip/numerics/quarter_transform.hpp"
+#include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include <omp.h>
 
 namespace microslip {
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr int block = 4;                           // columns next to each other: a line of the cache
 constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
@@ -32,10 +32,10 @@ std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, Parity pari
 
 /// z = s z + t v and v = s v + conj(t) z with t = d + i m, for complex numbers written out in real ones, which the
 /// compiler vectorises.
-void multiply(const double* s, const double* d, const double* m, double* z, double* v, int size) {
+template <class Real> void multiply(const Real* s, const Real* d, const Real* m, Real* z, Real* v, int size) {
 #pragma omp simd
   for (int k = 0; k < size; ++k) {
-    const double zr = z[2 * k], zi = z[2 * k + 1], vr = v[2 * k], vi = v[2 * k + 1];
+    const Real zr = z[2 * k], zi = z[2 * k + 1], vr = v[2 * k], vi = v[2 * k + 1];
     z[2 * k] = s[k] * zr + d[k] * vr - m[k] * vi;
     z[2 * k + 1] = s[k] * zi + d[k] * vi + m[k] * vr;
     v[2 * k] = s[k] * vr + d[k] * zr + m[k] * zi;
@@ -45,32 +45,38 @@ void multiply(const double* s, const double* d, const double* m, double* z, doub
 
 } // namespace
 
-struct SymmetricToeplitz::Plans {
+template <class Real> struct SymmetricToeplitz<Real>::Plans {
   int mx, my, nx, ny;
-  std::vector<double> mean, difference, mixed; ///< (xx + yy)/2, (xx - yy)/2, xy, for kx = 0 .. nx/2 all ky
-  fftw::Buffer<Complex> z;                     ///< rows of nx, a multiple of `batch` of them
-  std::vector<fftw::Buffer<Complex>> works;    ///< of each thread: two batches of rows or of columns
-  fftw::Plan row_forward, row_backward, column_forward, column_backward;
+  std::vector<Real> mean, difference, mixed; ///< (xx + yy)/2, (xx - yy)/2, xy, for kx = 0 .. nx/2 all ky
+  fftw::Buffer<Complex> field, z;            ///< and its transforms: rows of nx, a multiple of `batch` of them
+  int threads;                               ///< that share the work
+  std::vector<fftw::Buffer<Complex>> works;  ///< of each thread: two batches of columns
+  std::vector<fftw::Transforms<Real>> plans; ///< of rows and of columns, forward and backward
   long products = 0;
 
-  Plans(int x, int y, const Kernels& kernels)
-      : mx(x), my(y), nx(fftw::good_even_size(2 * x)), ny(fftw::good_even_size(2 * y)) {
-    find_spectra(kernels);
-    const std::size_t rows = static_cast<std::size_t>(row_batches()) * batch;
-    z = fftw::allocate<Complex>(rows * nx);
-    const int threads = static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1;
-    const std::size_t half_work = static_cast<std::size_t>(batch) * std::max(nx, ny);
+  Plans(int x, int y)
+      : mx(x), my(y), nx(fftw::quick_size(2 * x)), ny(fftw::quick_size(2 * y)),
+        field(fftw::allocate<Complex>(field_size())), z(fftw::allocate<Complex>(field_size())),
+        threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1) {
+    const std::size_t half_work = static_cast<std::size_t>(batch) * ny;
     for (int i = 0; i < threads; ++i) works.push_back(fftw::allocate<Complex>(2 * half_work));
-    const auto plan = [&](int n, int sign) {
-      fftw_complex *in = fftw::raw(works[0].get()), *out = in + half_work;
-      return fftw::make(
-          [&] { return fftw_plan_many_dft(1, &n, batch, in, nullptr, 1, n, out, nullptr, 1, n, sign, FFTW_ESTIMATE); });
-    };
-    row_forward = plan(nx, FFTW_FORWARD);
-    row_backward = plan(nx, FFTW_BACKWARD);
-    column_forward = plan(ny, FFTW_FORWARD);
-    column_backward = plan(ny, FFTW_BACKWARD);
+    for (const int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
+      plans.emplace_back(nx, batch, sign, field.get(), z.get());
+      plans.emplace_back(ny, batch, sign, works[0].get(), works[0].get() + half_work);
+    }
   }
+  Plans(int x, int y, const Kernels& kernels) : Plans(x, y) { find_spectra(kernels); }
+  template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my) {
+    const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
+      for (const double value : from) to.push_back(static_cast<Real>(factor * value));
+    };
+    scaled(other.mean, mean);
+    scaled(other.difference, difference);
+    scaled(other.mixed, mixed);
+  }
+
+  const fftw::Transforms<Real>& rows(int sign) const { return plans[sign == FFTW_FORWARD ? 0 : 2]; }
+  const fftw::Transforms<Real>& columns(int sign) const { return plans[sign == FFTW_FORWARD ? 1 : 3]; }
 
   void find_spectra(const Kernels& kernels) {
     const auto xx = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.xx);
@@ -83,37 +89,21 @@ struct SymmetricToeplitz::Plans {
         const bool upper = j > ny / 2;
         const std::size_t from = static_cast<std::size_t>(upper ? ny - j : j) * columns + i;
         const std::size_t to = static_cast<std::size_t>(i) * ny + j;
-        mean[to] = (xx[from] + yy[from]) / 2;
-        difference[to] = (xx[from] - yy[from]) / 2;
-        mixed[to] = upper ? -xy[from] : xy[from];
+        mean[to] = static_cast<Real>((xx[from] + yy[from]) / 2);
+        difference[to] = static_cast<Real>((xx[from] - yy[from]) / 2);
+        mixed[to] = static_cast<Real>(upper ? -xy[from] : xy[from]);
       }
   }
 
   int row_batches() const { return (my + batch - 1) / batch; }
   int column_blocks() const { return nx / 2 / block + 1; }
+  std::size_t field_size() const { return static_cast<std::size_t>(row_batches()) * batch * nx; }
 
-  static void execute(const fftw::Plan& plan, Complex* in, Complex* out) {
-    fftw_execute_dft(plan.get(), fftw::raw(in), fftw::raw(out));
-  }
-
-  void transform_rows(int first, const double* px, const double* py, Complex* work) {
-    for (int j = 0; j < batch; ++j) {
-      Complex* row = work + static_cast<std::size_t>(j) * nx;
-      const int in_row = first + j < my ? mx : 0;
-      const std::size_t from = static_cast<std::size_t>(first + j) * mx;
-      for (int i = 0; i < in_row; ++i) row[i] = {px[from + i], py[from + i]};
-      std::fill(row + in_row, row + nx, Complex(0));
-    }
-    execute(row_forward, work, z.get() + static_cast<std::size_t>(first) * nx);
-  }
-
-  void transform_rows_back(int first, double* ux, double* uy, Complex* work) {
-    execute(row_backward, z.get() + static_cast<std::size_t>(first) * nx, work);
-    for (int j = 0; j < std::min(batch, my - first); ++j) {
-      const Complex* row = work + static_cast<std::size_t>(j) * nx;
-      const std::size_t to = static_cast<std::size_t>(first + j) * mx;
-      for (int i = 0; i < mx; ++i) ux[to + i] = row[i].real(), uy[to + i] = row[i].imag();
-    }
+  void transform_rows(int first, int sign) {
+    const std::size_t begin = static_cast<std::size_t>(first) * nx;
+    Complex *in = field.get() + begin, *out = z.get() + begin;
+    if (sign == FFTW_BACKWARD) std::swap(in, out);
+    rows(sign).execute(in, out);
   }
 
   /// The columns from kx on and their mirror images: transformed along y, multiplied, transformed back. The images are
@@ -135,14 +125,14 @@ struct SymmetricToeplitz::Plans {
         work[static_cast<std::size_t>(block + c) * ny + j] = std::conj(row[mirror(c)]);
       }
     }
-    execute(column_forward, work, result);
+    columns(FFTW_FORWARD).execute(work, result);
     for (int c = 0; c < count; ++c) {
       const std::size_t spectrum = static_cast<std::size_t>(kx + c) * ny;
       multiply(&mean[spectrum], &difference[spectrum], &mixed[spectrum],
-               reinterpret_cast<double*>(result + static_cast<std::size_t>(c) * ny),
-               reinterpret_cast<double*>(result + static_cast<std::size_t>(block + c) * ny), ny);
+               reinterpret_cast<Real*>(result + static_cast<std::size_t>(c) * ny),
+               reinterpret_cast<Real*>(result + static_cast<std::size_t>(block + c) * ny), ny);
     }
-    execute(column_backward, result, work);
+    columns(FFTW_BACKWARD).execute(result, work);
     for (int j = 0; j < my; ++j) {
       Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
       for (int c = 0; c < count; ++c) {
@@ -151,32 +141,44 @@ struct SymmetricToeplitz::Plans {
       }
     }
   }
+
+  void apply() {
+    ++products;
+    share_out(row_batches(), threads, [&](int b, int) { transform_rows(b * batch, FFTW_FORWARD); });
+    share_out(column_blocks(), threads, [&](int b, int thread) { convolve_columns(b * block, works[thread].get()); });
+    share_out(row_batches(), threads, [&](int b, int) { transform_rows(b * batch, FFTW_BACKWARD); });
+  }
 };
 
-SymmetricToeplitz::SymmetricToeplitz(int mx, int my, const Kernels& kernels)
+template <class Real>
+SymmetricToeplitz<Real>::SymmetricToeplitz(int mx, int my, const Kernels& kernels)
     : plans_(std::make_unique<Plans>(mx, my, kernels)) {}
-SymmetricToeplitz::SymmetricToeplitz(SymmetricToeplitz&&) noexcept = default;
-SymmetricToeplitz& SymmetricToeplitz::operator=(SymmetricToeplitz&&) noexcept = default;
-SymmetricToeplitz::~SymmetricToeplitz() = default;
+template <class Real>
+SymmetricToeplitz<Real>::SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor)
+    : plans_(std::make_unique<Plans>(*other.plans_, factor)) {}
+template <class Real> SymmetricToeplitz<Real>::SymmetricToeplitz(SymmetricToeplitz&&) noexcept = default;
+template <class Real>
+SymmetricToeplitz<Real>& SymmetricToeplitz<Real>::operator=(SymmetricToeplitz&&) noexcept = default;
+template <class Real> SymmetricToeplitz<Real>::~SymmetricToeplitz() = default;
 
-long SymmetricToeplitz::products() const {
+template <class Real> long SymmetricToeplitz<Real>::products() const {
   return plans_->products;
 }
-
-void SymmetricToeplitz::apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
-                              std::span<double> uy) {
-  Plans& p = *plans_;
-  ++p.products;
-#pragma omp parallel num_threads(static_cast <int>(p.works.size()))
-  {
-    Complex* work = p.works[omp_get_thread_num()].get();
-#pragma omp for
-    for (int b = 0; b < p.row_batches(); ++b) p.transform_rows(b * batch, px.data(), py.data(), work);
-#pragma omp for
-    for (int b = 0; b < p.column_blocks(); ++b) p.convolve_columns(b * block, work);
-#pragma omp for
-    for (int b = 0; b < p.row_batches(); ++b) p.transform_rows_back(b * batch, ux.data(), uy.data(), work);
-  }
+template <class Real> std::size_t SymmetricToeplitz<Real>::stride() const {
+  return plans_->nx;
 }
+
+template <class Real> std::complex<Real>* SymmetricToeplitz<Real>::cleared_field() {
+  std::fill_n(plans_->field.get(), plans_->field_size(), Complex(0));
+  return plans_->field.get();
+}
+
+template <class Real> const std::complex<Real>* SymmetricToeplitz<Real>::apply() {
+  plans_->apply();
+  return plans_->field.get();
+}
+
+template class SymmetricToeplitz<double>;
+template class SymmetricToeplitz<float>;
 
 } // namespace microslip

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "microslip/numerics/symmetric_toeplitz.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The product that FittedResponse makes, in double or in single precision: from what it found, slip from tractions.
+template <class Real> class FittedProduct {
+public:
+  static constexpr int most_nodes = 6;
+  static constexpr std::size_t lanes = 4; ///< numbers that are corrected together
+
+  /// An element of the grid: its place in the transforms' field.
+  struct Place {
+    std::size_t element, cell;
+  };
+  /// A fitted element as `weight` times the grid's.
+  struct Moments {
+    std::size_t element, first_cell;
+    std::array<Real, 3> weight;
+  };
+  /// Displacement at a point from those at the grid's points.
+  struct Stencil {
+    std::size_t point, first_cell;
+    std::array<Real, most_nodes> weight;
+  };
+  /// `count` elements that follow one another, from `element` on, and a point; or an element and points. A multiple of
+  /// `lanes`: what would be too many have the weight zero.
+  struct Run {
+    std::size_t point, element, count;
+  };
+  /// What elements do to points less what the transforms make of it, run after run.
+  struct Corrections {
+    std::vector<Run> runs;
+    std::vector<Real> xx, xy, yy;
+  };
+  /// Points are the elements' centres and then the ends of slip that are no centres.
+  struct Tables {
+    std::vector<Place> places;
+    std::vector<Moments> moments;
+    std::vector<Stencil> stencils; ///< of the points that are none of the grid's
+    int nodes = most_nodes;        ///< of a stencil
+    Corrections at_points;         ///< at points that are none of the grid's, of elements
+    Corrections of_elements;       ///< of fitted elements, at the grid's points
+    std::size_t points = 0;
+    std::vector<std::size_t> end_point; ///< of each element
+    std::vector<Real> way;              ///< from each element's centre to the end of its slip [m]
+  };
+
+  FittedProduct(Tables tables, SymmetricToeplitz<Real> transform);
+  /// `factor` times another product.
+  FittedProduct(const FittedProduct<double>& other, double factor);
+
+  /// s = D p; one number for each element.
+  void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> sx, std::span<Real> sy);
+
+  /// The displacement difference at the points for the tractions of the last apply.
+  std::span<const Real> ux() const { return std::span(ux_).first(tables_.points); }
+  std::span<const Real> uy() const { return std::span(uy_).first(tables_.points); }
+  std::size_t elements() const { return tables_.way.size(); }
+  long products() const { return transform_.products(); }
+
+private:
+  template <class> friend class FittedProduct;
+  void load(std::span<const Real> px, std::span<const Real> py);
+  void read();
+  void correct_points();
+  void correct_for_elements();
+
+  Tables tables_;
+  SymmetricToeplitz<Real> transform_;
+  std::vector<Real> px_, py_, ux_, uy_; ///< with room for `lanes` more
+};
+
+} // namespace microslip

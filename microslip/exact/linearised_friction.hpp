@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The derivative of friction's equations F(p) = p - P_g(z), z = p - rho s (friction_newton.hpp), at a point, element
+/// by element: with n = z/|z|, t orthogonal to n and alpha = g/|z| it is rho ds in adhesion, |z| <= g, and n.dp along
+/// n, (1 - alpha) t.dp + alpha rho t.ds along t in slip. Vectors have the x components of all elements, then the y
+/// components. In double or in single precision.
+template <class Real> class LinearisedFriction {
+public:
+  explicit LinearisedFriction(std::size_t elements);
+
+  /// Of element k. Without a traction bound it slides, and its traction is fixed.
+  void set(std::size_t k, double zx, double zy, double g);
+
+  /// The mean of alpha, 1 in adhesion.
+  double mean_alpha() const;
+
+  /// The derivative times v, whose slip is `slip`.
+  void derivative(std::span<const Real> v, std::span<const Real> slip, Real rho, std::span<Real> out) const;
+
+  /// The part of a change of the tractions that slip can bring about: all of it in adhesion, a share of what is across
+  /// the traction in slip. Taken before and after a preconditioner's map the share alpha comes out: where D is s, with
+  /// |s| = 1, and the map 1/s, (1 - alpha + alpha s)(1 - alpha + alpha/s) is real and positive. `out` may be `v`.
+  void free_part(std::span<const Real> v, std::span<Real> out) const;
+
+private:
+  std::size_t n_;
+  std::vector<Real> nx_, ny_, alpha_, root_; ///< n, alpha and its root
+  std::vector<Real> sticks_, slides_;        ///< 1 or 0
+};
+
+} // namespace microslip
