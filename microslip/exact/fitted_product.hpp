@@ -62,7 +62,6 @@ public:
   /// The displacement difference at the points for the tractions of the last apply.
   std::span<const Real> ux() const { return std::span(ux_).first(tables_.points); }
   std::span<const Real> uy() const { return std::span(uy_).first(tables_.points); }
-  std::size_t elements() const { return tables_.way.size(); }
   long products() const { return transform_.products(); }
 
 private:

@@ -1,7 +1,10 @@
 #include "microslip/exact/rolling_derivative.hpp"
 
+#include "microslip/exact/linearised_friction.hpp"
+#include "microslip/exact/rolling_preconditioner.hpp"
 #include "microslip/exact/semismooth_newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace microslip {
@@ -9,16 +12,22 @@ namespace {
 
 using Vector = std::vector<float>; // the x components of all elements, then the y components
 
-Vector joined(std::span<const double> x, std::span<const double> y, double factor) {
-  Vector v;
-  for (const auto& part : {x, y})
-    for (const double value : part) v.push_back(static_cast<float>(factor * value));
-  return v;
+void join(std::span<const double> x, std::span<const double> y, double factor, Vector& v) {
+  const std::size_t n = x.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    v[k] = static_cast<float>(factor * x[k]);
+    v[n + k] = static_cast<float>(factor * y[k]);
+  }
 }
 
-void split(const Vector& v, double factor, std::vector<double>& x, std::vector<double>& y) {
+/// Writes factor (v + w).
+void split(const Vector& v, const Vector& w, double factor, std::vector<double>& x, std::vector<double>& y) {
   const std::size_t n = v.size() / 2;
-  for (std::size_t k = 0; k < n; ++k) x.push_back(factor * v[k]), y.push_back(factor * v[n + k]);
+  x.resize(n), y.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    x[k] = factor * (double(v[k]) + w[k]);
+    y[k] = factor * (double(v[n + k]) + w[n + k]);
+  }
 }
 
 double norm(const Vector& v) {
@@ -34,62 +43,82 @@ class RollingDerivative::Equations {
 public:
   using Real = float;
 
-  explicit Equations(RollingDerivative& of) : of_(of), n_(of.product_.elements()), free_(2 * n_), mapped_(2 * n_) {}
+  Equations(const FittedResponse& response, const FittedContact& contact)
+      : rho_(1 / response.diagonal()), n_(contact.elements.size()), product_(response.product(), rho_),
+        preconditioner_(contact), friction_(n_), free_(2 * n_), mapped_(2 * n_) {}
 
   std::size_t size() const { return 2 * n_; }
+  double rho() const { return rho_; }
+  long products() const { return product_.products(); }
 
+  void linearise(std::span<const double> bound, const FrictionSolution& s) {
+    for (std::size_t k = 0; k < n_; ++k) friction_.set(k, s.px[k] - rho_ * s.sx[k], s.py[k] - rho_ * s.sy[k], bound[k]);
+  }
   void respond(std::span<const float> v, std::span<float> slip) {
-    of_.product_.apply(v.first(n_), v.subspan(n_), slip.first(n_), slip.subspan(n_));
+    product_.apply(v.first(n_), v.subspan(n_), slip.first(n_), slip.subspan(n_));
   }
   void derivative(std::span<const float> v, std::span<const float> slip, double, std::span<float> out) const {
-    of_.friction_.derivative(v, slip, 1, out);
+    friction_.derivative(v, slip, 1, out);
   }
   void precondition(std::span<float> v) {
-    of_.friction_.free_part(v, free_);
+    friction_.free_part(v, free_);
     const std::span<const float> in(free_);
     const std::span<float> out(mapped_);
-    of_.preconditioner_.apply(in.first(n_), in.subspan(n_), out.first(n_), out.subspan(n_));
-    of_.friction_.free_part(mapped_, mapped_);
+    preconditioner_.apply(in.first(n_), in.subspan(n_), out.first(n_), out.subspan(n_));
+    friction_.free_part(mapped_, mapped_);
     for (std::size_t k = 0; k < 2 * n_; ++k) v[k] += mapped_[k];
   }
 
 private:
-  RollingDerivative& of_;
+  double rho_;
   std::size_t n_;
+  FittedProduct<float> product_; ///< rho D
+  RollingPreconditioner<float> preconditioner_;
+  LinearisedFriction<float> friction_;
   Vector free_, mapped_;
 };
 
-RollingDerivative::RollingDerivative(const FittedResponse& response, const FittedContact& contact)
-    : rho_(1 / response.diagonal()), product_(response.product(), rho_), preconditioner_(contact),
-      friction_(contact.elements.size()) {}
+struct RollingDerivative::Solver {
+  Solver(const FittedResponse& response, const FittedContact& contact)
+      : equations(response, contact), linearised(equations, gmres, equations.size()), total(equations.size()),
+        slip(total), right(total), step(total), growth(total) {}
 
-void RollingDerivative::linearise(std::span<const double> bound, const FrictionSolution& s) {
-  for (std::size_t k = 0; k < bound.size(); ++k)
-    friction_.set(k, s.px[k] - rho_ * s.sx[k], s.py[k] - rho_ * s.sy[k], bound[k]);
+  Equations equations;
+  Gmres<float> gmres;
+  LinearisedProblem<Equations> linearised;
+  Vector total, slip, right, step, growth;
+};
+
+RollingDerivative::RollingDerivative(const FittedResponse& response, const FittedContact& contact)
+    : solver_(std::make_unique<Solver>(response, contact)) {}
+RollingDerivative::RollingDerivative(RollingDerivative&&) noexcept = default;
+RollingDerivative& RollingDerivative::operator=(RollingDerivative&&) noexcept = default;
+RollingDerivative::~RollingDerivative() = default;
+
+void RollingDerivative::linearise(std::span<const double> bound, const FrictionSolution& solution) {
+  solver_->equations.linearise(bound, solution);
 }
 
 RollingDerivative::Change RollingDerivative::solve(std::span<const double> dcx, std::span<const double> dcy,
                                                    double tolerance, const Change* start) {
   constexpr int most = 1000;
-  const long products_before = product_.products();
-  Equations equations(*this);
-  const std::size_t size = equations.size();
-  Vector total(size), slip = joined(dcx, dcy, 1), right(size), step(size), growth(size);
+  auto& [equations, gmres, linearised, total, slip, right, step, growth] = *solver_;
+  const long products_before = equations.products();
+  std::fill(total.begin(), total.end(), 0.0F);
+  join(dcx, dcy, 1, slip);
   equations.derivative(total, slip, 0, right);
   const double without_start = norm(right);
   if (start) {
-    total = joined(start->px, start->py, 1 / rho_);
-    slip = joined(start->sx, start->sy, 1);
+    join(start->px, start->py, 1 / equations.rho(), total);
+    join(start->sx, start->sy, 1, slip);
     equations.derivative(total, slip, 0, right);
   }
   for (float& value : right) value = -value;
-  const double fall = tolerance * without_start / norm(right);
-  LinearisedProblem(equations, gmres_, size).solve(right, 0, fall, most, step, growth);
-  for (std::size_t k = 0; k < size; ++k) total[k] += step[k], slip[k] += growth[k];
+  linearised.solve(right, 0, tolerance * without_start / norm(right), most, step, growth);
   Change out;
-  split(total, rho_, out.px, out.py);
-  split(slip, 1, out.sx, out.sy);
-  out.products = product_.products() - products_before;
+  split(total, step, equations.rho(), out.px, out.py);
+  split(slip, growth, 1, out.sx, out.sy);
+  out.products = equations.products() - products_before;
   return out;
 }
 

@@ -1,23 +1,23 @@
 #pragma once
 
-#include "microslip/exact/fitted_product.hpp"
 #include "microslip/exact/fitted_response.hpp"
 #include "microslip/exact/friction_newton.hpp"
-#include "microslip/exact/linearised_friction.hpp"
-#include "microslip/exact/rolling_preconditioner.hpp"
-#include "microslip/numerics/gmres.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace microslip {
 
 /// By how much the tractions of steady rolling change when the slip without tractions changes: the implicit function
-/// theorem for the equations F(p) = 0 of FrictionNewton, with forces not given. Solved in single precision, whose
-/// rounding is far below what derivatives of forces are wanted to, with twice the speed of double precision.
+/// theorem for the equations F(p) = 0 of FrictionNewton, with forces not given. Solved in single precision, which takes
+/// less time and whose rounding is far below what derivatives of forces are wanted to.
 class RollingDerivative {
 public:
   RollingDerivative(const FittedResponse& response, const FittedContact& contact);
+  RollingDerivative(RollingDerivative&&) noexcept;
+  RollingDerivative& operator=(RollingDerivative&&) noexcept;
+  ~RollingDerivative();
 
   /// Per unit of whatever changes.
   struct Change {
@@ -37,12 +37,8 @@ public:
 
 private:
   class Equations;
-
-  double rho_;
-  FittedProduct<float> product_; ///< rho D
-  RollingPreconditioner<float> preconditioner_;
-  LinearisedFriction<float> friction_;
-  Gmres<float> gmres_;
+  struct Solver;
+  std::unique_ptr<Solver> solver_;
 };
 
 } // namespace microslip

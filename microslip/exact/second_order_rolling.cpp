@@ -141,7 +141,7 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
                                                                   double tolerance) {
   const std::size_t n = contact_.elements.size();
   Field dcx(n), dcy(n);
-  if (!derivative_) derivative_ = std::make_unique<RollingDerivative>(response_, contact_);
+  if (!derivative_) derivative_.emplace(response_, contact_);
   Derivatives out;
   const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
   derivative_->linearise(bound, solution.plain);

@@ -6,7 +6,6 @@
 #include "microslip/simplified/contact.hpp"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -69,7 +68,7 @@ private:
   RollingPreconditioner<double> preconditioner_;
   FrictionNewton newton_;
   std::vector<double> area_share_;
-  std::unique_ptr<RollingDerivative> derivative_; ///< made when it is first needed
+  std::optional<RollingDerivative> derivative_; ///< made when it is first needed
 };
 
 } // namespace microslip
