@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <utility>
 #include <vector>
 
 #include <omp.h>
@@ -50,21 +49,19 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   std::vector<Real> mean, difference, mixed; ///< (xx + yy)/2, (xx - yy)/2, xy, for kx = 0 .. nx/2 all ky
   fftw::Buffer<Complex> field, z;            ///< and its transforms: rows of nx, a multiple of `batch` of them
   int threads;                               ///< that share the work
-  std::vector<fftw::Buffer<Complex>> works;  ///< of each thread: two batches of columns
-  std::vector<fftw::Transforms<Real>> plans; ///< of rows and of columns, forward and backward
+  fftw::Buffer<Complex> work;                ///< for each thread two batches of columns
+  fftw::Transforms<Real> rows_forward, rows_backward, columns_forward, columns_backward;
   long products = 0;
 
   Plans(int x, int y)
       : mx(x), my(y), nx(fftw::quick_size(2 * x)), ny(fftw::quick_size(2 * y)),
         field(fftw::allocate<Complex>(field_size())), z(fftw::allocate<Complex>(field_size())),
-        threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1) {
-    const std::size_t half_work = static_cast<std::size_t>(batch) * ny;
-    for (int i = 0; i < threads; ++i) works.push_back(fftw::allocate<Complex>(2 * half_work));
-    for (const int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
-      plans.emplace_back(nx, batch, sign, field.get(), z.get());
-      plans.emplace_back(ny, batch, sign, works[0].get(), works[0].get() + half_work);
-    }
-  }
+        threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1),
+        work(fftw::allocate<Complex>(threads * 2 * batch_size())),
+        rows_forward(nx, batch, FFTW_FORWARD, field.get(), z.get()),
+        rows_backward(nx, batch, FFTW_BACKWARD, z.get(), field.get()),
+        columns_forward(ny, batch, FFTW_FORWARD, work.get(), work.get() + batch_size()),
+        columns_backward(ny, batch, FFTW_BACKWARD, work.get() + batch_size(), work.get()) {}
   Plans(int x, int y, const Kernels& kernels) : Plans(x, y) { find_spectra(kernels); }
   template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my) {
     const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
@@ -74,9 +71,6 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     scaled(other.difference, difference);
     scaled(other.mixed, mixed);
   }
-
-  const fftw::Transforms<Real>& rows(int sign) const { return plans[sign == FFTW_FORWARD ? 0 : 2]; }
-  const fftw::Transforms<Real>& columns(int sign) const { return plans[sign == FFTW_FORWARD ? 1 : 3]; }
 
   void find_spectra(const Kernels& kernels) {
     const auto xx = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.xx);
@@ -99,21 +93,16 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   int column_blocks() const { return nx / 2 / block + 1; }
   std::size_t field_size() const { return static_cast<std::size_t>(row_batches()) * batch * nx; }
 
-  void transform_rows(int first, int sign) {
-    const std::size_t begin = static_cast<std::size_t>(first) * nx;
-    Complex *in = field.get() + begin, *out = z.get() + begin;
-    if (sign == FFTW_BACKWARD) std::swap(in, out);
-    rows(sign).execute(in, out);
-  }
+  std::size_t batch_size() const { return static_cast<std::size_t>(batch) * ny; } ///< of columns
 
   /// The columns from kx on and their mirror images: transformed along y, multiplied, transformed back. The images are
   /// taken as conjugate complex: so Z(-k) conjugate stands where Z(k) does.
-  void convolve_columns(int kx, Complex* work) {
-    Complex* result = work + static_cast<std::size_t>(batch) * ny;
+  void convolve_columns(int kx, int thread) {
+    Complex *in = work.get() + thread * 2 * batch_size(), *out = in + batch_size();
     const int count = std::min(block, nx / 2 + 1 - kx);
     const auto mirror = [&](int c) { return (nx - kx - c) % nx; };
     for (int c = 0; c < block; ++c) {
-      Complex *here = work + static_cast<std::size_t>(c) * ny, *image = here + static_cast<std::size_t>(block) * ny;
+      Complex *here = in + static_cast<std::size_t>(c) * ny, *image = here + static_cast<std::size_t>(block) * ny;
       const int filled = c < count ? my : 0;
       std::fill(here + filled, here + ny, Complex(0));
       std::fill(image + filled, image + ny, Complex(0));
@@ -121,32 +110,33 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     for (int j = 0; j < my; ++j) {
       const Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
       for (int c = 0; c < count; ++c) {
-        work[static_cast<std::size_t>(c) * ny + j] = row[kx + c];
-        work[static_cast<std::size_t>(block + c) * ny + j] = std::conj(row[mirror(c)]);
+        in[static_cast<std::size_t>(c) * ny + j] = row[kx + c];
+        in[static_cast<std::size_t>(block + c) * ny + j] = std::conj(row[mirror(c)]);
       }
     }
-    columns(FFTW_FORWARD).execute(work, result);
+    columns_forward.execute(in, out);
     for (int c = 0; c < count; ++c) {
       const std::size_t spectrum = static_cast<std::size_t>(kx + c) * ny;
       multiply(&mean[spectrum], &difference[spectrum], &mixed[spectrum],
-               reinterpret_cast<Real*>(result + static_cast<std::size_t>(c) * ny),
-               reinterpret_cast<Real*>(result + static_cast<std::size_t>(block + c) * ny), ny);
+               reinterpret_cast<Real*>(out + static_cast<std::size_t>(c) * ny),
+               reinterpret_cast<Real*>(out + static_cast<std::size_t>(block + c) * ny), ny);
     }
-    columns(FFTW_BACKWARD).execute(result, work);
+    columns_backward.execute(out, in);
     for (int j = 0; j < my; ++j) {
       Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
       for (int c = 0; c < count; ++c) {
-        row[mirror(c)] = std::conj(work[static_cast<std::size_t>(block + c) * ny + j]);
-        row[kx + c] = work[static_cast<std::size_t>(c) * ny + j];
+        row[mirror(c)] = std::conj(in[static_cast<std::size_t>(block + c) * ny + j]);
+        row[kx + c] = in[static_cast<std::size_t>(c) * ny + j];
       }
     }
   }
 
   void apply() {
     ++products;
-    share_out(row_batches(), threads, [&](int b, int) { transform_rows(b * batch, FFTW_FORWARD); });
-    share_out(column_blocks(), threads, [&](int b, int thread) { convolve_columns(b * block, works[thread].get()); });
-    share_out(row_batches(), threads, [&](int b, int) { transform_rows(b * batch, FFTW_BACKWARD); });
+    const std::size_t rows = static_cast<std::size_t>(batch) * nx;
+    share_out(row_batches(), threads, [&](int b, int) { rows_forward.execute(&field[b * rows], &z[b * rows]); });
+    share_out(column_blocks(), threads, [&](int b, int thread) { convolve_columns(b * block, thread); });
+    share_out(row_batches(), threads, [&](int b, int) { rows_backward.execute(&z[b * rows], &field[b * rows]); });
   }
 };
 
