@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 #include "microslip/numerics/fftw.hpp"
 #include "microslip/numerics/quarter_transform.hpp"
+#include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -127,16 +128,11 @@ struct EvenToeplitz::Plans {
 
   void convolve(const std::vector<double>& kernel, std::span<const double> in, std::span<double> out) {
     ++products;
-#pragma omp parallel num_threads(static_cast <int>(works.size()))
-    {
-      Complex* work = works[omp_get_thread_num()].get();
-#pragma omp for
-      for (int b = 0; b < row_batches(); ++b) transform_rows(b * batch, in.data(), work);
-#pragma omp for
-      for (int b = 0; b < column_batches(); ++b) convolve_columns(kernel, b * batch, work);
-#pragma omp for
-      for (int b = 0; b < row_batches(); ++b) transform_rows_back(b * batch, out.data(), work);
-    }
+    const int threads = static_cast<int>(works.size());
+    const auto work = [&](int thread) { return works[thread].get(); };
+    share_out(row_batches(), threads, [&](int b, int t) { transform_rows(b * batch, in.data(), work(t)); });
+    share_out(column_batches(), threads, [&](int b, int t) { convolve_columns(kernel, b * batch, work(t)); });
+    share_out(row_batches(), threads, [&](int b, int t) { transform_rows_back(b * batch, out.data(), work(t)); });
   }
 };
 
