@@ -141,14 +141,14 @@ void derivative_errors(int n) {
       errors.size(), n, n, errors[errors.size() / 2], errors[errors.size() * 9 / 10]);
 }
 
-/// Every seventh case that adheres and slides: forces given for creepages given, derivatives for forces.
-void forces_and_derivatives(int n) {
+/// Every so many-th case that adheres and slides: forces given for creepages given, derivatives for forces.
+void forces_and_derivatives(int n, std::size_t stride) {
   EllipticContactSolver solver({.mx = n, .my = n});
   const auto contacts = validation::test_set_contacts();
   double by_creepage = 0, by_force = 0, derivatives = 0;
   long products = 0, more_products = 0;
   int count = 0;
-  for (std::size_t i = 0; i < contacts.size(); i += 7) {
+  for (std::size_t i = 0; i < contacts.size(); i += stride) {
     const EllipticContact& contact = contacts[i];
     const double limit = contact.friction.static_coefficient() * contact.normal_force;
     auto start = processor_time();
@@ -179,6 +179,7 @@ int main(int argc, char** argv) {
   growing_grids(argc > 1 ? std::atoi(argv[1]) : 401);
   test_set(12, 1);
   test_set(24, 5);
-  for (const int n : {12, 24, 48}) forces_and_derivatives(n);
+  for (const int n : {12, 24, 48}) forces_and_derivatives(n, 7);
+  for (const int n : {96, 192}) forces_and_derivatives(n, 140);
   derivative_errors(16);
 }
