@@ -14,7 +14,7 @@ namespace microslip {
 /// behind and sqrt(c - z)/(1 - z) ahead only, as particles run, so that in this order they invert D on a half-line,
 /// which begins at a leading edge, as well as on a line. Each root is Pade's (1 - 3/4 z/c)/(1 - 1/4 z/c): a recursion
 /// along x for each wave along y. Division by 1 - z is a sum along the row from the leading edge on. Cost O(N log N),
-/// about a fifth of a product with D; memory 16 bytes for each element of the grid. Results do not depend on the number
+/// about a fifth of a product with D; memory 32 bytes for each element of the grid. Results do not depend on the number
 /// of OpenMP threads, which large grids use. In double or in single precision.
 template <class Real> class RollingPreconditioner {
 public:

@@ -12,8 +12,8 @@ namespace microslip {
 /// Both components go through one complex transform, Z = Px + i Py on a grid padded to at least 2 mx x 2 my; in its
 /// space U(k) = (xx + yy)/2 Z(k) + ((xx - yy)/2 + i xy) conj Z(-k), where the kernels' transforms are real and known on
 /// a quarter of the plane. Rows that are zero are skipped, and columns are transformed, multiplied and transformed back
-/// while they are in the cache. Cost: 8 mx my complex transformed there and back, O(N log N); memory 2 mx my complex
-/// and 3 mx my real numbers. Results do not depend on the number of OpenMP threads, which large grids use. Distinct
+/// while they are in the cache. Cost: 8 mx my complex transformed there and back, O(N log N); memory 4 mx my complex
+/// and 6 mx my real numbers. Results do not depend on the number of OpenMP threads, which large grids use. Distinct
 /// objects may be used from distinct threads. In double or in single precision.
 template <class Real> class SymmetricToeplitz {
 public:
