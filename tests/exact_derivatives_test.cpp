@@ -51,6 +51,27 @@ TEST(ExactDerivatives, VanishInFullSlidingAlongTheCreepage) {
   EXPECT_NEAR(d.jacobian[1][1], -limit / 0.5, 1e-2 * limit / 0.5); // the traction turns with the creepage
 }
 
+/// Lengths in units of 1e-20 and 1e20 of theirs, with the same pressures: forces go with the square, moments with the
+/// cube, the spin's column with one power more than the others.
+TEST(ExactDerivatives, DoNotDependOnTheUnitOfLength) {
+  const EllipticContact contact = validation::test_set_contacts()[1700];
+  const ExactDerivatives d = EllipticContactSolver({.mx = 12, .my = 12}).differentiate(contact);
+  for (const double unit : {1e-20, 1e20}) {
+    EllipticContact other = contact;
+    other.a *= unit;
+    other.b *= unit;
+    other.normal_force *= unit * unit;
+    other.creepage.spin /= unit;
+    const ExactDerivatives moved = EllipticContactSolver({.mx = 12, .my = 12}).differentiate(other);
+    ASSERT_EQ(moved.contact.fields.forces.status, Status::ok);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double scale = std::pow(unit, 2 + (k == 2) + (i == 2));
+        EXPECT_NEAR(moved.jacobian[k][i] / scale, d.jacobian[k][i], 1e-5 * std::abs(d.jacobian[k][k])) << k << i;
+      }
+  }
+}
+
 TEST(ExactDerivatives, BadInputIsMarked) {
   EllipticContact contact = validation::test_set_contacts()[500];
   contact.normal_force = -1;

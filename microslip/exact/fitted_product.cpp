@@ -1,5 +1,7 @@
 #include "microslip/exact/fitted_product.hpp"
 
+#include "microslip/numerics/precision.hpp"
+
 #include <algorithm>
 #include <array>
 #include <complex>
@@ -7,12 +9,6 @@
 
 namespace microslip {
 namespace {
-
-/// Numbers in another precision, times a factor.
-template <class To, class From> void convert(const From& from, double factor, To& to) {
-  std::transform(from.begin(), from.end(), to.begin(),
-                 [factor](double value) { return static_cast<typename To::value_type>(factor * value); });
-}
 
 template <class Real>
 typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>::Corrections& from, double factor) {

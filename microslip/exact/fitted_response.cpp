@@ -63,6 +63,7 @@ public:
   TableFinder(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
               std::size_t stride)
       : material_(material), grid_(contact.grid), elements_(contact.elements), kernel_(kernel), stride_(stride) {
+    find_rows();
     place_points();
     find_moments();
     find_corrections();
@@ -75,23 +76,23 @@ private:
 
   std::size_t cell(int row, int column) const { return static_cast<std::size_t>(row) * stride_ + column; }
 
+  void find_rows();
   void place_points();
   void find_moments();
   void find_corrections();
-  void correct_point(std::size_t point, const std::vector<std::size_t>& first_of_row);
-  void correct_element(const Product::Moments& moments, const std::vector<std::size_t>& first_of_row);
+  void correct_point(std::size_t point);
+  void correct_element(const Product::Moments& moments);
   void correct(Product::Corrections& by, std::size_t point, std::size_t element) const;
   static void fill_lanes(Product::Corrections& by);
   Influence by_transforms(std::size_t point, std::size_t element) const;
-  std::vector<std::size_t> first_elements() const;
-  template <class Add>
-  void each_row(const std::vector<std::size_t>& first_of_row, int row, double x, const Add& add) const;
+  template <class Add> void each_row(int row, double x, const Add& add) const;
 
   const CombinedMaterial& material_;
   const ElementGrid& grid_;
   const std::vector<FittedElement>& elements_;
   const QuarterKernel& kernel_;
   std::size_t stride_;
+  std::vector<std::size_t> first_of_row_; ///< elements, and behind them the number of all
   std::vector<double> point_x_;
   std::vector<int> point_row_;
   std::vector<std::size_t> point_cell_; ///< the grid's point, for points of the grid
@@ -185,12 +186,11 @@ void TableFinder::fill_lanes(Product::Corrections& by) {
 }
 
 /// Calls `add` with the elements of each row nearby whose centres are near x.
-template <class Add>
-void TableFinder::each_row(const std::vector<std::size_t>& first_of_row, int row, double x, const Add& add) const {
+template <class Add> void TableFinder::each_row(int row, double x, const Add& add) const {
   const int rows = static_cast<int>(std::min(near * grid_.dx / grid_.dy + 1, double(grid_.my)));
   for (int other = std::max(row - rows, 0); other < std::min(row + rows + 1, grid_.my); ++other) {
-    const auto end = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[other + 1]);
-    auto from = std::partition_point(elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row[other]), end,
+    const auto end = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row_[other + 1]);
+    auto from = std::partition_point(elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row_[other]), end,
                                      [&](const auto& e) { return e.centre() < x - near * grid_.dx; });
     const auto to = std::partition_point(from, end, [&](const auto& e) { return e.centre() <= x + near * grid_.dx; });
     if (from != to) add(from - elements_.begin(), to - elements_.begin());
@@ -198,8 +198,8 @@ void TableFinder::each_row(const std::vector<std::size_t>& first_of_row, int row
 }
 
 /// A point that is none of the grid's, from all elements nearby.
-void TableFinder::correct_point(std::size_t point, const std::vector<std::size_t>& first_of_row) {
-  each_row(first_of_row, point_row_[point], point_x_[point], [&](std::size_t from, std::size_t to) {
+void TableFinder::correct_point(std::size_t point) {
+  each_row(point_row_[point], point_x_[point], [&](std::size_t from, std::size_t to) {
     tables_.at_points.runs.push_back({point, from, to - from});
     for (std::size_t element = from; element < to; ++element) correct(tables_.at_points, point, element);
     fill_lanes(tables_.at_points);
@@ -207,10 +207,10 @@ void TableFinder::correct_point(std::size_t point, const std::vector<std::size_t
 }
 
 /// The grid's points nearby, from a fitted element.
-void TableFinder::correct_element(const Product::Moments& moments, const std::vector<std::size_t>& first_of_row) {
+void TableFinder::correct_element(const Product::Moments& moments) {
   const FittedElement& e = elements_[moments.element];
   auto& runs = tables_.of_elements.runs;
-  each_row(first_of_row, e.row, e.centre(), [&](std::size_t from, std::size_t to) {
+  each_row(e.row, e.centre(), [&](std::size_t from, std::size_t to) {
     for (std::size_t point = from; point < to; ++point) {
       if (stencil_of_[point] != none) continue;
       if (point == from || stencil_of_[point - 1] != none) {
@@ -226,17 +226,14 @@ void TableFinder::correct_element(const Product::Moments& moments, const std::ve
 
 /// The difference between what an element does to a point and what the transforms make of it.
 void TableFinder::find_corrections() {
-  const auto first_of_row = first_elements();
-  for (const Product::Stencil& s : tables_.stencils) correct_point(s.point, first_of_row);
-  for (const Product::Moments& m : tables_.moments) correct_element(m, first_of_row);
+  for (const Product::Stencil& s : tables_.stencils) correct_point(s.point);
+  for (const Product::Moments& m : tables_.moments) correct_element(m);
 }
 
-/// Of each row, and behind them the number of all.
-std::vector<std::size_t> TableFinder::first_elements() const {
-  std::vector<std::size_t> first(grid_.my + 1, elements_.size());
-  for (std::size_t k = elements_.size(); k-- > 0;) first[elements_[k].row] = k;
-  for (int j = grid_.my; j-- > 0;) first[j] = std::min(first[j], first[j + 1]);
-  return first;
+void TableFinder::find_rows() {
+  first_of_row_.assign(grid_.my + 1, elements_.size());
+  for (std::size_t k = elements_.size(); k-- > 0;) first_of_row_[elements_[k].row] = k;
+  for (int j = grid_.my; j-- > 0;) first_of_row_[j] = std::min(first_of_row_[j], first_of_row_[j + 1]);
 }
 
 Product make_product(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel) {

@@ -7,9 +7,9 @@
 namespace microslip {
 
 /// The derivative of friction's equations F(p) = p - P_g(z), z = p - rho s (friction_newton.hpp), at a point, element
-/// by element: with n = z/|z|, t orthogonal to n and alpha = g/|z| it is rho ds in adhesion, |z| <= g, and n.dp along
-/// n, (1 - alpha) t.dp + alpha rho t.ds along t in slip. Vectors have the x components of all elements, then the y
-/// components. In double or in single precision.
+/// by element, (E17) to (E19): with n = z/|z|, t orthogonal to n and alpha = g/|z| it is rho ds in adhesion, |z| <= g,
+/// and n.dp along n, (1 - alpha) t.dp + alpha rho t.ds along t in slip. Vectors have the x components of all elements,
+/// then the y components. In double or in single precision.
 template <class Real> class LinearisedFriction {
 public:
   explicit LinearisedFriction(std::size_t elements);

@@ -3,6 +3,8 @@
 #include "microslip/exact/linearised_friction.hpp"
 #include "microslip/exact/rolling_preconditioner.hpp"
 #include "microslip/exact/semismooth_newton.hpp"
+#include "microslip/numerics/norm.hpp"
+#include "microslip/numerics/precision.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +15,8 @@ namespace {
 using Vector = std::vector<float>; // the x components of all elements, then the y components
 
 void join(std::span<const double> x, std::span<const double> y, double factor, Vector& v) {
-  const std::size_t n = x.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    v[k] = static_cast<float>(factor * x[k]);
-    v[n + k] = static_cast<float>(factor * y[k]);
-  }
+  convert(x, factor, std::span(v).first(x.size()));
+  convert(y, factor, std::span(v).subspan(x.size()));
 }
 
 /// Writes factor (v + w).
@@ -30,10 +29,10 @@ void split(const Vector& v, const Vector& w, double factor, std::vector<double>&
   }
 }
 
-double norm(const Vector& v) {
-  double sum = 0;
-  for (const float value : v) sum += double(value) * value;
-  return std::sqrt(sum);
+double largest(std::span<const double> v) {
+  double most = 0;
+  for (const double value : v) most = std::max(most, std::abs(value));
+  return most;
 }
 
 } // namespace
@@ -104,20 +103,22 @@ RollingDerivative::Change RollingDerivative::solve(std::span<const double> dcx, 
   constexpr int most = 1000;
   auto& [equations, gmres, linearised, total, slip, right, step, growth] = *solver_;
   const long products_before = equations.products();
+  const double most_slip = std::max(largest(dcx), largest(dcy));
+  const double unit = most_slip > 0 ? most_slip : 1; // of slip: single precision has no room for small lengths' squares
   std::fill(total.begin(), total.end(), 0.0F);
-  join(dcx, dcy, 1, slip);
+  join(dcx, dcy, 1 / unit, slip);
   equations.derivative(total, slip, 0, right);
   const double without_start = norm(right);
   if (start) {
-    join(start->px, start->py, 1 / equations.rho(), total);
-    join(start->sx, start->sy, 1, slip);
+    join(start->px, start->py, 1 / (unit * equations.rho()), total);
+    join(start->sx, start->sy, 1 / unit, slip);
     equations.derivative(total, slip, 0, right);
   }
   for (float& value : right) value = -value;
   linearised.solve(right, 0, tolerance * without_start / norm(right), most, step, growth);
   Change out;
-  split(total, step, equations.rho(), out.px, out.py);
-  split(slip, growth, 1, out.sx, out.sy);
+  split(total, step, unit * equations.rho(), out.px, out.py);
+  split(slip, growth, unit, out.sx, out.sy);
   out.products = equations.products() - products_before;
   return out;
 }

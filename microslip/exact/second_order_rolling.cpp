@@ -152,11 +152,14 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
   derivative_->linearise(bound, solution.friction);
   for (std::size_t i = 0; i < units.size(); ++i) {
     auto& change = out.by[i];
-    const Field sx = change.sx, sy = change.sy;
     const long products = change.products;
+    Field x(n), y(n);
+    add_correction(solution.plain, change.sx, change.sy, x, y);
     rigid_slip(units[i], dcx, dcy);
-    add_correction(solution.plain, sx, sy, dcx, dcy);
-    add_correction(solution.plain, sx, sy, change.sx, change.sy); // the slip that goes with these
+    for (std::size_t k = 0; k < n; ++k) { // the slip that goes with the tractions grows by as much
+      dcx[k] += x[k], change.sx[k] += x[k];
+      dcy[k] += y[k], change.sy[k] += y[k];
+    }
     change = derivative_->solve(dcx, dcy, tolerance, &change);
     out.products += products + change.products;
   }

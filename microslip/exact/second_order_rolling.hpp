@@ -17,7 +17,7 @@ struct SecondOrderInput {
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
   FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
   Progress progress = {};      ///< is told of the Newton steps; false ends the iteration, with status not_converged
-  bool converge_plain = false; ///< also the solution before the correction, to ten times the tolerance: for derivatives
+  bool converge_plain = false; ///< also the solution before the correction, as well as derivatives need it
   double tolerance = 1e-6;     ///< of the residual, as in FrictionSolution
 };
 

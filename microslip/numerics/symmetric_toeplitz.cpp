@@ -1,6 +1,7 @@
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 
 #include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/precision.hpp"
 #include "microslip/numerics/quarter_transform.hpp"
 #include "microslip/numerics/threads.hpp"
 
@@ -65,7 +66,8 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   Plans(int x, int y, const Kernels& kernels) : Plans(x, y) { find_spectra(kernels); }
   template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my) {
     const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
-      for (const double value : from) to.push_back(static_cast<Real>(factor * value));
+      to.resize(from.size());
+      convert(from, factor, to);
     };
     scaled(other.mean, mean);
     scaled(other.difference, difference);
