@@ -168,7 +168,7 @@ void forces_and_derivatives(int n, std::size_t stride) {
   }
   std::printf(
       "%d cases at %d x %d: creepages given %.2f ms and %.1f products; forces given / creepages given %.2f (wanted: "
-      "<= 1.5); forces with derivatives / forces %.2f (wanted: <= 2), the six systems %.1f products\n",
+      "<= 1.5); forces with derivatives / forces %.2f (wanted: <= 2), the three systems %.1f products\n",
       count, n, n, 1e3 * by_creepage / count, double(products) / count, by_force / by_creepage,
       derivatives / by_creepage, double(more_products) / count);
 }

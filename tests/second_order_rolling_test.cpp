@@ -89,16 +89,17 @@ double mean_error(const EllipticContact& contact, const std::vector<int>& grids,
 }
 
 /// Where the edges of contact and of slip lie within their elements changes an error of second order by a good part of
-/// it. Hence means over grids, compared with grids of elements half as long, and a mean over the cases.
+/// it. Hence means over grids, compared with grids of elements half as long, and a mean over the cases. With spin a
+/// small error of first order is left in Fy (some 1e-4 of mu Fn on 40 elements), and the order of a case is less.
 TEST(SecondOrderRolling, IsOfSecondOrder) {
   const auto cases = partial_slip_cases();
   double mean_order = 0;
   for (const EllipticContact& contact : cases) {
-    const Forces coarse = roll(contact, 40).forces(), fine = roll(contact, 80).forces();
+    const Forces coarse = roll(contact, 80).forces(), fine = roll(contact, 160).forces();
     const Forces limit = {fine.fx + (fine.fx - coarse.fx) / 3, fine.fy + (fine.fy - coarse.fy) / 3, 0};
     const double order =
         std::log2(mean_error(contact, {10, 11, 13, 14, 16}, limit) / mean_error(contact, {20, 22, 26, 28, 32}, limit));
-    EXPECT_GT(order, 1.5) << describe(contact);
+    EXPECT_GT(order, contact.creepage.spin == 0 ? 1.9 : 1.2) << describe(contact);
     mean_order += order / static_cast<double>(cases.size());
   }
   EXPECT_GT(mean_order, 1.8);
@@ -182,8 +183,7 @@ TEST(SecondOrderRolling, DoesNotDependOnUnits) {
   }
 }
 
-/// The forces that creepages give lead back to the creepages, one or both of them, but for what the tolerance of the
-/// first of the two solutions leaves open.
+/// The forces that creepages give lead back to the creepages, one or both of them.
 TEST(SecondOrderRolling, ForcesGivenAndCreepagesGiven) {
   for (const EllipticContact& contact : partial_slip_cases()) {
     SCOPED_TRACE(describe(contact));
@@ -197,8 +197,8 @@ TEST(SecondOrderRolling, ForcesGivenAndCreepagesGiven) {
       const Rolled r = roll(contact, 12, 12, input);
       ASSERT_EQ(r.solution.friction.status, Status::ok);
       const double size = std::hypot(c.longitudinal, c.lateral);
-      EXPECT_NEAR(r.solution.creepage.longitudinal, c.longitudinal, 1e-3 * size) << given;
-      EXPECT_NEAR(r.solution.creepage.lateral, c.lateral, 1e-3 * size) << given;
+      EXPECT_NEAR(r.solution.creepage.longitudinal, c.longitudinal, 1e-8 * size) << given;
+      EXPECT_NEAR(r.solution.creepage.lateral, c.lateral, 1e-8 * size) << given;
       const Forces again = r.forces();
       if (given & 1) {
         EXPECT_NEAR(again.fx, f.fx, 1e-9);
@@ -249,8 +249,8 @@ TEST(SecondOrderRolling, ForcesBeyondFrictionHaveNoSolution) {
   }
 }
 
-/// The tractions to begin with change the way, not the end: within what the tolerance of the first solution leaves
-/// open.
+/// The tractions to begin with change the way, not the end, where they do not change which elements slide in the rough
+/// first solution.
 TEST(SecondOrderRolling, StartDoesNotMatter) {
   for (const EllipticContact& contact : partial_slip_cases()) {
     const Rolled from_zero = roll(contact, 12);
@@ -258,7 +258,7 @@ TEST(SecondOrderRolling, StartDoesNotMatter) {
     input.start.px = from_zero.solution.friction.px;
     input.start.py = from_zero.solution.friction.py;
     const Forces f = from_zero.forces(), g = roll(contact, 12, 12, input).forces();
-    expect_near(g, f, 3e-4);
+    expect_near(g, f, 1e-8);
   }
 }
 

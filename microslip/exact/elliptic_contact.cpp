@@ -327,12 +327,12 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
   std::optional<double> force_x = motion.force_x;
   if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
   const SecondOrderSolution solution =
-      second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance, false, progress);
+      second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance, progress);
   return results(solution, contact, second_order_->bound(contact));
 }
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact, const Progress& progress) {
-  constexpr double linear_tolerance = 2e-5; // of which derivatives of forces have some third as an error
+  constexpr double linear_tolerance = 3e-5; // of which derivatives of forces have some fifth as an error
   if (!is_valid(contact) || needs_sequence(contact)) return {.contact = invalid()};
   try {
     prepare_second_order(contact);
@@ -340,7 +340,7 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
     return {.contact = invalid()};
   }
   const EllipticContact forward = mirrored(contact);
-  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, true, progress);
+  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, progress);
   const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
   ExactDerivatives out{.contact = results(solution, contact, second_order_->bound(contact))};
   out.products = derivatives.products;

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <complex>
+#include <experimental/simd>
 #include <utility>
 
 namespace microslip {
 namespace {
+
+namespace simd = std::experimental;
+constexpr auto unaligned = simd::element_aligned;
 
 template <class Real>
 typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>::Corrections& from, double factor) {
@@ -75,37 +79,35 @@ template <class Real> void FittedProduct<Real>::read() {
   }
 }
 
-/// Whole sets of lanes; a point's sums are kept apart for each lane until its last run.
+/// A point's sums are kept apart for each lane until its last run.
 template <class Real> void FittedProduct<Real>::correct_points() {
+  using Lanes = simd::fixed_size_simd<Real, lanes>;
   const auto& [runs, xx, xy, yy] = tables_.at_points;
   std::size_t at = 0;
   for (auto run = runs.begin(); run != runs.end();) {
     const std::size_t point = run->point;
-    std::array<Real, lanes> ux = {}, uy = {};
+    Lanes ux = 0, uy = 0;
     for (; run != runs.end() && run->point == point; ++run)
       for (std::size_t k = run->element; k < run->element + run->count; k += lanes, at += lanes) {
-#pragma omp simd
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-          ux[lane] += xx[at + lane] * px_[k + lane] + xy[at + lane] * py_[k + lane];
-          uy[lane] += xy[at + lane] * px_[k + lane] + yy[at + lane] * py_[k + lane];
-        }
+        const Lanes px(&px_[k], unaligned), py(&py_[k], unaligned), mixed(&xy[at], unaligned);
+        ux += Lanes(&xx[at], unaligned) * px + mixed * py;
+        uy += mixed * px + Lanes(&yy[at], unaligned) * py;
       }
-    ux_[point] += (ux[0] + ux[1]) + (ux[2] + ux[3]);
-    uy_[point] += (uy[0] + uy[1]) + (uy[2] + uy[3]);
+    ux_[point] += reduce(ux);
+    uy_[point] += reduce(uy);
   }
 }
 
 template <class Real> void FittedProduct<Real>::correct_for_elements() {
+  using Lanes = simd::fixed_size_simd<Real, lanes>;
   const auto& [runs, xx, xy, yy] = tables_.of_elements;
   std::size_t at = 0;
   for (const Run& run : runs) {
-    const Real x = px_[run.element], y = py_[run.element];
+    const Lanes px = px_[run.element], py = py_[run.element];
     for (std::size_t k = run.point; k < run.point + run.count; k += lanes, at += lanes) {
-#pragma omp simd
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        ux_[k + lane] += xx[at + lane] * x + xy[at + lane] * y;
-        uy_[k + lane] += xy[at + lane] * x + yy[at + lane] * y;
-      }
+      const Lanes mixed(&xy[at], unaligned);
+      (Lanes(&ux_[k], unaligned) + Lanes(&xx[at], unaligned) * px + mixed * py).copy_to(&ux_[k], unaligned);
+      (Lanes(&uy_[k], unaligned) + mixed * px + Lanes(&yy[at], unaligned) * py).copy_to(&uy_[k], unaligned);
     }
   }
 }

@@ -51,6 +51,10 @@ public:
       wide_py_[elements_[k]] = unknowns[n_ + k];
     }
     problem_.response.apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
+    if (problem_.centred) {
+      problem_.centred->move(wide_sx_);
+      problem_.centred->move(wide_sy_);
+    }
     for (std::size_t k = 0; k < n_; ++k) {
       growth[k] = wide_sx_[elements_[k]];
       growth[n_ + k] = wide_sy_[elements_[k]];
@@ -165,10 +169,14 @@ private:
       wide_px_[elements_[k]] = change_[k];
       wide_py_[elements_[k]] = change_[n_ + k];
     }
+    if (problem_.centred) {
+      problem_.centred->nearly_undo(wide_px_);
+      problem_.centred->nearly_undo(wide_py_);
+    }
     problem_.preconditioner->apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
     for (std::size_t k = 0; k < n_; ++k) {
-      change_[k] = wide_sx_[elements_[k]];
-      change_[n_ + k] = wide_sy_[elements_[k]];
+      change_[k] = wide_sx_[elements_[k]] + wide_px_[elements_[k]] - change_[k];
+      change_[n_ + k] = wide_sy_[elements_[k]] + wide_py_[elements_[k]] - change_[n_ + k];
     }
     friction_.free_part(change_, change_);
     for (std::size_t k = 0; k < 2 * n_; ++k) unknowns[k] += change_[k];

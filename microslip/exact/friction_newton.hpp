@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/exact/centred_slip.hpp"
 #include "microslip/exact/rolling_preconditioner.hpp"
 #include "microslip/exact/surface_response.hpp"
 #include "microslip/numerics/gmres.hpp"
@@ -25,6 +26,7 @@ struct FrictionProblem {
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
   std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
   RollingPreconditioner<double>* preconditioner = nullptr; ///< for D
+  CentredSlip<double>* centred = nullptr;                  ///< moves D p; c is where it is moved to
 };
 
 struct FrictionSolution {

@@ -62,8 +62,7 @@ TangentialState HertzianRolling::growth(const EllipticContact& contact, int dire
 }
 
 SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::optional<double> force_x,
-                                           std::optional<double> force_y, double tolerance, bool converge_plain,
-                                           const Progress& progress) {
+                                           std::optional<double> force_y, double tolerance, const Progress& progress) {
   const std::vector<double> bound = this->bound(contact);
   const bool force_given = force_x || force_y;
   SecondOrderInput input{.creepage = contact.creepage,
@@ -71,7 +70,6 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
                          .force_y = force_y,
                          .start = {},
                          .progress = progress,
-                         .converge_plain = converge_plain,
                          .tolerance = tolerance};
   EllipticContact at_start = contact; // with creepages near those of the solution
   TangentialState start;

@@ -20,10 +20,9 @@ public:
   /// Creepages and spin of the contact, or forces [N] in the place of its creepages. Newton steps and products are
   /// those on the finest grid.
   SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,
-                            std::optional<double> force_y, double tolerance, bool converge_plain = false,
-                            const Progress& progress = {});
+                            std::optional<double> force_y, double tolerance, const Progress& progress = {});
 
-  /// As SecondOrderRolling::differentiate, for a solution with creepages given and its plain part converged.
+  /// As SecondOrderRolling::differentiate, for a solution with creepages given.
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
                                                 double tolerance) {
     return rolling_.differentiate(bound(contact), solution, tolerance);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/exact/centred_slip.hpp"
 #include "microslip/exact/fitted_response.hpp"
 #include "microslip/exact/friction_newton.hpp"
 
@@ -22,18 +23,15 @@ public:
   /// Per unit of whatever changes.
   struct Change {
     std::vector<double> px, py; ///< of the tractions [Pa]
-    std::vector<double> sx, sy; ///< of the slip
     long products = 0;
   };
 
-  /// The solution of a problem with these traction bounds, about which all that follows is linear. Holds where no
-  /// element is just between adhesion and slip.
-  void linearise(std::span<const double> bound, const FrictionSolution& solution);
+  /// The solution of a problem with these traction bounds and this slip, about which all that follows is linear. Holds
+  /// where no element is just between adhesion and slip.
+  void linearise(std::span<const double> bound, const FrictionSolution& solution, CentredSlip<float> slip);
 
-  /// The change for dcx, dcy, to a relative residual of `tolerance`, at least 1e-6. `start` is a change near the one
-  /// looked for, with its slip's change for these dcx, dcy.
-  Change solve(std::span<const double> dcx, std::span<const double> dcy, double tolerance,
-               const Change* start = nullptr);
+  /// The change for dcx, dcy, to a relative residual of `tolerance`, at least 1e-6.
+  Change solve(std::span<const double> dcx, std::span<const double> dcy, double tolerance);
 
 private:
   class Equations;

@@ -34,16 +34,23 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
     std::size_t element, place; ///< its numbers, and its place in the columns
     bool leads;
   };
-  /// size times (1 - zero z)/(1 - pole z), and the same with 1/z.
-  struct Filter {
-    Real size, zero, pole;
+  /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for the waves along y; each number twice, for real
+  /// and imaginary parts, so that whole lanes are filtered.
+  struct Filters {
+    std::vector<Real> size, zero, pole;
+
+    void add(double s, double z, double p) {
+      size.insert(size.end(), 2, static_cast<Real>(s));
+      zero.insert(zero.end(), 2, static_cast<Real>(z));
+      pole.insert(pole.end(), 2, static_cast<Real>(p));
+    }
   };
 
   int mx, my, ny;
   bool forward;
   int threads;
-  std::vector<Place> places;   ///< row after row, in each from the trailing to the leading edge
-  std::vector<Filter> filters; ///< of the waves along y
+  std::vector<Place> places; ///< row after row, in each from the trailing to the leading edge
+  Filters filters;
   /// px + i py and its transforms along y; column after column, each of length ny, a multiple of `batch` of them.
   fftw::Buffer<Complex> tractions, waves;
   fftw::Transforms<Real> to_waves, from_waves;
@@ -56,8 +63,7 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
     const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
     for (int j = 0; j < ny; ++j) {
       const double c = 1 + ky_share * grid.dx * lowest * std::min(j, ny - j);
-      // 1/ny scales the transforms
-      filters.push_back({static_cast<Real>(size * c / ny), static_cast<Real>(zero / c), static_cast<Real>(pole / c)});
+      filters.add(size * c / ny, zero / c, pole / c); // 1/ny scales the transforms
     }
   }
 
@@ -67,7 +73,10 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
 
   int batches() const { return (mx + batch - 1) / batch; }
   std::size_t count() const { return static_cast<std::size_t>(batches()) * batch * ny; }
-  Complex* column(int i) { return waves.get() + static_cast<std::size_t>(i) * ny; }
+  /// Real and imaginary parts of a column's waves from `begin` on.
+  Real* column(int i, int begin) {
+    return reinterpret_cast<Real*>(waves.get() + static_cast<std::size_t>(i) * ny + begin);
+  }
 
   void transform(const fftw::Transforms<Real>& plan, Complex* in, Complex* out) {
     const std::size_t step = static_cast<std::size_t>(batch) * ny;
@@ -76,14 +85,15 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
 
   /// (1 - zero z)/(1 - pole z) for the waves `begin` to `end`, where z takes what is in column i - step.
   void filter(int begin, int end, int first, int step) {
-    std::array<Complex, block> before = {}; // what came into the last column
+    const Real *zeros = &filters.zero[2 * begin], *poles = &filters.pole[2 * begin];
+    std::array<Real, 2 * block> before = {}; // what came into the last column
     for (int i = first; i >= 0 && i < mx; i += step) {
-      Complex* now = column(i) + begin;
-      const Complex* last = i == first ? before.data() : column(i - step) + begin;
-      for (int j = 0; j < end - begin; ++j) {
-        const Filter& f = filters[begin + j];
-        const Complex came = now[j];
-        now[j] += f.pole * last[j] - f.zero * before[j];
+      Real* now = column(i, begin);
+      const Real* last = i == first ? before.data() : column(i - step, begin);
+#pragma omp simd
+      for (int j = 0; j < 2 * (end - begin); ++j) {
+        const Real came = now[j];
+        now[j] += poles[j] * last[j] - zeros[j] * before[j];
         before[j] = came;
       }
     }
@@ -93,8 +103,12 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
   void filter_both_ways(int begin, int end) {
     filter(begin, end, forward ? 0 : mx - 1, forward ? 1 : -1);
     filter(begin, end, forward ? mx - 1 : 0, forward ? -1 : 1);
-    for (int i = 0; i < mx; ++i)
-      for (int j = begin; j < end; ++j) column(i)[j] *= filters[j].size;
+    const Real* sizes = &filters.size[2 * begin];
+    for (int i = 0; i < mx; ++i) {
+      Real* waves_of_column = column(i, begin);
+#pragma omp simd
+      for (int j = 0; j < 2 * (end - begin); ++j) waves_of_column[j] *= sizes[j];
+    }
   }
 
   void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/exact/centred_slip.hpp"
 #include "microslip/exact/fitted_response.hpp"
 #include "microslip/exact/friction_newton.hpp"
 #include "microslip/exact/rolling_derivative.hpp"
@@ -16,25 +17,23 @@ struct SecondOrderInput {
   Creepage creepage;
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
   FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
-  Progress progress = {};      ///< is told of the Newton steps; false ends the iteration, with status not_converged
-  bool converge_plain = false; ///< also the solution before the correction, as well as derivatives need it
-  double tolerance = 1e-6;     ///< of the residual, as in FrictionSolution
+  Progress progress = {};  ///< is told of the Newton steps; false ends the iteration, with status not_converged
+  double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
 };
 
 struct SecondOrderSolution {
-  FrictionSolution plain;     ///< before the deferred correction
   FrictionSolution friction;  ///< tractions, slip and state of each element
+  std::vector<char> centred;  ///< 1: the element's slip is that at its centre, as CentredSlip has it
   std::vector<double> ux, uy; ///< displacement difference [m]
   Creepage creepage;
 };
 
 /// Steady rolling along +x with forces of second order in the elements' size. Three measures make it so: leading
-/// elements fitted to the edge (FittedContact), the traction bound averaged over each element's area, and the direction
-/// of sliding taken where the traction is. Slip is computed over the way between the centres of two elements and
-/// belongs to its middle; at an element's centre it is the mean of the two ways that meet there. In the conditions of
-/// friction this would be no variational inequality any more, and Newton's method would stall now and then. So the
-/// problem is solved with the slip as it is, then the difference of that solution is added to the slip of the sliding
-/// elements as a constant, and the problem is solved once more: the method of deferred correction.
+/// elements fitted to the edge (FittedContact), the traction bound averaged over each element's area, and slip taken
+/// where the traction is. Slip is computed over the way between the centres of two elements and belongs to its middle;
+/// at the centre of a sliding element it is interpolated (CentredSlip). Which elements slide is found roughly with the
+/// slip as it is; then the problem is solved with the slip of those at their centres. Would this follow the elements
+/// that come to slide or to adhere on the way, Newton's method would stall now and then.
 class SecondOrderRolling {
 public:
   SecondOrderRolling(const CombinedMaterial& material, FittedContact contact);
@@ -44,10 +43,9 @@ public:
   /// `bound` is g [Pa] of each element. Not converging and a force beyond friction are statuses.
   SecondOrderSolution solve(std::span<const double> bound, const SecondOrderInput& input);
 
-  /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages given
-  /// whose plain part has converged too (`converge_plain`). Both solves are differentiated, the plain
-  /// one and the corrected one, with the linear systems solved to `tolerance`. Holds where no element is just between
-  /// adhesion and slip. Cost: six linear solves.
+  /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages
+  /// given; the linear systems are solved to `tolerance`. Holds where no element is just between adhesion and slip.
+  /// Cost: three linear solves.
   struct Derivatives {
     std::array<RollingDerivative::Change, 3> by; ///< xi, eta, phi
     long products = 0;
@@ -56,12 +54,8 @@ public:
 
 private:
   void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;
-  void add_correction(const FrictionSolution& of, const std::vector<double>& sx, const std::vector<double>& sy,
-                      std::vector<double>& cx, std::vector<double>& cy) const;
-  FrictionProblem problem(std::span<const double> bound, std::span<const double> cx, std::span<const double> cy);
   FrictionSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
-  std::vector<double> slip_at_centre(const std::vector<double>& slip) const;
 
   FittedContact contact_;
   FittedResponse response_;

@@ -37,14 +37,14 @@ public:
   LinearisedProblem(Problem& problem, Gmres<Real>& gmres, std::size_t responses)
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
-  /// v and its response, which costs no product more: it is summed of those that the products had. Returns |F' v -
-  /// right|.
+  /// v and, unless `growth` is empty, its response, which costs no product more: it is summed of those that the
+  /// products had. Returns |F' v - right|.
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
                std::span<Real> growth) {
     std::size_t count = 0;
     const auto product = [&](std::span<const Real> in, std::span<Real> out) {
       if (growths_.size() <= count) growths_.emplace_back();
-      Field& response = growths_[count++];
+      Field& response = growths_[growth.empty() ? 0 : count++];
       response.resize(responses_);
       std::copy(in.begin(), in.end(), change_.begin());
       problem_.precondition(change_);
@@ -53,7 +53,7 @@ public:
     };
     const auto result = gmres_.solve(product, right, v, tolerance, most);
     problem_.precondition(v);
-    combine(result.weights, growths_, growth);
+    if (!growth.empty()) combine(result.weights, growths_, growth);
     return result.residual;
   }
 
@@ -68,8 +68,9 @@ private:
 /// Takes semi-smooth Newton steps for F(x) = 0 until a limit is reached, and leaves the best iterate in `x` and
 /// `response`; steps count on from `state`. F depends on x and on a response that is affine in x and costs a product.
 /// `Problem` has what LinearisedProblem needs and scale(), evaluate(x, response, f), which returns |F|, linearise(x,
-/// response) and mean_alpha(). The linear systems are solved by GMRES as well as they predicted the last step
-/// (Eisenstat & Walker 1996, choice 1); steps are halved until |F| falls.
+/// response) and mean_alpha(). The linear systems are solved by GMRES as well as they predicted the last step, but not
+/// better than to the square of the last one's accuracy: what is predicted well need not be again (Eisenstat & Walker
+/// 1996, choice 1 with a safeguard). Steps are halved until |F| falls.
 template <class Problem>
 void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimits& limits, std::vector<double>& x,
                        std::vector<double>& response, NewtonState& state) {
@@ -91,8 +92,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
     const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
     const double least = std::min(0.8 * limits.goal / norm, roughest);
-    const double linear_norm =
-        linearised.solve(right, damping, std::clamp(misfit, least, roughest), limits.most_inner, step, growth);
+    const double accuracy = std::clamp(misfit, least, roughest);
+    const double linear_norm = linearised.solve(right, damping, accuracy, limits.most_inner, step, growth);
 
     double length = 1, trial_norm = norm;
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
@@ -106,7 +107,7 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
       best_x = x;
       best_response = response;
     }
-    misfit = std::abs(trial_norm - linear_norm) / norm;
+    misfit = std::max(std::abs(trial_norm - linear_norm) / norm, accuracy * accuracy);
     std::swap(x, trial);
     std::swap(response, trial_response);
     std::swap(f, trial_f);

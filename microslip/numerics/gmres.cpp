@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <experimental/simd>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <omp.h>
@@ -12,13 +14,19 @@
 namespace microslip {
 namespace {
 
+namespace simd = std::experimental;
 using Weights = std::vector<double>;
 template <class Real> using Basis = std::vector<std::vector<Real>>;
 
+/// In many sums, so that none has to wait for the one before it.
 template <class Real> Real dot(std::span<const Real> a, std::span<const Real> b) {
-  Real sum = 0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  using Lanes = simd::fixed_size_simd<Real, 16>;
+  Lanes sums = 0;
+  std::size_t i = 0;
+  for (; i + Lanes::size() <= a.size(); i += Lanes::size())
+    sums += Lanes(&a[i], simd::element_aligned) * Lanes(&b[i], simd::element_aligned);
+  Real sum = reduce(sums);
+  for (; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
 template <class Real> void add_scaled(Real factor, std::span<const Real> a, std::span<Real> to) {
@@ -142,16 +150,16 @@ typename Gmres<Real>::Result Gmres<Real>::solve(const Product& matrix, std::span
   for (; k < most && residual > tolerance * size; ++k) {
     std::vector<Real>& next = vector(k + 1);
     matrix(basis_[k], next);
-    double before = norm(next), length = before;
-    largest = std::max(largest, before);
-    const double rounding = 50 * std::numeric_limits<Real>::epsilon() * largest;
     Weights column(k + 2);
-    // Once more where little is left: it has the rounding errors of what was taken off.
-    for (int pass = 0; pass < 2 && (pass == 0 || length < 0.1 * before); ++pass) {
-      before = length;
+    orthogonalise(basis_, k + 1, next, column);
+    double length = norm(next);
+    const double image = std::sqrt(std::inner_product(column.begin(), column.end(), column.begin(), length * length));
+    if (length < 0.1 * image) { // once more where little is left: it has the rounding errors of what was taken off
       orthogonalise(basis_, k + 1, next, column);
       length = norm(next);
     }
+    largest = std::max(largest, image);
+    const double rounding = 50 * std::numeric_limits<Real>::epsilon() * largest;
     const bool closed = !(length > rounding); // the space holds its own image: it has nothing more to give
     column[k + 1] = closed ? 0 : length;
     residual = triangle.add(std::move(column), rounding);

@@ -6,6 +6,7 @@
 #include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -14,7 +15,7 @@
 namespace microslip {
 namespace {
 
-constexpr int block = 4;                           // columns next to each other: a line of the cache
+constexpr int block = 6;                           // columns next to each other that are read together
 constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 
@@ -50,7 +51,8 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   std::vector<Real> mean, difference, mixed; ///< (xx + yy)/2, (xx - yy)/2, xy, for kx = 0 .. nx/2 all ky
   fftw::Buffer<Complex> field, z;            ///< and its transforms: rows of nx, a multiple of `batch` of them
   int threads;                               ///< that share the work
-  fftw::Buffer<Complex> work;                ///< for each thread two batches of columns
+  /// For each thread three batches of columns: what goes in, zero where no rows are, its transform, what comes out.
+  fftw::Buffer<Complex> work;
   fftw::Transforms<Real> rows_forward, rows_backward, columns_forward, columns_backward;
   long products = 0;
 
@@ -58,11 +60,13 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
       : mx(x), my(y), nx(fftw::quick_size(2 * x)), ny(fftw::quick_size(2 * y)),
         field(fftw::allocate<Complex>(field_size())), z(fftw::allocate<Complex>(field_size())),
         threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1),
-        work(fftw::allocate<Complex>(threads * 2 * batch_size())),
+        work(fftw::allocate<Complex>(threads * 3 * batch_size())),
         rows_forward(nx, batch, FFTW_FORWARD, field.get(), z.get()),
         rows_backward(nx, batch, FFTW_BACKWARD, z.get(), field.get()),
         columns_forward(ny, batch, FFTW_FORWARD, work.get(), work.get() + batch_size()),
-        columns_backward(ny, batch, FFTW_BACKWARD, work.get() + batch_size(), work.get()) {}
+        columns_backward(ny, batch, FFTW_BACKWARD, work.get() + batch_size(), work.get() + 2 * batch_size()) {
+    std::fill_n(work.get(), threads * 3 * batch_size(), Complex(0));
+  }
   Plans(int x, int y, const Kernels& kernels) : Plans(x, y) { find_spectra(kernels); }
   template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my) {
     const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
@@ -100,20 +104,15 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   /// The columns from kx on and their mirror images: transformed along y, multiplied, transformed back. The images are
   /// taken as conjugate complex: so Z(-k) conjugate stands where Z(k) does.
   void convolve_columns(int kx, int thread) {
-    Complex *in = work.get() + thread * 2 * batch_size(), *out = in + batch_size();
+    Complex *in = work.get() + thread * 3 * batch_size(), *out = in + batch_size(), *back = out + batch_size();
     const int count = std::min(block, nx / 2 + 1 - kx);
-    const auto mirror = [&](int c) { return (nx - kx - c) % nx; };
-    for (int c = 0; c < block; ++c) {
-      Complex *here = in + static_cast<std::size_t>(c) * ny, *image = here + static_cast<std::size_t>(block) * ny;
-      const int filled = c < count ? my : 0;
-      std::fill(here + filled, here + ny, Complex(0));
-      std::fill(image + filled, image + ny, Complex(0));
-    }
+    std::array<int, block> mirror;
+    for (int c = 0; c < count; ++c) mirror[c] = (nx - kx - c) % nx;
     for (int j = 0; j < my; ++j) {
       const Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
       for (int c = 0; c < count; ++c) {
         in[static_cast<std::size_t>(c) * ny + j] = row[kx + c];
-        in[static_cast<std::size_t>(block + c) * ny + j] = std::conj(row[mirror(c)]);
+        in[static_cast<std::size_t>(block + c) * ny + j] = std::conj(row[mirror[c]]);
       }
     }
     columns_forward.execute(in, out);
@@ -123,12 +122,12 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
                reinterpret_cast<Real*>(out + static_cast<std::size_t>(c) * ny),
                reinterpret_cast<Real*>(out + static_cast<std::size_t>(block + c) * ny), ny);
     }
-    columns_backward.execute(out, in);
+    columns_backward.execute(out, back);
     for (int j = 0; j < my; ++j) {
       Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
       for (int c = 0; c < count; ++c) {
-        row[mirror(c)] = std::conj(in[static_cast<std::size_t>(block + c) * ny + j]);
-        row[kx + c] = in[static_cast<std::size_t>(c) * ny + j];
+        row[mirror[c]] = std::conj(back[static_cast<std::size_t>(block + c) * ny + j]);
+        row[kx + c] = back[static_cast<std::size_t>(c) * ny + j];
       }
     }
   }
