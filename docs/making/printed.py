@@ -7,6 +7,7 @@
 A block is an excerpt: its lines stand in the output in their order with the same words, and take over its figures and verdicts. Where the words have changed the block is left as it is and named: then page and prose need a hand. Exit code 1.
 """
 
+import argparse
 import re
 import subprocess
 import sys
@@ -121,10 +122,15 @@ def run(command):
 
 def main(arguments):
     """The command line."""
-    write = "--check" not in arguments
-    chosen = [argument for argument in arguments if not argument.startswith("--")]
+    parser = argparse.ArgumentParser(description="Runs studies and benchmarks and rewrites what the documentation says "
+                                     "that they print. All of them take an hour or so.")
+    parser.add_argument("words", nargs="*", metavar="WORD", help="only the commands with one of these in them")
+    parser.add_argument("--list", action="store_true", help="print the commands and run none")
+    parser.add_argument("--check", action="store_true", help="say which figures are others and rewrite none")
+    asked = parser.parse_args(arguments)
+    chosen = asked.words
     found = commands([ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))])
-    if "--list" in arguments:
+    if asked.list:
         print("\n".join(found))
         return 0
     wanted = [command for command in found if not chosen or any(word in command for word in chosen)]
@@ -135,7 +141,7 @@ def main(arguments):
         print(f"{command} ...", flush=True)
         output = run(command)
         for block in found[command]:
-            right &= renew(block, output, write)
+            right &= renew(block, output, not asked.check)
     return 0 if right else 1
 
 
