@@ -3,7 +3,6 @@
 #include "microslip/numerics/precision.hpp"
 
 #include <algorithm>
-#include <array>
 #include <complex>
 #include <experimental/simd>
 #include <utility>

@@ -13,8 +13,8 @@ inline double distance(std::span<const double> a, std::span<const double> b) {
   return std::sqrt(sum);
 }
 
-/// The 2-norm of numbers in double or in single precision.
-template <class Vector> double norm(const Vector& a) {
+/// The 2-norm.
+inline double norm(std::span<const double> a) {
   double sum = 0;
   for (const double value : a) sum += value * value;
   return std::sqrt(sum);
