@@ -10,7 +10,7 @@
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>

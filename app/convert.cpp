@@ -3,7 +3,7 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
-#include "io/contact_toml.hpp"
+#include "compat/contact/toml.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
 

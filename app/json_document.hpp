@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/json.hpp"
-#include "microslip/exact/interior_grid.hpp"
+#include "microslip/interior/interior_grid.hpp"
 
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 // run.
 //   exact_bench [elements across, largest grid; default 401]
 
-#include "microslip/exact/elliptic_contact.hpp"
-#include "microslip/exact/hertzian_rolling.hpp"
+#include "microslip/exact/fitted/hertzian_rolling.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>

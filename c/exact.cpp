@@ -1,6 +1,6 @@
 #include "c/contact.hpp"
 #include "c/growing_struct.hpp"
-#include "microslip/exact/accurate_contact.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "cases/creep_curve.hpp"
 #include "io/case_file.hpp"
 #include "io/result_file.hpp"
-#include "microslip/exact/accurate_contact.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "io/contact_input.hpp"
-#include "io/contact_set_up.hpp"
-#include "io/contact_support.hpp"
+#include "compat/contact/input.hpp"
+#include "compat/contact/set_up.hpp"
+#include "compat/contact/support.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>

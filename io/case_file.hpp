@@ -3,8 +3,8 @@
 #include "io/theory.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
-#include "microslip/exact/interior_grid.hpp"
+#include "microslip/interior/interior_grid.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/theory.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 
 #include <span>
 #include <string_view>

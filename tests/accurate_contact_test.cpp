@@ -1,7 +1,7 @@
 // Forces to an accuracy: the estimate of the error against limits on much finer grids, and what cannot be done.
 
 #include "microslip/error.hpp"
-#include "microslip/exact/accurate_contact.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 #include "tests/expect_error.hpp"
 #include "validation/test_set.hpp"
 

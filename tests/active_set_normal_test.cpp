@@ -1,4 +1,4 @@
-#include "microslip/exact/active_set_normal.hpp"
+#include "tests/oracles/active_set_normal.hpp"
 
 #include "dense_response.hpp"
 #include "expect_error.hpp"

@@ -1,9 +1,9 @@
-#include "microslip/exact/active_set_tangential.hpp"
+#include "tests/oracles/active_set_tangential.hpp"
 
 #include "expect_error.hpp"
 #include "friction_cases.hpp"
 #include "friction_conditions.hpp"
-#include "microslip/exact/direct_response.hpp"
+#include "tests/oracles/direct_response.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Quick pressures of contacts that are not quite Hertzian.
 
-#include "microslip/exact/approximate_pressure.hpp"
+#include "microslip/exact/normal/approximate_pressure.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/normal_problem.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "io/case_file.hpp"
 
 #include "microslip/error.hpp"
+#include "paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <cmath>

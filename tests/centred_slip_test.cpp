@@ -1,4 +1,4 @@
-#include "microslip/exact/centred_slip.hpp"
+#include "microslip/exact/fitted/centred_slip.hpp"
 
 #include <array>
 #include <cmath>

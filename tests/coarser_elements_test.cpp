@@ -1,6 +1,6 @@
 // Grids of elements twice as large: they cover the grid, keep constants, and return Hertz's pressure.
 
-#include "microslip/exact/coarser_elements.hpp"
+#include "microslip/exact/halfspace/coarser_elements.hpp"
 
 #include <algorithm>
 #include <cmath>

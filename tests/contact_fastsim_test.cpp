@@ -1,6 +1,6 @@
 // Cases of CONTACT's input files by the simplified theory, element by element.
 
-#include "io/contact_fastsim.hpp"
+#include "compat/contact/fastsim.hpp"
 
 #include "microslip/simplified/creepage_coefficients.hpp"
 #include "tests/contact_input_cases.hpp"

@@ -1,3 +1,4 @@
+#include "paths.hpp"
 #include "tangential_cases.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/contact_run.hpp"
+#include "compat/contact/run.hpp"
 
 #include <sstream>
 #include <string>

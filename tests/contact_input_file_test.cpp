@@ -1,6 +1,6 @@
 // The grammar of CONTACT's input files: records in their order, what is kept, and what is refused.
 
-#include "io/contact_input.hpp"
+#include "compat/contact/input.hpp"
 #include "microslip/error.hpp"
 #include "tests/contact_input_cases.hpp"
 

@@ -1,7 +1,8 @@
 // Points inside the bodies in CONTACT's input files.
 
-#include "io/contact_interior.hpp"
+#include "compat/contact/interior.hpp"
 
+#include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
 
 #include <algorithm>

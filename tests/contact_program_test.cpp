@@ -1,5 +1,6 @@
 // `microslip run`: the example, refusals, bad input, many cases, Ctrl-C.
 
+#include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
 #include "tests/hdf5_reader.hpp"
 #include "tests/program_run.hpp"

@@ -1,9 +1,9 @@
 // Cases of CONTACT's input files run in sequence: what they give, what they go on from, what is refused.
 
-#include "io/contact_run.hpp"
+#include "compat/contact/run.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "tests/contact_input_cases.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Steps of contact that go on from one another, on grids that may change.
 
-#include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"

@@ -1,8 +1,8 @@
 // From the numbers of a CONTACT case, mm and N, to a problem in SI.
 
-#include "io/contact_set_up.hpp"
+#include "compat/contact/set_up.hpp"
 
-#include "io/contact_support.hpp"
+#include "compat/contact/support.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "tests/contact_input_cases.hpp"

@@ -1,6 +1,6 @@
 // CONTACT cases written as case files.
 
-#include "io/contact_toml.hpp"
+#include "compat/contact/toml.hpp"
 
 #include "io/case_file.hpp"
 #include "microslip/error.hpp"

@@ -1,6 +1,6 @@
 // The words of CONTACT's input files: numbers as Fortran reads them, records, remarks, control integers.
 
-#include "io/contact_words.hpp"
+#include "compat/contact/words.hpp"
 #include "microslip/error.hpp"
 
 #include <numbers>

@@ -1,9 +1,9 @@
-#include "microslip/exact/convex_gauss_seidel.hpp"
+#include "tests/oracles/convex_gauss_seidel.hpp"
 
 #include "expect_error.hpp"
 #include "friction_cases.hpp"
 #include "friction_conditions.hpp"
-#include "microslip/exact/direct_response.hpp"
+#include "tests/oracles/direct_response.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Bodies of different materials and viscoelastic ones: the conditions of contact and friction by sums over pairs of
 // elements, the alternating process, limits, mirror images.
 
-#include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 
 #include "dense_response.hpp"
 #include "friction_conditions.hpp"

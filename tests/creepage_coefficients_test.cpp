@@ -1,4 +1,5 @@
 #include "microslip/simplified/creepage_coefficients.hpp"
+#include "paths.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Delayed deformation against plain sums over time, and its limits.
 
-#include "microslip/exact/delayed_influence.hpp"
+#include "microslip/exact/halfspace/delayed_influence.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/bilinear_influence.hpp"
-#include "microslip/exact/element_grid.hpp"
 
 #include <vector>
 

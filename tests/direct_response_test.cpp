@@ -1,4 +1,4 @@
-#include "microslip/exact/direct_response.hpp"
+#include "tests/oracles/direct_response.hpp"
 
 #include "dense_response.hpp"
 #include "expect_error.hpp"

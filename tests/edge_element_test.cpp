@@ -1,4 +1,4 @@
-#include "microslip/exact/edge_element.hpp"
+#include "microslip/exact/fitted/edge_element.hpp"
 
 #include "expect_error.hpp"
 #include "validation/edge_constants.hpp"

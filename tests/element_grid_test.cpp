@@ -1,4 +1,4 @@
-#include "microslip/exact/element_grid.hpp"
+#include "microslip/contact/element_grid.hpp"
 
 #include "expect_error.hpp"
 

@@ -3,11 +3,11 @@
 #include "tangential_cases.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/contact_sequence.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
-#include "microslip/exact/fitted_contact.hpp"
-#include "microslip/exact/hertzian_gap.hpp"
-#include "microslip/exact/offset_kernel.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/exact/fitted/fitted_contact.hpp"
+#include "microslip/exact/halfspace/offset_kernel.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 
 #include <cmath>
 #include <optional>

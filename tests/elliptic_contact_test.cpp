@@ -1,4 +1,4 @@
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 
 #include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"

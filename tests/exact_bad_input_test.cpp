@@ -1,7 +1,7 @@
 // What the exact theory says to problems at the limits, and to those that make no sense.
 
 #include "expect_error.hpp"
-#include "microslip/exact/normal_contact.hpp"
+#include "microslip/exact/normal/normal_contact.hpp"
 #include "tangential_cases.hpp"
 
 #include <gtest/gtest.h>

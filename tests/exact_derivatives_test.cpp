@@ -1,6 +1,6 @@
 // The Jacobian of the exact theory against differences of its forces.
 
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "validation/test_set.hpp"
 
 #include <array>

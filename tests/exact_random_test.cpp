@@ -1,9 +1,9 @@
 // Seeded problems of all kinds, from a cold start to a residual of 1e-10, and what does not depend on how they are put.
 
-#include "microslip/exact/active_set_tangential.hpp"
-#include "microslip/exact/convex_gauss_seidel.hpp"
 #include "random_friction_cases.hpp"
 #include "tangential_cases.hpp"
+#include "tests/oracles/active_set_tangential.hpp"
+#include "tests/oracles/convex_gauss_seidel.hpp"
 
 #include <gtest/gtest.h>
 

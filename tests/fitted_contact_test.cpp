@@ -1,7 +1,7 @@
-#include "microslip/exact/fitted_contact.hpp"
+#include "microslip/exact/fitted/fitted_contact.hpp"
 
 #include "expect_error.hpp"
-#include "microslip/exact/edge_element.hpp"
+#include "microslip/exact/fitted/edge_element.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "microslip/exact/fitted_response.hpp"
+#include "microslip/exact/fitted/fitted_response.hpp"
 
 #include "microslip/elasticity/influence.hpp"
 

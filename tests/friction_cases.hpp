@@ -2,8 +2,8 @@
 
 #include "dense_response.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/offset_kernel.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/halfspace/offset_kernel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "microslip/exact/friction_newton.hpp"
+#include "microslip/exact/newton/friction_newton.hpp"
 
 #include "friction_conditions.hpp"
 

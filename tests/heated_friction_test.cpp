@@ -4,7 +4,7 @@
 #include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 
 #include <algorithm>
 #include <cmath>

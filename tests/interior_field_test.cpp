@@ -1,10 +1,10 @@
-#include "microslip/exact/interior_field.hpp"
+#include "microslip/interior/interior_field.hpp"
 
 #include "expect_error.hpp"
 #include "interior_states.hpp"
 #include "microslip/elasticity/influence.hpp"
-#include "microslip/exact/memory_need.hpp"
-#include "microslip/exact/surface_response.hpp"
+#include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/halfspace/surface_response.hpp"
 #include "validation/hertzian_stress.hpp"
 
 #include <gtest/gtest.h>

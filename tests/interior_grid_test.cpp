@@ -1,6 +1,6 @@
 // Points inside the bodies, in grids.
 
-#include "microslip/exact/interior_grid.hpp"
+#include "microslip/interior/interior_grid.hpp"
 
 #include "tests/test_cases.hpp"
 

@@ -1,4 +1,4 @@
-#include "microslip/exact/interior_peak.hpp"
+#include "microslip/interior/interior_peak.hpp"
 
 #include "expect_error.hpp"
 

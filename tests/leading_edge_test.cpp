@@ -1,6 +1,6 @@
 // Elements whose particles have come into contact during a step.
 
-#include "microslip/exact/leading_edge.hpp"
+#include "microslip/exact/halfspace/leading_edge.hpp"
 
 #include "microslip/error.hpp"
 

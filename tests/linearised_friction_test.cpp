@@ -1,4 +1,4 @@
-#include "microslip/exact/linearised_friction.hpp"
+#include "microslip/exact/newton/linearised_friction.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "microslip/exact/memory_need.hpp"
+#include "microslip/exact/halfspace/memory_need.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/normal_contact.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/normal/normal_contact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "microslip/exact/normal_contact.hpp"
+#include "microslip/exact/normal/normal_contact.hpp"
 
 #include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"

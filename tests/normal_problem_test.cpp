@@ -1,4 +1,4 @@
-#include "microslip/exact/normal_problem.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
 
 #include "dense_response.hpp"
 #include "expect_error.hpp"

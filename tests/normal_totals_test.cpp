@@ -1,8 +1,8 @@
-#include "microslip/exact/normal_totals.hpp"
+#include "microslip/exact/normal/normal_totals.hpp"
 
 #include "dense_response.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/active_set_normal.hpp"
+#include "tests/oracles/active_set_normal.hpp"
 
 #include <gtest/gtest.h>
 

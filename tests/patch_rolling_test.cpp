@@ -1,8 +1,8 @@
-#include "microslip/exact/patch_rolling.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/contact_edges.hpp"
+#include "microslip/exact/fitted/contact_edges.hpp"
 
 #include <gtest/gtest.h>
 

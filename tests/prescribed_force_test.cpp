@@ -1,6 +1,6 @@
-#include "microslip/exact/prescribed_force.hpp"
+#include "tests/oracles/prescribed_force.hpp"
 
-#include "microslip/exact/friction_residual.hpp"
+#include "tests/oracles/friction_residual.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Ctrl-C: every command that writes ends at once and leaves whole files only.
 
+#include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
 #include "tests/program_run.hpp"
 

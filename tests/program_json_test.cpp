@@ -2,6 +2,7 @@
 
 #include "io/json.hpp"
 #include "microslip/version.hpp"
+#include "paths.hpp"
 #include "tests/hdf5_reader.hpp"
 #include "tests/program_run.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <cstdlib>

@@ -4,6 +4,7 @@
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/version.hpp"
+#include "paths.hpp"
 #include "tests/hdf5_reader.hpp"
 #include "tests/program_run.hpp"
 

@@ -3,9 +3,9 @@
 #include "microslip/progress.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
-#include "microslip/exact/hertzian_gap.hpp"
-#include "microslip/exact/patch_rolling.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "steel_contact.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-#include "microslip/exact/rolling_preconditioner.hpp"
+#include "microslip/exact/fitted/rolling_preconditioner.hpp"
 
-#include "microslip/exact/fitted_response.hpp"
-#include "microslip/exact/friction_newton.hpp"
+#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/newton/friction_newton.hpp"
 #include "microslip/numerics/fftw.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "microslip/exact/second_order_rolling.hpp"
+#include "microslip/exact/fitted/second_order_rolling.hpp"
 
 #include "steel_contact.hpp"
 

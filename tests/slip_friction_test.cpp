@@ -1,11 +1,11 @@
 // Friction that depends on the slip velocity, and the solutions that go with it.
 
-#include "microslip/exact/slip_friction.hpp"
+#include "microslip/exact/classical/slip_friction.hpp"
 
 #include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "microslip/exact/surface_response.hpp"
+#include "microslip/exact/halfspace/surface_response.hpp"
 
 #include "dense_response.hpp"
 #include "expect_error.hpp"

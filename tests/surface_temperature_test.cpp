@@ -1,6 +1,6 @@
 // Surface temperatures of rolling bodies.
 
-#include "microslip/exact/surface_temperature.hpp"
+#include "microslip/thermal/surface_temperature.hpp"
 
 #include "microslip/error.hpp"
 #include "tests/expect_error.hpp"

@@ -2,8 +2,8 @@
 
 #include "friction_conditions.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/normal_problem.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
 #include "test_cases.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
 
 #include "expect_error.hpp"
 #include "tangential_cases.hpp"

@@ -1,6 +1,6 @@
 #include "validation/carter.hpp"
 
-#include "microslip/exact/second_order_rolling.hpp"
+#include "microslip/exact/fitted/second_order_rolling.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 

@@ -1,8 +1,8 @@
 #include "validation/cattaneo_to_carter.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/accurate_contact.hpp"
-#include "microslip/exact/marching.hpp"
+#include "microslip/exact/classical/marching.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 

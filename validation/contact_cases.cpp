@@ -1,9 +1,9 @@
 #include "validation/contact_cases.hpp"
 
-#include "io/contact_run.hpp"
-#include "io/contact_set_up.hpp"
+#include "compat/contact/run.hpp"
+#include "compat/contact/set_up.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/accurate_contact.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 #include "validation/report.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "validation/edge_constants.hpp"
 
-#include "microslip/exact/edge_element.hpp"
+#include "microslip/exact/fitted/edge_element.hpp"
 #include "validation/half_line.hpp"
 #include "validation/report.hpp"
 

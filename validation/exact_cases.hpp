@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "validation/study.hpp"
 
 #include <span>

@@ -3,7 +3,7 @@
 #include "validation/report.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/simplified/fastsim.hpp"
 
 #include <array>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/hertzian_gap.hpp"
-#include "microslip/exact/normal_problem.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
 
 namespace microslip::validation {
 

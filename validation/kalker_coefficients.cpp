@@ -1,7 +1,7 @@
 #include "validation/kalker_coefficients.hpp"
 
 #include "io/output_file.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/simplified/computed_coefficients.hpp"
 #include "validation/report.hpp"
 #include "validation/rolling_without_slip.hpp"

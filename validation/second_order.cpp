@@ -2,8 +2,8 @@
 
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/accurate_contact.hpp"
-#include "microslip/exact/edge_element.hpp"
+#include "microslip/exact/fitted/edge_element.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 #include "validation/error_statistics.hpp"
 #include "validation/exact_cases.hpp"
 #include "validation/hertzian_solve.hpp"

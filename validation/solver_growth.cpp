@@ -1,7 +1,7 @@
 #include "validation/solver_growth.hpp"
 
-#include "microslip/exact/convex_gauss_seidel.hpp"
-#include "microslip/exact/direct_response.hpp"
+#include "tests/oracles/convex_gauss_seidel.hpp"
+#include "tests/oracles/direct_response.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 

@@ -3,7 +3,7 @@
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 
-#include "microslip/exact/contact_sequence.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 
 #include <array>
 #include <cmath>

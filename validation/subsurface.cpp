@@ -2,7 +2,7 @@
 
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
-#include "microslip/exact/interior_peak.hpp"
+#include "microslip/interior/interior_peak.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/hertzian_stress.hpp"
 #include "validation/report.hpp"

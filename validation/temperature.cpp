@@ -1,8 +1,8 @@
 #include "validation/temperature.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/contact_sequence.hpp"
-#include "microslip/exact/surface_temperature.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/thermal/surface_temperature.hpp"
 #include "validation/report.hpp"
 
 #include <algorithm>

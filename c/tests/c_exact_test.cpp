@@ -1,5 +1,5 @@
 #include "c/tests/c_cases.hpp"
-#include "microslip/exact/accurate_contact.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 
 #include <cmath>
 #include <memory>

@@ -1,7 +1,7 @@
 // The examples in C and Fortran print the figures that the library finds when it is called from C++.
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/exact/elliptic_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/version.hpp"
 

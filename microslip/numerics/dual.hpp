@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/numerics/lanes.hpp"
+#include "microslip/numerics/inlined.hpp"
 
 #include <cmath>
 
@@ -94,9 +94,6 @@ MICROSLIP_INLINE Dual<V, N> select(const Mask& mask, const Dual<V, N>& yes, cons
 
 /// The plain value of a number, dual or not.
 inline double value_of(double a) {
-  return a;
-}
-template <class R> MICROSLIP_INLINE const Lanes<R>& value_of(const Lanes<R>& a) {
   return a;
 }
 template <class V, int N> MICROSLIP_INLINE const V& value_of(const Dual<V, N>& a) {

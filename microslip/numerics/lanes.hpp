@@ -1,9 +1,8 @@
 #pragma once
 
-#include <experimental/simd>
+#include "microslip/numerics/inlined.hpp"
 
-/// For the small functions of marching kernels: a call between them would spill the vector registers.
-#define MICROSLIP_INLINE [[gnu::always_inline]] inline
+#include <experimental/simd>
 
 namespace microslip {
 
@@ -67,6 +66,11 @@ template <class R> MICROSLIP_INLINE Lanes<R> sqrt(const Lanes<R>& a) {
 }
 template <class R> MICROSLIP_INLINE Lanes<R> abs(const Lanes<R>& a) {
   return std::experimental::abs(a.r);
+}
+
+/// The plain value of a number that may be a dual one, as in dual.hpp.
+template <class R> MICROSLIP_INLINE const Lanes<R>& value_of(const Lanes<R>& a) {
+  return a;
 }
 
 } // namespace microslip

@@ -1,19 +1,14 @@
 #pragma once
 
+#include "microslip/contact/contact_forces.hpp"
+#include "microslip/contact/creepage.hpp"
+#include "microslip/contact/surface_fields.hpp"
 #include "microslip/friction/friction_law.hpp"
-#include "microslip/status.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace microslip {
-
-/// Rigid relative motion of the bodies per metre rolled. Relative rigid slip w = (xi - phi y, eta + phi x) (F3).
-struct Creepage {
-  double longitudinal = 0; ///< xi [-]
-  double lateral = 0;      ///< eta [-]
-  double spin = 0;         ///< phi [1/m]
-};
 
 /// One case for the simplified theory: a Hertzian ellipse with load, friction and creepages.
 struct EllipticContact {
@@ -28,25 +23,12 @@ struct EllipticContact {
       1; ///< V [m/s], > 0; matters for friction laws other than Coulomb's and for the frictional power
 };
 
-/// Totals, acting on body 1 (the wheel). Positive creepage gives negative force.
-struct ContactForces {
-  double fx = 0;            ///< [N]
-  double fy = 0;            ///< [N]
-  double mz = 0;            ///< integral of x py - y px [N m]
-  double adhesion_area = 0; ///< [m^2]
-  double slip_area = 0;     ///< [m^2]; adhesion_area + slip_area = pi a b
-  Status status = Status::ok;
-};
-
 /// Totals and their derivatives. Row k of `jacobian` belongs to fx, fy, mz; columns to xi [-], eta [-], phi [1/m], Fn
 /// [N]. The derivative to Fn keeps the ellipse as it is.
 struct ContactDerivatives {
   ContactForces forces;
   double jacobian[3][4] = {};
 };
-
-/// What a cell of the contact area is in.
-enum class CellState : unsigned char { exterior = 0, adhesion = 1, slip = 2 };
 
 /// Fields over the cells of a grid, my rows (y ascending) of mx cells (from the leading to the trailing edge): index j
 /// mx + i.

@@ -1,16 +1,11 @@
 #pragma once
 
+#include "microslip/contact/motion.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/simplified/flexibility.hpp"
 #include "microslip/simplified/instruction_set.hpp"
 
 namespace microslip {
-
-/// Along which axis of the contact's frame the bodies roll. The forces' frame stays as it is.
-enum class RollingDirection {
-  forward,  ///< along +x: particles enter at large x
-  backward, ///< along -x: particles enter at small x
-};
 
 /// How FASTSIM and FASTSIM2 discretise and model a contact.
 struct SimplifiedOptions {

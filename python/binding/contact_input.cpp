@@ -2,7 +2,7 @@
 #include "binding/codes.hpp"
 #include "binding/grid.hpp"
 #include "binding/long_work.hpp"
-#include "io/contact_run.hpp"
+#include "compat/contact/run.hpp"
 #include "microslip/error.hpp"
 
 #include <cerrno>

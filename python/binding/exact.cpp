@@ -4,7 +4,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
-#include "microslip/exact/accurate_contact.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 
 namespace microslip::python {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "binding/arrays.hpp"
-#include "microslip/exact/normal_problem.hpp"
-#include "microslip/exact/tangential_problem.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
 
 namespace microslip::python {
 

@@ -5,8 +5,8 @@
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/hertzian_gap.hpp"
-#include "microslip/exact/patch_rolling.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
 
 namespace microslip::python {
 

@@ -3,7 +3,7 @@
 #include "binding/long_work.hpp"
 #include "io/option_words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/interior_peak.hpp"
+#include "microslip/interior/interior_peak.hpp"
 
 #include <algorithm>
 #include <map>

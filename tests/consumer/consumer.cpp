@@ -1,7 +1,7 @@
 // Uses both installed libraries and finds the same with them.
 
 #include <microslip.h>
-#include <microslip/exact/elliptic_contact.hpp>
+#include <microslip/rolling/elliptic_contact.hpp>
 #include <microslip/simplified/fastsim2.hpp>
 #include <microslip/version.hpp>
 

@@ -1,0 +1,193 @@
+#include "compat/contact/geometry.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace microslip {
+namespace {
+
+constexpr int most_elements_along = 10000, most_points = 9999, most_heights = 10000, most_patches = 100;
+constexpr int any_element = 999999; ///< indices of points may lie beyond the grid, which cuts them off
+
+/// Names of the numbers behind MX and MY.
+struct Names {
+  const char* of[4];
+};
+
+constexpr Names hertzian_names[] = {{{"A1", "B1"}}, {{"A1", "AOB"}}, {{"AA", "BB"}},
+                                    {{"A1", "BB"}}, {{"AA", "BB"}},  {{"AA", "BNEG", "BPOS"}}};
+constexpr Names grid_names[] = {{{"XL", "YL", "DX", "DY"}},
+                                {{"XL", "YL", "XH", "YH"}},
+                                {{"XC1", "YC1", "DX", "DY"}},
+                                {{"XC1", "YC1", "XCM", "YCM"}}};
+
+void read_hertzian(ContactWords& words, PotentialContact& p) {
+  const Names& names = hertzian_names[-p.kind - 1];
+  for (std::size_t k = 0; k < 4 && names.of[k]; ++k) p.values[k] = words.positive(names.of[k]);
+  p.scale = words.positive("SCALE");
+}
+
+/// A place and a size, or two places.
+void read_rectangle(ContactWords& words, PotentialContact& p) {
+  const Names& names = grid_names[p.kind - 1];
+  const bool has_sizes = p.kind % 2 == 1;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const char* name = names.of[k];
+    p.values[k] = has_sizes && k >= 2 ? words.positive(name) : words.real(name);
+    if (has_sizes || k < 2) continue;
+    const int elements = k == 2 ? p.mx : p.my;
+    if (p.kind == 4 && elements == 1)
+      words.fail(name, p.values[k], "gives no size to a single element; take IPOTCN = 3");
+    if (!(p.values[k] > p.values[k - 2]))
+      words.fail(name, p.values[k], std::string("must be above ") + names.of[k - 2]);
+  }
+}
+
+/// The circle along x and the heights along y.
+std::vector<double> read_circle(ContactWords& words) {
+  const int count = words.integer("NN", 1, most_heights);
+  const double xm = words.real("XM"), rm = words.real("RM");
+  if (rm == 0) words.fail("RM", 0, "must not be 0");
+  const double y1 = words.real("Y1"), dy1 = count > 1 ? words.positive("DY1") : words.real("DY1");
+  words.end_record();
+  std::vector<double> values = {xm, rm, y1, dy1};
+  const auto heights = words.reals("Z", static_cast<std::size_t>(count));
+  values.insert(values.end(), heights.begin(), heights.end());
+  return values;
+}
+
+std::vector<double> read_waves(ContactWords& words) {
+  const auto values = words.reals("B", 8);
+  for (const std::size_t k : {6u, 7u})
+    if (values[k] == 0) words.fail("B(" + std::to_string(k + 1) + ")", 0, "must not be 0");
+  return values;
+}
+
+/// XL XH YL YH of two rectangles.
+std::vector<double> read_rectangles(ContactWords& words) {
+  const auto values = words.reals("PL", 8);
+  for (std::size_t k = 1; k < values.size(); k += 2)
+    if (!(values[k] > values[k - 1]))
+      words.fail("PL(" + std::to_string(k + 1) + ")", values[k], "must be above PL(" + std::to_string(k) + ")");
+  return values;
+}
+
+/// The number of sub-patches, y between them, and by how much each of a pair acts on the other.
+std::vector<double> read_sub_patches(ContactWords& words) {
+  const int count = words.integer("NPATCH", 1, most_patches);
+  words.end_record();
+  const auto patches = static_cast<std::size_t>(count);
+  std::vector<double> values = {static_cast<double>(count)};
+  for (const auto& [field, number] : {std::pair{"YSEP", patches - 1}, {"FAC", patches * (patches - 1) / 2}}) {
+    if (number == 0) continue;
+    const auto part = words.reals(field, number);
+    values.insert(values.end(), part.begin(), part.end());
+  }
+  return values;
+}
+
+std::vector<double> read_indices(ContactWords& words, const char* axis, int count) {
+  std::vector<double> indices;
+  for (int k = 0; k < count; ++k) indices.push_back(words.integer(axis, 1, any_element));
+  words.end_record();
+  return indices;
+}
+
+/// A block of points; kind 0 ends them.
+ContactPoints read_block(ContactWords& words) {
+  ContactPoints points;
+  points.kind = words.integer("ISUBS", 0, 9);
+  words.end_record();
+  const auto count = [&](const char* field) { return words.integer(field, 1, most_points); };
+  const auto places = [&](const char* field, int number) {
+    return words.reals(field, static_cast<std::size_t>(number));
+  };
+  switch (points.kind) {
+  case 0:
+    return points;
+  case 4:
+  case 8:
+    words.fail("ISUBS", points.kind, "must be one of 0, 1, 2, 3, 5, 6, 7, 9");
+  case 2:
+  case 6:
+    for (const char* axis : {"IX", "IY"}) {
+      const std::string name = axis;
+      const int low = words.integer(name + "L", 1, any_element), step = words.integer(name + "INC", 0, any_element);
+      points.range.insert(points.range.end(), {low, std::max(step, 1), words.integer(name + "H", low, any_element)});
+      words.end_record();
+    }
+    break;
+  case 3:
+  case 7: {
+    const int nx = count("NX"), ny = count("NY");
+    words.end_record();
+    points.x = read_indices(words, "IX", nx);
+    points.y = read_indices(words, "IY", ny);
+    break;
+  }
+  case 9: {
+    const int nx = count("NX"), ny = count("NY"), nz = count("NZ");
+    words.end_record();
+    points.x = places("X", nx);
+    points.y = places("Y", ny);
+    points.z = places("Z", nz);
+    return points;
+  }
+  default:
+    break;
+  }
+  const int nz = count("NZ");
+  if (points.kind <= 3) {
+    const double zl = words.real("ZL"), dz = words.real("DZ");
+    points.z = {static_cast<double>(nz), zl, dz};
+    words.end_record();
+  } else {
+    words.end_record();
+    points.z = places("Z", nz);
+  }
+  return points;
+}
+
+} // namespace
+
+PotentialContact read_potential_contact(ContactWords& words) {
+  PotentialContact p;
+  p.kind = words.integer("IPOTCN", -6, 4);
+  if (p.kind == 0) words.fail("IPOTCN", 0, "must be in -6 to -1 or 1 to 4");
+  words.end_record();
+  p.mx = words.integer("MX", 1, most_elements_along);
+  p.my = words.integer("MY", 1, most_elements_along);
+  if (p.is_hertzian())
+    read_hertzian(words, p);
+  else
+    read_rectangle(words, p);
+  words.end_record();
+  return p;
+}
+
+ContactGeometry read_geometry(ContactWords& words, const PotentialContact& potential) {
+  ContactGeometry g;
+  g.base = words.integer("IBASE", 1, 9);
+  if (g.base > 3 && g.base < 9) words.fail("IBASE", g.base, "must be one of 1, 2, 3, 9");
+  g.planform = words.integer("IPLAN", 1, 4);
+  words.end_record();
+  if (g.base == 1) g.values = words.reals("B", 6);
+  if (g.base == 2) g.values = read_circle(words);
+  if (g.base == 3) g.values = read_waves(words);
+  if (g.base == 9) g.values = words.reals("H", potential.elements());
+  if (g.planform == 2) g.plan_values = words.reals("PL", 6);
+  if (g.planform == 3) g.plan_values = read_rectangles(words);
+  if (g.planform == 4) g.plan_values = read_sub_patches(words);
+  return g;
+}
+
+std::vector<ContactPoints> read_points(ContactWords& words) {
+  std::vector<ContactPoints> blocks;
+  for (;;) {
+    ContactPoints block = read_block(words);
+    if (block.kind == 0) return blocks;
+    blocks.push_back(std::move(block));
+  }
+}
+
+} // namespace microslip

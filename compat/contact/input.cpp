@@ -1,0 +1,405 @@
+#include "compat/contact/input.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace microslip {
+namespace {
+
+constexpr int most_angles = 10000;
+constexpr double largest_friction = 10;
+
+/// A digit, its letter and the values that it may have.
+struct DigitRule {
+  char letter;
+  int ContactDigits::*digit;
+  const char* allowed;
+};
+
+constexpr DigitRule first_word[] = {
+    {'P', &ContactDigits::pvtime, "0123"}, {'B', &ContactDigits::bound, "0123456"},
+    {'T', &ContactDigits::tang, "0123"},   {'N', &ContactDigits::norm, "01"},
+    {'F', &ContactDigits::force, "012"},   {'S', &ContactDigits::stress, "0123"},
+};
+constexpr DigitRule second_word[] = {
+    {'V', &ContactDigits::varfrc, "03"},      {'L', &ContactDigits::frclaw, "012346"},
+    {'D', &ContactDigits::discns, "012"},     {'C', &ContactDigits::inflcf, "012349"},
+    {'M', &ContactDigits::mater, "01234567"}, {'Z', &ContactDigits::rznorm, "012"},
+    {'E', &ContactDigits::exrhs, "01239"},
+};
+constexpr DigitRule third_word[] = {
+    {'X', &ContactDigits::xflow, "01"},      {'H', &ContactDigits::heat, "013"},
+    {'G', &ContactDigits::gausei, "012345"}, {'I', &ContactDigits::iestim, "0123"},
+    {'A', &ContactDigits::matfil, "012"},    {'O', &ContactDigits::output, "0123456"},
+    {'W', &ContactDigits::flow, "01234569"}, {'R', &ContactDigits::solve, "0123"},
+};
+
+std::string listed_digits(const std::string& allowed) {
+  std::string text;
+  for (const char digit : allowed) text += (text.empty() ? "" : ", ") + std::string(1, digit);
+  return text;
+}
+
+template <std::size_t count>
+void read_control(ContactWords& words, const char* field, const DigitRule (&rules)[count], ContactDigits& digits) {
+  const auto values = words.control(field, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto& [letter, digit, allowed] = rules[k];
+    if (std::string(allowed).find(static_cast<char>('0' + values[k])) == std::string::npos)
+      words.fail(std::string("digit ") + letter + " of " + field, values[k],
+                 "must be one of " + listed_digits(allowed));
+    digits.*digit = values[k];
+  }
+}
+
+} // namespace
+
+ContactInputReader::ContactInputReader(std::istream& stream, std::string name) : words_(stream, std::move(name)) {}
+
+const ContactCase* ContactInputReader::next() {
+  const int module = ended_ ? 0 : in_module_ ? 3 : read_module();
+  ended_ = module == 0;
+  if (ended_) return nullptr;
+  if (module == 1) {
+    lost_.line = words_.line();
+    ++cases_;
+    return give_up("MODULE = 1 (wheel on rail)");
+  }
+  ended_ = words_.at_end();
+  if (ended_) return nullptr;
+  now_ = &sequences_[sequence_];
+  ContactCase& c = now_->last;
+  c.number = ++cases_;
+  c.line = lost_.line = words_.line();
+  c.sequence = sequence_;
+  c.unreadable.clear();
+  read_case(c);
+  if (!c.unreadable.empty()) return give_up(c.unreadable);
+  now_->has_case = true;
+  now_->lost = 0;
+  in_module_ = c.digits.solve == 0 || c.digits.solve == 2;
+  return &c;
+}
+
+/// The number of the next module; 0 at the end.
+int ContactInputReader::read_module() {
+  if (words_.at_end()) return 0;
+  const int module = words_.integer("MODULE", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+  if (module != 0 && module != 1 && module != 3) words_.fail("MODULE", module, "must be 0, 1 or 3");
+  complete_ = module == 0;
+  if (complete_) return 0;
+  const int element = words_.optional_integer("RE", 1, 1, 999);
+  sequence_ = {element, words_.optional_integer("CP", 1, 1, 9)};
+  words_.end_record();
+  return module;
+}
+
+/// A case that cannot be read; later cases of its sequence may keep something of it.
+const ContactCase* ContactInputReader::give_up(const std::string& why) {
+  const auto line = lost_.line;
+  lost_ = {};
+  lost_.line = line;
+  lost_.number = cases_;
+  lost_.sequence = sequence_;
+  lost_.unreadable = why;
+  sequences_[sequence_].lost = cases_;
+  in_module_ = false;
+  ended_ = !words_.skip_to_module();
+  return &lost_;
+}
+
+void ContactInputReader::read_case(ContactCase& c) {
+  read_digits(c);
+  check_digits(c);
+  if (keeps_lost(c)) {
+    c.unreadable = "it keeps what case " + std::to_string(now_->lost) + " has changed, which cannot be run";
+    return;
+  }
+  check_kept(c);
+  read_solver(c);
+  read_kinematics(c);
+  read_friction(c);
+  if (c.digits.inflcf >= 2) {
+    read_rolling(c);
+    read_material(c);
+  }
+  check_read(c);
+  read_damping_and_heat(c);
+  read_potential(c);
+  read_geometry(c);
+  if (!c.unreadable.empty()) return;
+  read_friction_by_rows(c);
+  read_extra_slip(c);
+  read_points(c);
+}
+
+void ContactInputReader::read_digits(ContactCase& c) {
+  ContactDigits& d = c.digits;
+  read_control(words_, "PBTNFS", first_word, d);
+  words_.end_record();
+  read_control(words_, "VLDCMZE", second_word, d);
+  d.damping = words_.optional_integer("M2", now_->has_damping ? 1 : 0, 0, 2);
+  words_.end_record();
+  read_control(words_, "XHGIAOWR", third_word, d);
+  words_.end_record();
+  if (d.xflow == 1) {
+    words_.control("PSFLCIN", 9); // versions differ in the number of digits
+    words_.end_record();
+  }
+}
+
+/// Digits that do not go together.
+void ContactInputReader::check_digits(const ContactCase& c) {
+  const ContactDigits& d = c.digits;
+  if ((d.gausei == 3 || d.gausei == 5) && d.tang != 3)
+    words_.fail("digit G", d.gausei, "must go with T = 3, a solver for steady rolling");
+  if (d.heat != 0 && (d.tang == 1 || d.tang == 2)) words_.fail("digit H", d.heat, "must be 0 with T = 1 or 2");
+  if (d.mater == 1 && d.tang != 3 && d.tang != 0) words_.fail("digit M", 1, "must go with T = 3 (or 0)");
+}
+
+void ContactInputReader::fail_keep(const ContactCase& c, const char* digit, int value, const char* what) const {
+  words_.fail("case " + std::to_string(c.number) + ": digit " + digit + " = " + std::to_string(value) + " keeps " +
+              what + ", which no earlier case has given");
+}
+
+/// Whether it keeps something that a case has changed which could not be read.
+bool ContactInputReader::keeps_lost(const ContactCase& c) const {
+  const ContactDigits& d = c.digits;
+  const bool keeps_points = d.stress == 1 || d.stress == 2;
+  return now_->lost > 0 && (d.gausei == 1 || d.frclaw == 1 || d.inflcf < 2 || d.discns < 2 || d.exrhs == 1 ||
+                            d.heat == 1 || keeps_points);
+}
+
+/// What is to be kept must be there. The first case of a sequence cannot continue anything.
+void ContactInputReader::check_kept(ContactCase& c) {
+  ContactDigits& d = c.digits;
+  const auto need = [&](bool keeps, bool has, const char* digit, int value, const char* what) {
+    if (keeps && !has) fail_keep(c, digit, value, what);
+  };
+  need(d.gausei == 1, now_->has_solver, "G", 1, "the solvers' parameters");
+  need(d.frclaw == 1, now_->has_friction, "L", 1, "the friction law");
+  need(d.inflcf < 2, c.material.has_value(), "C", d.inflcf, "the material");
+  need(d.discns < 2, c.potential.has_value(), "D", d.discns, "the potential contact");
+  need(d.exrhs == 1, now_->has_case, "E", 1, "the extra rigid slip");
+  need(d.heat == 1, c.heat.has_value(), "H", 1, "the heat parameters");
+  need(d.stress == 1 || d.stress == 2, !c.points.empty(), "S", d.stress, "the points of the interior field");
+  if (d.damping == 1 && !now_->has_damping) d.damping = 0;
+  if (!now_->has_case) {
+    d.pvtime = 2;
+    d.iestim = 0;
+  }
+}
+
+void ContactInputReader::read_solver(ContactCase& c) {
+  if (c.digits.gausei == 1) return;
+  constexpr int most = 1000000;
+  ContactSolver& s = c.solver;
+  s.method = c.digits.gausei;
+  s.maxgs = words_.integer("MAXGS", 1, most);
+  s.maxin = words_.integer("MAXIN", 1, most);
+  s.maxnr = words_.integer("MAXNR", 1, most);
+  s.maxout = words_.integer("MAXOUT", 1, most);
+  s.eps = words_.positive("EPS");
+  words_.end_record();
+  if (s.method == 2 || s.method == 3) {
+    s.omegah = words_.real("OMEGAH");
+    s.omegas = words_.real("OMEGAS");
+  }
+  if (s.method >= 2 && s.method <= 4) {
+    s.inislp = words_.real("INISLP");
+    s.omgslp = words_.real("OMGSLP");
+    words_.end_record();
+  }
+  if (s.method == 5) words_.reals("FDECAY to POW_S", 8);
+  now_->has_solver = true;
+}
+
+void ContactInputReader::read_kinematics(ContactCase& c) {
+  const ContactDigits& d = c.digits;
+  c.normal = d.norm == 1 ? words_.positive("FN") : words_.real("PEN");
+  c.x = words_.real(d.force >= 1 ? "FX" : "CKSI");
+  c.y = words_.real(d.force == 2 ? "FY" : "CETA");
+  c.phi = words_.real("CPHI");
+  c.spin_x = words_.optional_real("SPINXO", 0);
+  c.spin_y = words_.optional_real("SPINYO", 0);
+  words_.end_record();
+}
+
+/// A set of friction data, by the law.
+std::vector<double> ContactInputReader::read_friction_set(int law) {
+  const auto coefficient = [&](const char* field) { return words_.between(field, 0, largest_friction); };
+  std::vector<double> set;
+  if (law == 0) {
+    set = {coefficient("FSTAT"), coefficient("FKIN")};
+    if (std::abs(set[0] - set[1]) > 1e-3 * set[0])
+      words_.fail("FKIN", set[1], "must be FSTAT; a static coefficient above the kinetic one is not supported");
+  } else if (law == 6) {
+    set = {coefficient("FREF"), words_.real("TREF"), words_.real("DFHEAT"), words_.positive("DTHEAT")};
+    if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
+      words_.fail("DFHEAT", set[2], "must keep FREF + DFHEAT in [0, 10]");
+  } else {
+    for (const char* field : {"FKIN", "FIN1", "SABSH1", "FIN2", "SABSH2"})
+      set.push_back(words_.between(field, 0, 1e12));
+  }
+  words_.end_record();
+  if (law == 0) return set;
+  set.push_back(words_.between("MEMDST", 0, 1e12));
+  set.push_back(words_.between("MEM_S0", 0, 1e12));
+  words_.end_record();
+  return set;
+}
+
+void ContactInputReader::read_friction(ContactCase& c) {
+  if (c.digits.frclaw == 1) return;
+  c.friction.law = c.digits.frclaw;
+  c.friction.by_row = c.digits.varfrc == 3;
+  c.friction.sets.clear();
+  if (!c.friction.by_row) c.friction.sets.push_back(read_friction_set(c.friction.law));
+  now_->has_friction = true;
+}
+
+void ContactInputReader::read_rolling(ContactCase& c) {
+  if (c.digits.tang < 2) return;
+  ContactRolling rolling;
+  rolling.chi = words_.angle("CHI");
+  rolling.dq = words_.positive("DQ");
+  rolling.veloc = words_.positive("VELOC");
+  rolling.facphi = words_.optional_real("FACPHI", rolling.facphi);
+  if (!(rolling.facphi >= 0 && rolling.facphi <= 1)) words_.fail("FACPHI", rolling.facphi, "must be in [0, 1]");
+  words_.end_record();
+  c.rolling = rolling;
+}
+
+void ContactInputReader::read_material(ContactCase& c) {
+  const ContactDigits& d = c.digits;
+  ContactMaterial m;
+  m.coefficients = d.inflcf;
+  if (d.inflcf == 4) {
+    words_.integer("IF_METH", 0, 1);
+    words_.integer("VARIANT", 1, 4);
+    const int count = words_.integer("NN", 1, most_angles);
+    words_.end_record();
+    for (int k = 0; k < count; ++k) {
+      words_.real("Y");
+      words_.angle("ALPHA");
+    }
+    words_.end_record();
+  }
+  if (d.inflcf == 9) {
+    words_.text("CFNAME");
+    words_.end_record();
+  }
+  m.poisson1 = words_.between("POISS1", 0, 0.5);
+  m.poisson2 = words_.between("POISS2", 0, 0.5);
+  m.shear1 = words_.positive("GG1");
+  m.shear2 = words_.positive("GG2");
+  words_.end_record();
+  if (d.bound == 1) {
+    m.sheet_flexibility = words_.positive("FLXZ");
+    words_.end_record();
+  }
+  constexpr std::size_t counts[] = {0, 4, 4, 3, 4, 3, 0, 0};
+  m.model = d.mater;
+  if (const auto count = counts[d.mater]) m.model_data = words_.reals("material", count);
+  c.material = m;
+}
+
+/// What C = 0 or 1 has not read must be there from before.
+void ContactInputReader::check_read(const ContactCase& c) {
+  const ContactDigits& d = c.digits;
+  if (d.mater != 0 && c.material->model != d.mater)
+    words_.fail("digit M", d.mater, "must go with C >= 2, which reads its data");
+  if (d.tang >= 2 && !c.rolling) words_.fail("digit T", d.tang, "must go with C >= 2, which reads CHI, DQ and VELOC");
+}
+
+void ContactInputReader::read_damping_and_heat(ContactCase& c) {
+  if (c.digits.damping == 2) {
+    words_.reals("damping", 4);
+    now_->has_damping = true;
+  }
+  if (c.digits.heat != 3) return;
+  ContactHeat heat;
+  for (auto* body : {&heat.body1, &heat.body2}) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
+      (*body)[k] = words_.real(fields[k]);
+    }
+    words_.end_record();
+  }
+  if (c.digits.mater == 4) {
+    heat.plastic_share = words_.real("BETAPL");
+    words_.end_record();
+  }
+  c.heat = heat;
+}
+
+void ContactInputReader::read_potential(ContactCase& c) {
+  const ContactDigits& d = c.digits;
+  if (d.discns == 2) {
+    c.potential = read_potential_contact(words_);
+    if (c.potential->is_hertzian()) now_->has_geometry = false;
+  }
+  if (d.discns >= 1 && c.potential->is_hertzian() && d.norm == 0 && !(c.normal > 0))
+    words_.fail("PEN", c.normal, "must be > 0 with Hertz's geometry, IPOTCN < 0");
+  if (d.discns >= 1) {
+    c.formed_norm = d.norm;
+    c.formed_normal = c.normal;
+  }
+  const bool needs_ellipse = d.bound >= 2 && d.bound <= 4;
+  if (needs_ellipse && !c.potential->is_hertzian())
+    words_.fail("digit B", d.bound, "must go with Hertz's geometry, IPOTCN < 0");
+}
+
+/// Whether the undeformed distance stays; then it must fit the elements.
+bool ContactInputReader::keeps_geometry(ContactCase& c) {
+  const int digit = c.digits.rznorm;
+  if (digit == 2) return false;
+  if (now_->lost > 0) {
+    c.unreadable = "it keeps the undeformed distance that case " + std::to_string(now_->lost) +
+                   " has changed, which cannot be run";
+    return true;
+  }
+  if (!now_->has_geometry) fail_keep(c, "Z", digit, "the undeformed distance");
+  if (c.geometry.base == 9 && c.geometry.values.size() != c.potential->elements())
+    words_.fail("case " + std::to_string(c.number) + ": digit Z = " + std::to_string(digit) +
+                " keeps the undeformed distance of " + std::to_string(c.geometry.values.size()) +
+                " elements, and there are " + std::to_string(c.potential->elements()));
+  return true;
+}
+
+void ContactInputReader::read_geometry(ContactCase& c) {
+  if (c.potential->is_hertzian() || keeps_geometry(c)) return;
+  c.geometry = microslip::read_geometry(words_, *c.potential);
+  now_->has_geometry = true;
+}
+
+void ContactInputReader::read_friction_by_rows(ContactCase& c) {
+  if (!c.friction.by_row) return;
+  const auto rows = static_cast<std::size_t>(c.potential->my);
+  if (c.digits.frclaw != 1)
+    for (std::size_t row = 0; row < rows; ++row) c.friction.sets.push_back(read_friction_set(c.friction.law));
+  if (c.friction.sets.size() != rows)
+    words_.fail("V = 3: there are friction data for " + std::to_string(c.friction.sets.size()) + " rows, and MY is " +
+                std::to_string(rows));
+}
+
+void ContactInputReader::read_extra_slip(ContactCase& c) {
+  const ContactDigits& d = c.digits;
+  if (d.exrhs != 1) c.extra = d.exrhs;
+  const std::size_t count = 2 * c.potential->elements();
+  if (d.exrhs == 9) c.extra_slip = words_.reals("EXRHS", count);
+  if (c.extra != 9) c.extra_slip.clear();
+  if (c.extra == 9 && c.extra_slip.size() != count)
+    words_.fail("digit E", d.exrhs, "keeps the extra rigid slip of another number of elements");
+}
+
+void ContactInputReader::read_points(ContactCase& c) {
+  if (c.digits.stress < 2) return;
+  c.points_matfil = words_.integer("A_s", 0, 2);
+  words_.integer("O_s", 0, 6);
+  words_.end_record();
+  if (c.digits.stress == 3) c.points = microslip::read_points(words_);
+}
+
+} // namespace microslip

@@ -1,0 +1,192 @@
+#include "compat/contact/run_file.hpp"
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A number of a solved case.
+struct Column {
+  const char *name, *unit, *description;
+  double (*value)(const ContactOutcome& outcome);
+};
+
+constexpr Column columns[] = {
+    {"normal_force", "N", "normal force Fn", [](const ContactOutcome& o) { return o.solution.normal_force; }},
+    {"fx", "N", "longitudinal force on body 1",
+     [](const ContactOutcome& o) { return o.solution.tangential.forces.fx; }},
+    {"fy", "N", "lateral force on body 1", [](const ContactOutcome& o) { return o.solution.tangential.forces.fy; }},
+    {"mz", "N m", "moment about the normal on body 1",
+     [](const ContactOutcome& o) { return o.solution.tangential.forces.mz; }},
+    {"elastic_energy", "J", "elastic energy of pressure and tractions",
+     [](const ContactOutcome& o) { return o.solution.normal.elastic_energy + o.solution.tangential.elastic_energy; }},
+    {"frictional_power", "W", "power lost by friction; for a shift the work [J]",
+     [](const ContactOutcome& o) { return o.solution.tangential.frictional_power; }},
+    {"creepage_longitudinal", "-", "given or found, about the origin; for a shift the way [m]",
+     [](const ContactOutcome& o) { return o.solution.tangential.creepage.longitudinal; }},
+    {"creepage_lateral", "-", "given or found, about the origin; for a shift the way [m]",
+     [](const ContactOutcome& o) { return o.solution.tangential.creepage.lateral; }},
+    {"spin", "1/m", "given; for a shift the rotation [rad]",
+     [](const ContactOutcome& o) { return o.solution.tangential.creepage.spin; }},
+    {"approach", "m", "approach of distant points", [](const ContactOutcome& o) { return o.solution.normal.approach; }},
+    {"peak_pressure", "Pa", "largest pressure of an element",
+     [](const ContactOutcome& o) { return o.solution.normal.peak_pressure; }},
+    {"highest_temperature", "deg C", "of the surfaces in contact; NaN where not asked for",
+     [](const ContactOutcome& o) { return o.totals.temperature.value_or(nan); }},
+    {"residual", "-", "of the tangential problem",
+     [](const ContactOutcome& o) { return o.solution.tangential.residual; }},
+    {"shear_modulus", "Pa", "combined shear modulus G",
+     [](const ContactOutcome& o) { return o.step.bodies.material.shear_modulus; }},
+    {"poisson_ratio", "-", "combined Poisson's ratio",
+     [](const ContactOutcome& o) { return o.step.bodies.material.poisson_ratio; }},
+    {"x0", "m", "centre of the first element", [](const ContactOutcome& o) { return o.step.grid.x0; }},
+    {"y0", "m", "centre of the first element", [](const ContactOutcome& o) { return o.step.grid.y0; }},
+    {"dx", "m", "length of an element", [](const ContactOutcome& o) { return o.step.grid.dx; }},
+    {"dy", "m", "width of an element", [](const ContactOutcome& o) { return o.step.grid.dy; }},
+};
+
+/// A count of a solved case.
+struct CountColumn {
+  const char *name, *description;
+  int (*value)(const ContactOutcome& outcome);
+};
+
+constexpr CountColumn counts[] = {
+    {"mx", "elements of the potential contact along x", [](const ContactOutcome& o) { return o.step.grid.mx; }},
+    {"my", "elements of the potential contact along y", [](const ContactOutcome& o) { return o.step.grid.my; }},
+    {"contact_elements", "elements in contact", [](const ContactOutcome& o) { return o.solution.contact_elements; }},
+    {"adhesion_elements", "of these in adhesion", [](const ContactOutcome& o) { return o.solution.adhesion_elements; }},
+    {"slip_elements", "of these in slip", [](const ContactOutcome& o) { return o.solution.slip_elements; }},
+    {"newton_steps", "of the tangential problem",
+     [](const ContactOutcome& o) { return o.solution.tangential.newton_steps; }},
+};
+
+/// A number of a point inside the bodies.
+struct InteriorColumn {
+  const char *name, *unit, *description;
+  double (*value)(const InteriorState& state);
+};
+
+constexpr InteriorColumn interior_columns[] = {
+    {"ux", "m", "displacement of the point's body", [](const InteriorState& s) { return s.ux; }},
+    {"uy", "m", "displacement of the point's body", [](const InteriorState& s) { return s.uy; }},
+    {"uz", "m", "displacement of the point's body", [](const InteriorState& s) { return s.uz; }},
+    {"sigma_xx", "Pa", "stress, tension positive", [](const InteriorState& s) { return s.stress.xx; }},
+    {"sigma_yy", "Pa", "stress, tension positive", [](const InteriorState& s) { return s.stress.yy; }},
+    {"sigma_zz", "Pa", "stress, tension positive", [](const InteriorState& s) { return s.stress.zz; }},
+    {"sigma_xy", "Pa", "stress", [](const InteriorState& s) { return s.stress.xy; }},
+    {"sigma_xz", "Pa", "stress", [](const InteriorState& s) { return s.stress.xz; }},
+    {"sigma_yz", "Pa", "stress", [](const InteriorState& s) { return s.stress.yz; }},
+    {"von_mises", "Pa", "von Mises' equivalent stress", [](const InteriorState& s) { return von_mises(s.stress); }},
+};
+
+/// The elements to be stored: all, or those in contact.
+std::vector<std::size_t> chosen(const ContactCase& c, const ContactOutcome& outcome) {
+  std::vector<std::size_t> elements;
+  if (c.digits.matfil == 0 || outcome.kind != ContactOutcome::Kind::solved) return elements;
+  for (std::size_t k = 0; k < outcome.step.grid.count(); ++k)
+    if (c.digits.matfil == 2 || outcome.solution.normal.pressure[k] > 0) elements.push_back(k);
+  return elements;
+}
+
+} // namespace
+
+ContactRunFile::ContactRunFile(const std::filesystem::path& path, const Provenance& provenance)
+    : file_(path, provenance, ResultFile::Storage::disk) {}
+
+int ContactRunFile::add_elements(const ContactCase& c, const ContactOutcome& outcome) {
+  const auto elements = chosen(c, outcome);
+  std::vector<int> index, state;
+  for (const std::size_t k : elements) {
+    index.push_back(static_cast<int>(k));
+    state.push_back(element_state(outcome, k));
+  }
+  file_.append("elements/index", std::span<const int>(index), "-", "j mx + i of the element, from 0, x fastest");
+  file_.append("elements/state", std::span<const int>(state), "-", "0 exterior, 1 adhesion, 2 slip");
+  const auto add_field = [&](const char* name, const std::vector<double>& field, const char* unit, const char* what) {
+    std::vector<double> values;
+    for (const std::size_t k : elements) values.push_back(field[k]);
+    file_.append(std::string("elements/") + name, std::span<const double>(values), unit, what);
+  };
+  const NormalSolution& normal = outcome.solution.normal;
+  const TangentialSolution& tangential = outcome.solution.tangential;
+  add_field("undeformed_gap", outcome.step.gap, "m", "undeformed distance h");
+  add_field("pressure", normal.pressure, "Pa", "p_n");
+  add_field("bound", tangential.bound, "Pa", "traction bound g = mu p_n");
+  const std::vector<double> none(outcome.step.grid.count());
+  add_field("mu", outcome.solution.friction.empty() ? none : outcome.solution.friction, "-",
+            "coefficient of friction; 0 without tractions");
+  add_field("px", tangential.tractions.px, "Pa", "traction on body 1");
+  add_field("py", tangential.tractions.py, "Pa", "traction on body 1");
+  add_field("un", normal.displacement, "m", "normal displacement difference");
+  add_field("ux", tangential.ux, "m", "displacement difference u1 - u2");
+  add_field("uy", tangential.uy, "m", "displacement difference u1 - u2");
+  add_field("sx", tangential.sx, "-", "relative slip; for a shift the slip [m]");
+  add_field("sy", tangential.sy, "-", "relative slip; for a shift the slip [m]");
+  const std::vector<double> unknown(outcome.temperature ? 0 : outcome.step.grid.count(), nan);
+  add_field("temperature1", outcome.temperature ? outcome.temperature->body1 : unknown, "deg C", "of body 1's surface");
+  add_field("temperature2", outcome.temperature ? outcome.temperature->body2 : unknown, "deg C", "of body 2's surface");
+  return static_cast<int>(elements.size());
+}
+
+int ContactRunFile::add_points(const ContactOutcome& outcome) {
+  std::vector<int> blocks;
+  std::vector<double> x, y, z;
+  std::vector<InteriorState> states;
+  for (std::size_t block = 0; block < outcome.interior.size(); ++block) {
+    const auto& [points, field] = outcome.interior[block];
+    for (std::size_t k = 0; k < field.size(); ++k) {
+      x.push_back(points.x_of(k));
+      y.push_back(points.y_of(k));
+      z.push_back(points.z_of(k));
+    }
+    blocks.insert(blocks.end(), field.size(), static_cast<int>(block));
+    states.insert(states.end(), field.begin(), field.end());
+  }
+  file_.append("interior/block", std::span<const int>(blocks), "-", "block of points in the case, from 0");
+  const auto add_field = [&](const char* name, const std::vector<double>& values, const char* unit, const char* what) {
+    file_.append(std::string("interior/") + name, std::span<const double>(values), unit, what);
+  };
+  add_field("x", x, "m", "of the point");
+  add_field("y", y, "m", "of the point");
+  add_field("z", z, "m", "of the point: >= 0 in body 1, < 0 in body 2");
+  for (const auto& [name, unit, what, value] : interior_columns) {
+    std::vector<double> values;
+    for (const InteriorState& state : states) values.push_back(value(state));
+    add_field(name, values, unit, what);
+  }
+  return static_cast<int>(states.size());
+}
+
+void ContactRunFile::add(const ContactCase& c, const ContactOutcome& outcome) {
+  const bool solved = outcome.kind == ContactOutcome::Kind::solved;
+  const auto add_count = [&](const char* name, int value, const char* what) {
+    file_.append(std::string("cases/") + name, std::span<const int>(&value, 1), "-", what);
+  };
+  add_count("line", static_cast<int>(c.line), "line of the input file where the case begins");
+  add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
+  add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0,
+            "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction");
+  add_count("motion", c.digits.tang, "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
+  for (const auto& [name, what, value] : counts) add_count(name, solved ? value(outcome) : 0, what);
+  for (const auto& [name, unit, what, value] : columns) {
+    const double number = solved ? value(outcome) : nan;
+    file_.append(std::string("cases/") + name, std::span<const double>(&number, 1), unit, what);
+  }
+  file_.append("cases/first_element", std::span<const double>(&elements_, 1), "-", "where its elements begin");
+  const int stored = add_elements(c, outcome);
+  add_count("stored_elements", stored, "how many elements are stored");
+  elements_ += stored;
+  file_.append("cases/first_point", std::span<const double>(&points_, 1), "-",
+               "where its points inside the bodies begin");
+  const int points = add_points(outcome);
+  add_count("stored_points", points, "how many points inside the bodies are stored");
+  points_ += points;
+}
+
+} // namespace microslip

@@ -1,0 +1,328 @@
+#include "microslip/exact/classical/contact_sequence.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/numerics/norm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+bool same(const ElementGrid& a, const ElementGrid& b) {
+  return a.mx == b.mx && a.my == b.my && a.x0 == b.x0 && a.y0 == b.y0 && a.dx == b.dx && a.dy == b.dy &&
+         a.line == b.line && a.shape == b.shape;
+}
+
+bool same(const CombinedMaterial& a, const CombinedMaterial& b) {
+  return a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio && a.dissimilarity == b.dissimilarity;
+}
+
+bool same(const Bodies& a, const Bodies& b) {
+  const auto same_part = [](const DelayedPart& p, const DelayedPart& q) {
+    return same(p.material, q.material) && p.delay.ratio == q.delay.ratio && p.delay.distance == q.delay.distance;
+  };
+  return same(a.material, b.material) && a.layer.flexibility == b.layer.flexibility &&
+         std::equal(a.delayed.begin(), a.delayed.end(), b.delayed.begin(), b.delayed.end(), same_part);
+}
+
+/// Whether tractions change the pressure, or pressure the slip.
+bool is_coupled(const ContactStep& step) {
+  return !step.bodies.are_elastic() || (!step.frictionless && step.bodies.are_coupled());
+}
+
+bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
+  return same(a.grid, b.grid) && same(a.bodies, b.bodies) && !a.given && !b.given && a.gap == b.gap &&
+         a.excluded == b.excluded && a.load.given == b.load.given && a.load.value == b.load.value;
+}
+
+/// Where a centre of the new grid lies among those of the old one.
+struct Place {
+  int index;    ///< of the centre below
+  double above; ///< share of the next one
+};
+
+Place place(double position, double first, double spacing) {
+  constexpr double as_good_as_equal = 1e-3; // coordinates from files have few digits
+  const double elements = (position - first) / spacing, nearest = std::round(elements);
+  if (std::abs(elements) > 1e9) return {-2, 0};
+  if (std::abs(elements - nearest) < as_good_as_equal) return {static_cast<int>(nearest), 0};
+  return {static_cast<int>(std::floor(elements)), elements - std::floor(elements)};
+}
+
+Field moved(const ElementGrid& to, const Field& values, const ElementGrid& from) {
+  const auto at = [&](int i, int j) {
+    const bool inside = i >= 0 && i < from.mx && j >= 0 && j < from.my;
+    return inside ? values[static_cast<std::size_t>(j) * from.mx + i] : 0.0;
+  };
+  Field result;
+  result.reserve(to.count());
+  for (int j = 0; j < to.my; ++j) {
+    const auto [row, up] = from.my == 1 && to.my == 1 ? Place{0, 0} : place(to.y(j), from.y0, from.dy);
+    for (int i = 0; i < to.mx; ++i) {
+      const auto [column, right] = place(to.x(i), from.x0, from.dx);
+      double value = (1 - right) * (1 - up) * at(column, row);
+      if (right > 0) value += right * (1 - up) * at(column + 1, row);
+      if (up > 0) value += (1 - right) * up * at(column, row + 1);
+      if (right > 0 && up > 0) value += right * up * at(column + 1, row + 1);
+      result.push_back(value);
+    }
+  }
+  return result;
+}
+
+void check(const ContactStep& step) {
+  const auto count = step.grid.count();
+  const auto check_size = [&](const char* field, std::size_t size) {
+    if (size != count)
+      throw Error(std::string(field) + ": must have mx times my = " + std::to_string(count) + " values");
+  };
+  if (step.given) {
+    check_size("given.pressure", step.given->pressure.size());
+    if (!step.given->displacement.empty()) check_size("given.displacement", step.given->displacement.size());
+  }
+  check_size("gap", step.gap.size());
+  if (!step.excluded.empty()) check_size("excluded", step.excluded.size());
+  for (const auto* extra : {&step.extra_slip_x, &step.extra_slip_y})
+    if (!extra->empty()) check_size("extra_slip", extra->size());
+  if (step.temperature_effect.empty() || step.frictionless) return;
+  if (!step.thermal) throw Error("temperature_effect: needs thermal bodies");
+  if (step.motion.motion != ContactMotion::steady) throw Error("temperature_effect: needs steady rolling");
+  if (step.bodies.layer.yields()) throw Error("temperature_effect: not with a layer that yields");
+}
+
+Field bound_of(const Field& friction, const Field& pressure) {
+  Field bound = pressure;
+  for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= friction[k];
+  return bound;
+}
+
+/// Time that passes in a step, or in steady rolling on the way of an element [s]. A shift takes a second.
+double time_of(const ContactStep& step) {
+  const TangentialInput& m = step.motion;
+  if (m.motion == ContactMotion::shift) return 1;
+  const double way = m.motion == ContactMotion::steady || !(m.step > 0) ? step.grid.dx : m.step;
+  return way / m.rolling_speed;
+}
+
+/// Coefficients that the particles of the elements had before the step.
+Field friction_before(const ContactStep& step, const TangentialState& previous) {
+  Field mu = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
+  if (previous.friction_drop.empty()) return mu;
+  const Field drop = moved(origin_of_particles(step), previous.friction_drop, step.grid);
+  for (std::size_t k = 0; k < mu.size(); ++k) mu[k] -= drop[k];
+  return mu;
+}
+
+/// `previous` is on the step's grid.
+SlipFriction slip_friction(const ContactStep& step, const TangentialState& previous) {
+  SlipFriction::Passage passage;
+  passage.time = time_of(step);
+  passage.along_rows = step.motion.motion == ContactMotion::steady;
+  passage.from_high_x = step.motion.direction == RollingDirection::forward;
+  if (!passage.along_rows) {
+    passage.before = friction_before(step, previous);
+    if (!previous.plastic_deformation.empty())
+      passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, step.grid);
+  }
+  std::optional<FrictionHeating> heating;
+  if (!step.temperature_effect.empty()) heating = {step.temperature_effect, *step.thermal, step.motion.rolling_speed};
+  return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage), std::move(heating)};
+}
+
+/// |s| V where the bodies slip [m/s]; in a shift the slip over a second.
+Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
+  const double speed = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
+  Field v(s.sx.size());
+  for (std::size_t k = 0; k < v.size(); ++k)
+    if (s.state[k] == CellState::slip) v[k] = speed * std::hypot(s.sx[k], s.sy[k]);
+  return v;
+}
+
+/// Without friction or contact nothing resists.
+TangentialSolution without_tractions(const ContactStep& step) {
+  const auto n = step.grid.count();
+  TangentialSolution s;
+  s.tractions = {Field(n), Field(n)};
+  for (auto* field : {&s.bound, &s.ux, &s.uy, &s.sx, &s.sy, &s.slip_direction}) field->assign(n, 0);
+  s.state.assign(n, CellState::exterior);
+  s.creepage = step.motion.creepage;
+  return s;
+}
+
+/// What the next step may go on from.
+TangentialState state_after(const ContactStep& step, const ContactStepSolution& s) {
+  if (s.status == Status::invalid_input) return {};
+  TangentialState state = s.tangential.tractions;
+  state.pressure = s.normal.pressure;
+  if (step.frictionless) return state;
+  state.friction_drop = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
+  for (std::size_t k = 0; k < s.friction.size(); ++k)
+    state.friction_drop[k] = s.normal.pressure[k] > 0 ? state.friction_drop[k] - s.friction[k] : 0;
+  state.slip_velocity = slip_velocity(step, s.tangential);
+  state.plastic_deformation = s.plastic_deformation;
+  return state;
+}
+
+} // namespace
+
+TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from) {
+  if (state.px.empty() || same(to, from)) return state;
+  TangentialState result;
+  for (const auto field :
+       {&TangentialState::px, &TangentialState::py, &TangentialState::pressure, &TangentialState::friction_drop,
+        &TangentialState::slip_velocity, &TangentialState::plastic_deformation})
+    if (!(state.*field).empty()) result.*field = moved(to, state.*field, from);
+  return result;
+}
+
+const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step) {
+  if (normal_of_ && same_normal_problem(*normal_of_, step)) return normal_;
+  normal_of_.reset();
+  if (step.given) {
+    normal_ = given_normal(step);
+  } else {
+    NormalProblem problem(step.bodies.material, step.grid);
+    normal_ = solve_normal(problem, step);
+  }
+  normal_of_ = std::make_unique<ContactStep>(step);
+  return normal_;
+}
+
+TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) {
+  if (!tangential_ || !same(tangential_grid_, step.grid) || !same(tangential_bodies_, step.bodies)) {
+    tangential_.reset();
+    tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid);
+    tangential_grid_ = step.grid;
+    tangential_bodies_ = step.bodies;
+  }
+  return *tangential_;
+}
+
+CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
+  if (!coupled_ || !same(coupled_grid_, step.grid) || !same(coupled_bodies_, step.bodies)) {
+    coupled_.reset();
+    coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid);
+    coupled_grid_ = step.grid;
+    coupled_bodies_ = step.bodies;
+  }
+  return *coupled_;
+}
+
+/// Pressure first, then tractions.
+ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, const Field& friction,
+                                                   const TangentialState& previous, const TangentialState& start) {
+  ContactStepSolution out;
+  out.normal = solve_normal_part(step);
+  const Field bound = step.frictionless ? Field() : bound_of(friction, out.normal.pressure);
+  const bool resists = std::any_of(bound.begin(), bound.end(), [](double g) { return g > 0; });
+  if (!resists) return out;
+  const double force = step.given ? step.given->normal_force : out.normal.normal_force;
+  TangentialInput input = motion_of(step);
+  input.previous = &previous;
+  if (!start.px.empty()) input.start = &start;
+  if (step.force_x) input.force_x = *step.force_x * force;
+  if (step.force_y) input.force_y = *step.force_y * force;
+  out.tangential = tangential_problem(step).solve(bound, input);
+  return out;
+}
+
+ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const Field& friction,
+                                                   const TangentialState& previous, const TangentialState& start) {
+  ContactStepSolution out = coupled_contact(step).solve(step, friction, previous, start);
+  if (step.given) out.normal = solve_normal_part(step);
+  return out;
+}
+
+ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const Field& friction,
+                                                const TangentialState& previous, const TangentialState& start) {
+  ContactStepSolution out = is_coupled(step) ? solve_coupled(step, friction, previous, start)
+                                             : solve_similar(step, friction, previous, start);
+  out.friction = friction;
+  out.status = out.normal.status;
+  if (out.status == Status::ok && !out.tangential.tractions.px.empty()) out.status = out.tangential.forces.status;
+  return out;
+}
+
+/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. Of
+/// temperatures only the slip is left to iterate, as the law finds them with the friction that makes them. On the
+/// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is
+/// relaxed.
+ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
+                                                         const TangentialState& previous, TangentialState start) {
+  constexpr int most_rounds = 300, rounds_unrelaxed = 40;
+  const auto n = step.grid.count();
+  const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
+  Field slip(n, step.slip_start == SlipStart::above ? fastest : 0.0);
+  if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) slip = start.slip_velocity;
+  const bool yields = step.bodies.layer.yields();
+  std::vector<char> yielding(n);
+  const bool needs_pressure = yields || !step.temperature_effect.empty();
+  Field pressure = needs_pressure ? solve_normal_part(step).pressure : Field();
+  double share = 1;
+  long products = 0;
+  int newton_steps = 0;
+  ContactStepSolution out;
+  for (int round = 1;; ++round) {
+    Field friction = law.coefficients(slip, pressure), deformation;
+    if (yields) {
+      deformation = law.plastic_deformation(slip, yielding);
+      law.limit(friction, pressure, deformation, yielding);
+    }
+    out = solve_with(step, friction, previous, start);
+    out.tangential.products = products += out.tangential.products;
+    out.tangential.newton_steps = newton_steps += out.tangential.newton_steps;
+    out.friction_rounds = round;
+    if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
+    const Field found = slip_velocity(step, out.tangential);
+    const double size = norm(found), change = distance(found, slip);
+    out.friction_residual = size > 0 ? change / size : change;
+    const bool together = change <= friction_tolerance * size;
+    if (together || round == most_rounds) {
+      for (std::size_t k = 0; k < n; ++k)
+        if (yielding[k] && out.tangential.state[k] == CellState::slip) ++out.plastic_elements;
+      if (yields) out.plastic_deformation = law.plastic_deformation(found, yielding);
+      if (!together) out.status = out.tangential.forces.status = Status::not_converged;
+      return out;
+    }
+    if (round % rounds_unrelaxed == 0) share *= 0.8;
+    for (std::size_t k = 0; k < n; ++k) slip[k] += share * (found[k] - slip[k]);
+    if (needs_pressure) pressure = out.normal.pressure;
+    start = out.tangential.tractions;
+    start.pressure = out.normal.pressure;
+  }
+}
+
+ContactStepSolution ContactSequence::solve(const ContactStep& step) {
+  check(step.grid);
+  check(step);
+  const State& origin = step.start == StepStart::repeated ? before_ : after_;
+  TangentialState previous, start;
+  if (step.start != StepStart::fresh) previous = moved_to(step.grid, origin.tractions, origin.grid);
+  if (step.warm_start) start = moved_to(step.grid, after_.tractions, after_.grid);
+
+  ContactStepSolution out;
+  if (step.frictionless) {
+    out = solve_with(step, Field(step.grid.count()), previous, start);
+  } else {
+    const SlipFriction law = slip_friction(step, previous);
+    const bool depends_on_slip = !law.is_constant() || step.bodies.layer.yields();
+    out = depends_on_slip ? solve_slip_friction(step, law, previous, start)
+                          : solve_with(step, law.static_coefficients(), previous, start);
+  }
+  if (step.frictionless || out.tangential.tractions.px.empty()) out.tangential = without_tractions(step);
+  out.contact_elements = out.normal.contact_elements;
+  out.normal_force = step.given ? step.given->normal_force : out.normal.normal_force;
+  out.adhesion_elements =
+      static_cast<int>(std::count(out.tangential.state.begin(), out.tangential.state.end(), CellState::adhesion));
+  if (step.frictionless) out.adhesion_elements = out.contact_elements;
+  out.slip_elements = out.contact_elements - out.adhesion_elements - out.plastic_elements;
+  before_ = {step.grid, std::move(previous)};
+  after_ = {step.grid, state_after(step, out)};
+  return out;
+}
+
+} // namespace microslip

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "microslip/exact/classical/contact_step.hpp"
+#include "microslip/exact/classical/coupled_contact.hpp"
+
+#include <memory>
+
+namespace microslip {
+
+/// Tractions on another grid: bilinear between the centres of the old elements, zero beyond them. Between grids with
+/// the same elements it hands over values as they are.
+TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from);
+
+/// Steps of contact, each of which may go on from the tractions that the one before has left; Status::invalid_input
+/// leaves none. Grids may differ. What does not change from step to step (transforms, the normal problem) is not
+/// computed again.
+class ContactSequence {
+public:
+  /// Throws Error for input out of range, as NormalProblem and TangentialProblem do; the sequence then is as it was.
+  ContactStepSolution solve(const ContactStep& step);
+
+private:
+  struct State {
+    ElementGrid grid;
+    TangentialState tractions;
+  };
+
+  const NormalSolution& solve_normal_part(const ContactStep& step);
+  TangentialProblem& tangential_problem(const ContactStep& step);
+  CoupledContact& coupled_contact(const ContactStep& step);
+  ContactStepSolution solve_similar(const ContactStep& step, const std::vector<double>& friction,
+                                    const TangentialState& previous, const TangentialState& start);
+  ContactStepSolution solve_coupled(const ContactStep& step, const std::vector<double>& friction,
+                                    const TangentialState& previous, const TangentialState& start);
+  ContactStepSolution solve_with(const ContactStep& step, const std::vector<double>& friction,
+                                 const TangentialState& previous, const TangentialState& start);
+  ContactStepSolution solve_slip_friction(const ContactStep& step, const SlipFriction& law,
+                                          const TangentialState& previous, TangentialState start);
+
+  std::unique_ptr<ContactStep> normal_of_; ///< whose normal problem `normal_` solves
+  NormalSolution normal_;
+  std::unique_ptr<TangentialProblem> tangential_;
+  ElementGrid tangential_grid_;
+  Bodies tangential_bodies_ = {};
+  std::unique_ptr<CoupledContact> coupled_;
+  ElementGrid coupled_grid_;
+  Bodies coupled_bodies_ = {};
+  State before_, after_; ///< the last step's
+};
+
+} // namespace microslip

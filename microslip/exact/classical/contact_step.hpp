@@ -1,0 +1,86 @@
+#pragma once
+
+#include "microslip/exact/classical/slip_friction.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace microslip {
+
+/// What a step of a sequence starts from.
+enum class StepStart {
+  fresh,    ///< no tractions
+  previous, ///< those at the end of the step before
+  repeated, ///< those that the step before started from: the same step once more
+};
+
+/// A pressure that is given and not solved for.
+struct GivenPressure {
+  std::vector<double> pressure;          ///< p_n [Pa] of the elements
+  double approach = 0;                   ///< delta that belongs to it [m]
+  double normal_force = 0;               ///< Fn that belongs to it [N]; the sum over the elements differs by their size
+  std::vector<double> displacement = {}; ///< u_n [m]; empty: that of the half-space
+};
+
+/// How the normal and the tangential problem of unlike bodies are solved.
+enum class Coupling {
+  newton,      ///< both at once, CoupledNewton
+  alternating, ///< in turn until neither changes (Panagiotopoulos 1975); elastic bodies
+};
+
+/// A normal and a tangential problem on a grid.
+struct ContactStep {
+  ElementGrid grid;
+  Bodies bodies = {};
+  std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
+  std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
+  NormalLoad load = {};
+  std::optional<GivenPressure> given = {};   ///< in the place of gap and load
+  std::vector<FrictionLaw> friction = {};    ///< of each row of the grid; one: the same for all
+  FrictionMemory friction_memory = {};       ///< of friction that depends on the slip
+  SlipStart slip_start = SlipStart::below;   ///< where the slip of such friction begins
+  std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures, in steady rolling
+  /// What these add to the friction of each row; one: the same for all; empty: nothing. Not with a layer that yields.
+  std::vector<TemperatureEffect> temperature_effect = {};
+  bool frictionless = false;          ///< the normal problem only; tractions are zero
+  StepStart start = StepStart::fresh; ///< of shifts and transient rolling
+  bool warm_start = false;            ///< the iteration starts from the tractions of the step before
+  TangentialInput motion = {};        ///< but for forces, extra slip, previous and start
+  /// Slip of each element on top of that of the creepages; empty: none. In a shift [m], else [-].
+  std::vector<double> extra_slip_x = {}, extra_slip_y = {};
+  std::optional<double> force_x = {}, force_y = {}; ///< given, over Fn [-]
+  Coupling coupling = Coupling::newton;             ///< if the bodies' problems are coupled
+};
+
+/// Relative change of the slip below which friction and slip go together.
+inline constexpr double friction_tolerance = 1e-6;
+
+struct ContactStepSolution {
+  NormalSolution normal;
+  TangentialSolution tangential;
+  double normal_force = 0; ///< Fn [N]
+  int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
+  Status status = Status::ok;
+  std::vector<double> friction; ///< mu of the elements [-]; empty without tractions
+  int friction_rounds = 0;      ///< problems solved until friction that depends on the slip went with it; else 0
+  double friction_residual = 0; ///< last change of the slip, over the slip; above friction_tolerance: not converged
+  std::vector<double> plastic_deformation; ///< of a layer that yields, of the elements [m]; else empty
+  int plastic_elements = 0;                ///< where it yields; they do not count as slip
+  int alternations = 0;                    ///< with Coupling::alternating: how often both problems were solved
+};
+
+/// Temperatures that go with a solution, by the heat -V p.s; none without thermal bodies or for other than steady
+/// rolling.
+std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution);
+/// The grid's elements where their particles were before the step: elsewhere in transient rolling only.
+ElementGrid origin_of_particles(const ContactStep& step);
+/// The motion of a step with its extra slip, which belongs to the step.
+TangentialInput motion_of(const ContactStep& step);
+/// The normal problem of a step as if its bodies were similar; without pressure on the elements that are excluded.
+NormalSolution solve_normal(NormalProblem& problem, const ContactStep& step);
+/// The pressure that is given, with its displacements and totals.
+NormalSolution given_normal(const ContactStep& step);
+
+} // namespace microslip

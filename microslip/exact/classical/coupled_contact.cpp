@@ -1,0 +1,236 @@
+#include "microslip/exact/classical/coupled_contact.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/exact/classical/tangential_totals.hpp"
+#include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/normal/normal_totals.hpp"
+#include "microslip/numerics/norm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+/// h, infinite where no contact is possible.
+Field gap_within(const ContactStep& step) {
+  Field gap = step.gap;
+  for (std::size_t k = 0; k < step.excluded.size(); ++k)
+    if (step.excluded[k]) gap[k] = std::numeric_limits<double>::infinity();
+  return gap;
+}
+
+/// Of the tractions, sum of p.u dx dy/2 [J].
+double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
+  double sum = 0;
+  for (std::size_t k = 0; k < t.ux.size(); ++k) sum += t.tractions.px[k] * t.ux[k] + t.tractions.py[k] * t.uy[k];
+  return sum * grid.element_area() / 2;
+}
+
+} // namespace
+
+CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid)
+    : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)),
+      displacement_(CoupledResponse::displacement(bodies, grid)), normal_(bodies.material, grid) {}
+
+CoupledResponse& CoupledContact::slip_response(const TangentialInput& motion, double step) {
+  if (motion.motion == ContactMotion::shift) return displacement_;
+  if (motion_ != motion.motion || step_ != step) {
+    slip_response_ = std::make_unique<CoupledResponse>(
+        motion.motion == ContactMotion::steady ? CoupledResponse::growth(bodies_, grid_, step)
+                                               : CoupledResponse::displacement(bodies_, grid_, {}, std::abs(step)));
+    motion_ = motion.motion;
+    step_ = step;
+  }
+  return *slip_response_;
+}
+
+/// What a particle loses of its previous displacement, over the way.
+void CoupledContact::add_previous(const TangentialInput& motion, double step, const TangentialState& previous,
+                                  Field& cx, Field& cy) {
+  const auto n = grid_.count();
+  const bool shift = motion.motion == ContactMotion::shift;
+  if (motion.motion == ContactMotion::steady || (previous.px.empty() && previous.pressure.empty())) return;
+  const Field none(n);
+  const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
+  Field ux(n), uy(n);
+  CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step))
+      .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
+             std::array{std::span(ux), std::span(uy)});
+  for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
+}
+
+void CoupledContact::find_displacements(ContactStepSolution& out) {
+  const auto n = grid_.count();
+  TangentialSolution& t = out.tangential;
+  t.ux.resize(n), t.uy.resize(n), out.normal.displacement.resize(n);
+  displacement_.apply({t.tractions.px, t.tractions.py, out.normal.pressure},
+                      std::array{std::span(t.ux), std::span(t.uy), std::span(out.normal.displacement)});
+}
+
+ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::span<const double> friction,
+                                                 const TangentialState& previous, const TangentialState& start) {
+  const auto n = grid_.count();
+  const double way = signed_step(step.motion, grid_);
+  ContactStepSolution out;
+  NormalSolution& normal = out.normal;
+  TangentialSolution& tangential = out.tangential;
+  tangential.creepage = step.motion.creepage;
+  if (step.force_x) tangential.creepage.longitudinal = 0;
+  if (step.force_y) tangential.creepage.lateral = 0;
+  Field cx(n), cy(n);
+  find_rigid_slip(grid_, motion_of(step), tangential.creepage, way, cx, cy);
+  add_previous(step.motion, way, previous, cx, cy);
+
+  const Field gap = gap_within(step);
+  const NormalSolution alone = solve_normal(normal_, step);
+  if (alone.contact_elements == 0) {
+    out.normal = alone;
+    return out;
+  }
+  const bool starts = !start.px.empty() && !start.pressure.empty();
+  const CoupledFrictionProblem problem{slip_response(step.motion, way),
+                                       gap,
+                                       step.load,
+                                       friction,
+                                       cx,
+                                       cy,
+                                       grid_.element_area(),
+                                       step.force_x,
+                                       step.force_y};
+  // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
+  CoupledNewton::Options options{.tolerance = step.motion.tolerance, .most_steps = 30};
+  CoupledFrictionSolution s = newton_.solve(
+      problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
+  if (s.friction.status != Status::ok) { // tractions that go with a pressure are a better start
+    ContactStepSolution with_pressure;
+    find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
+    const TangentialState& better = with_pressure.tangential.tractions;
+    const long before = s.friction.products + with_pressure.tangential.products;
+    options.most_steps = 100;
+    s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
+    s.friction.products += before;
+  }
+
+  normal.pressure = std::move(s.pressure);
+  normal.approach = s.approach;
+  normal.residual = s.friction.residual;
+  normal.products = s.friction.products + alone.products;
+  normal.iterations = s.friction.newton_steps;
+  normal.status = s.friction.status;
+  tangential.creepage.longitudinal += s.friction.constant_x;
+  tangential.creepage.lateral += s.friction.constant_y;
+  tangential.bound = normal.pressure;
+  for (std::size_t k = 0; k < n; ++k) tangential.bound[k] *= friction[k];
+  tangential.tractions = {.px = s.friction.px, .py = s.friction.py};
+  find_displacements(out);
+  find_totals(grid_, step.gap, normal);
+  find_totals(grid_, step.motion, std::move(s.friction), tangential);
+  return out;
+}
+
+/// The tangential problem with the pressure given.
+void CoupledContact::find_tangential(const ContactStep& step, std::span<const double> friction, const Field& pressure,
+                                     const TangentialState& previous, const TangentialState& start,
+                                     ContactStepSolution& out) {
+  const auto n = grid_.count();
+  if (!tangential_) tangential_ = std::make_unique<TangentialProblem>(bodies_, grid_);
+  const double way = signed_step(step.motion, grid_);
+  const Field none(n);
+  Field extra_x(n), extra_y(n), bound(n);
+  slip_response(step.motion, way).apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
+  add_previous(step.motion, way, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
+  double force = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    bound[k] = friction[k] * pressure[k];
+    force += pressure[k] * grid_.element_area();
+    if (!step.extra_slip_x.empty()) extra_x[k] += step.extra_slip_x[k];
+    if (!step.extra_slip_y.empty()) extra_y[k] += step.extra_slip_y[k];
+  }
+  TangentialInput input = step.motion;
+  input.previous = &previous;
+  input.extra_x = extra_x;
+  input.extra_y = extra_y;
+  if (!start.px.empty()) input.start = &start;
+  if (step.force_x) input.force_x = *step.force_x * force;
+  if (step.force_y) input.force_y = *step.force_y * force;
+  const long products = out.tangential.products;
+  out.tangential = tangential_->solve(bound, input);
+  out.tangential.products += products;
+}
+
+/// Panagiotopoulos: the pressure with the tractions given, the tractions with the pressure given, and so on.
+ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, std::span<const double> friction,
+                                                      const TangentialState& previous, const TangentialState& start) {
+  constexpr int most = 200;
+  const auto n = grid_.count();
+  const Field none(n);
+  ContactStepSolution out;
+  ContactStep normal_step = step;
+  TangentialState tractions = start;
+  Field before(n), ux(n), uy(n), uz(n);
+  long products = 0;
+  for (out.alternations = 1;; ++out.alternations) {
+    if (!tractions.px.empty())
+      displacement_.apply({tractions.px, tractions.py, none}, std::array{std::span(ux), std::span(uy), std::span(uz)});
+    for (std::size_t k = 0; k < n; ++k) normal_step.gap[k] = step.gap[k] + uz[k];
+    out.normal = solve_normal(normal_, normal_step);
+    products += out.normal.products;
+    if (out.normal.status != Status::ok) break;
+    find_tangential(step, friction, out.normal.pressure, previous, tractions, out);
+    const double change = distance(out.normal.pressure, before);
+    before = out.normal.pressure;
+    const double moved = tractions.px.empty() ? HUGE_VAL
+                                              : distance(out.tangential.tractions.px, tractions.px) +
+                                                    distance(out.tangential.tractions.py, tractions.py);
+    tractions = out.tangential.tractions;
+    const double goal = 5 * step.motion.tolerance * norm(before);
+    if (change <= goal && moved <= goal) break;
+    if (out.alternations == most) {
+      out.normal.status = Status::not_converged;
+      out.normal.residual = std::max(change, moved) / norm(before);
+      break;
+    }
+  }
+  if (out.tangential.tractions.px.empty()) return out;
+  find_displacements(out);
+  out.tangential.elastic_energy = elastic_energy(grid_, out.tangential);
+  NormalSolution whole;
+  whole.pressure = std::move(out.normal.pressure);
+  whole.displacement = std::move(out.normal.displacement);
+  whole.approach = out.normal.approach;
+  whole.residual = out.normal.residual;
+  whole.status = out.normal.status;
+  whole.iterations = out.alternations;
+  whole.products = products;
+  out.normal = std::move(whole);
+  find_totals(grid_, step.gap, out.normal);
+  return out;
+}
+
+ContactStepSolution CoupledContact::solve(const ContactStep& step, std::span<const double> friction,
+                                          const TangentialState& previous, const TangentialState& start) {
+  if (!bodies_.are_elastic() && step.motion.motion != ContactMotion::steady)
+    throw Error("motion: viscoelastic bodies need steady rolling");
+  if (step.motion.leading_edge) throw Error("leading_edge: its correction is for similar elastic bodies");
+  if (step.given) {
+    ContactStepSolution out;
+    find_tangential(step, friction, step.given->pressure, previous, start, out);
+    return out;
+  }
+  if (step.coupling == Coupling::alternating) {
+    if (!bodies_.are_elastic()) throw Error("coupling: the alternating process is for elastic bodies");
+    return solve_alternating(step, friction, previous, start);
+  }
+  ContactStepSolution out = solve_newton(step, friction, previous, start);
+  if (out.normal.status != Status::not_converged || !bodies_.are_elastic()) return out;
+  ContactStepSolution other =
+      solve_alternating(step, friction, previous, start); // slower, and goes where this does not
+  const bool better = other.normal.status == Status::ok && other.tangential.forces.status == Status::ok;
+  return better ? std::move(other) : std::move(out);
+}
+
+} // namespace microslip

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "microslip/exact/classical/contact_step.hpp"
+#include "microslip/exact/newton/coupled_newton.hpp"
+
+#include <memory>
+#include <span>
+
+namespace microslip {
+
+/// The contact problem of bodies whose normal and tangential problems are coupled, or whose deformation comes late:
+/// tractions displace the surfaces normally, and pressure along each other, in proportion to K. Shifts, transient and
+/// steady rolling; viscoelastic bodies in steady rolling only.
+class CoupledContact {
+public:
+  /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
+  CoupledContact(const Bodies& bodies, const ElementGrid& grid);
+
+  /// `friction` is mu of each element, `previous` what a shift or a step of rolling starts from, `start` where the
+  /// iteration begins; of the step, whose bodies and grid are those of this object, `friction` and what the sequence
+  /// does are not used. A pressure that is given goes into the tangential problem, without response. Throws Error for
+  /// input out of range.
+  ContactStepSolution solve(const ContactStep& step, std::span<const double> friction, const TangentialState& previous,
+                            const TangentialState& start);
+
+private:
+  using Field = std::vector<double>;
+
+  CoupledResponse& slip_response(const TangentialInput& motion, double step);
+  void add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx, Field& cy);
+  ContactStepSolution solve_newton(const ContactStep& step, std::span<const double> friction,
+                                   const TangentialState& previous, const TangentialState& start);
+  ContactStepSolution solve_alternating(const ContactStep& step, std::span<const double> friction,
+                                        const TangentialState& previous, const TangentialState& start);
+  void find_tangential(const ContactStep& step, std::span<const double> friction, const Field& pressure,
+                       const TangentialState& previous, const TangentialState& start, ContactStepSolution& out);
+  void find_displacements(ContactStepSolution& out);
+
+  Bodies bodies_;
+  ElementGrid grid_;
+  CoupledResponse displacement_;
+  NormalProblem normal_;                           ///< of the bodies as if they were similar and elastic
+  std::unique_ptr<TangentialProblem> tangential_;  ///< with the pressure given
+  std::unique_ptr<CoupledResponse> slip_response_; ///< kept for the next problem of the same motion and step
+  ContactMotion motion_ = ContactMotion::shift;
+  double step_ = 0;
+  CoupledNewton newton_;
+};
+
+} // namespace microslip

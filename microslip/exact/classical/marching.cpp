@@ -1,0 +1,61 @@
+#include "microslip/exact/classical/marching.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+/// Steps in which the contact moves by a quarter of its length: the state changes too slowly to judge it step by step.
+int steps_to_judge(const ElementGrid& grid, std::span<const double> bound, double step) {
+  int first = grid.mx, last = -1;
+  for (std::size_t k = 0; k < bound.size(); ++k) {
+    if (!(bound[k] > 0)) continue;
+    const int i = static_cast<int>(k % static_cast<std::size_t>(grid.mx));
+    first = std::min(first, i);
+    last = std::max(last, i);
+  }
+  return std::max(1, static_cast<int>((last - first + 1) * grid.dx / (4 * step)));
+}
+
+/// |p - before|/|g|.
+double relative_change(const TangentialState& p, const TangentialState& before, std::span<const double> bound) {
+  double change = 0, size = 0;
+  for (std::size_t k = 0; k < bound.size(); ++k) {
+    const double dx = p.px[k] - (before.px.empty() ? 0 : before.px[k]);
+    const double dy = p.py[k] - (before.py.empty() ? 0 : before.py[k]);
+    change += dx * dx + dy * dy;
+    size += bound[k] * bound[k];
+  }
+  return size > 0 ? std::sqrt(change / size) : 0;
+}
+
+} // namespace
+
+MarchedSolution march_to_steady(TangentialProblem& problem, const ElementGrid& grid, std::span<const double> bound,
+                                TangentialInput input, const MarchingLimits& limits) {
+  const int interval = steps_to_judge(grid, bound, input.step > 0 ? input.step : grid.dx);
+  input.motion = ContactMotion::transient;
+  TangentialState state;
+  if (input.previous) state = *input.previous;
+  input.previous = &state;
+  input.start = &state;
+
+  MarchedSolution out;
+  TangentialState judged = state;
+  while (out.steps < limits.most_steps) {
+    out.last = problem.solve(bound, input);
+    state = out.last.tractions;
+    ++out.steps;
+    if (out.last.forces.status != Status::ok) return out;
+    if (limits.progress && !limits.progress(double(out.steps) / limits.most_steps)) break;
+    if (out.steps % interval != 0) continue;
+    out.change = relative_change(state, judged, bound);
+    if (out.change <= limits.change) return out;
+    judged = state;
+  }
+  out.last.forces.status = Status::not_converged;
+  return out;
+}
+
+} // namespace microslip

@@ -1,0 +1,165 @@
+#include "microslip/exact/classical/tangential_problem.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/exact/classical/tangential_totals.hpp"
+#include "microslip/exact/halfspace/memory_need.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace microslip {
+namespace {
+
+using Field = std::vector<double>;
+
+void check_input(const TangentialInput& input, std::span<const double> bound, std::size_t count) {
+  const std::string wanted = std::to_string(count);
+  if (bound.size() != count) throw Error("bound: must have mx times my = " + wanted + " values");
+  for (std::size_t k = 0; k < count; ++k)
+    if (!(bound[k] >= 0) || !std::isfinite(bound[k]))
+      throw Error("bound[" + std::to_string(k) + "]", bound[k], "Pa", "finite and not negative");
+  for (const TangentialState* state : {input.previous, input.start})
+    if (state && !state->px.empty() && (state->px.size() != count || state->py.size() != count))
+      throw Error("previous, start: must have tractions for all " + wanted + " elements");
+  for (const auto extra : {input.extra_x, input.extra_y}) {
+    if (!extra.empty() && extra.size() != count)
+      throw Error("extra slip: must have mx times my = " + wanted + " values");
+    if (!std::all_of(extra.begin(), extra.end(), [](double s) { return std::isfinite(s); }))
+      throw Error("extra slip: must be finite");
+  }
+  require_finite("creepage.longitudinal", input.creepage.longitudinal, "-");
+  require_finite("creepage.lateral", input.creepage.lateral, "-");
+  require_finite("creepage.spin", input.creepage.spin, "1/m");
+  if (input.force_x) require_finite("force_x", *input.force_x, "N");
+  if (input.force_y) require_finite("force_y", *input.force_y, "N");
+  require_between("step", input.step, "m", 0, std::numeric_limits<double>::max());
+  require_between("spin_offset", input.spin_offset, "-", 0, 1);
+  require_finite("heading", input.heading, "rad");
+  if (input.heading != 0 && (input.motion != ContactMotion::transient || input.leading_edge))
+    throw Error("heading", input.heading, "rad", "0 but for transient rolling without the leading edge's correction");
+  require_positive("rolling_speed", input.rolling_speed, "m/s");
+  require_between("tolerance", input.tolerance, "-", 1e-14, 1);
+}
+
+FrictionNewton::Tractions tractions_of(const TangentialState* state) {
+  if (!state) return {};
+  return {state->px, state->py};
+}
+
+} // namespace
+
+bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
+  if (input.motion != ContactMotion::steady || grid.shape == ElementShape::bilinear) return true;
+  constexpr double rounding = 1e-9;
+  const double step = input.step > 0 ? input.step : grid.dx;
+  return step >= 0.55 * grid.dx * (1 - rounding) || grid.dx <= grid.dy * (1 + rounding);
+}
+
+TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid)
+    : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)),
+      displacement_(TangentialResponse::displacement(bodies, grid)) {}
+
+SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, double step,
+                                               const std::vector<EnteringElement>& entering) {
+  if (input.motion == ContactMotion::shift) return displacement_;
+  if (input.motion == ContactMotion::steady && input.leading_edge) {
+    slip_response_ = std::make_unique<LeadingEdgeResponse>(bodies_.material, grid_, step, entering);
+    step_ = 0; // not for the next problem: the elements that are entered change with the contact
+  } else if (motion_ != input.motion || step_ != step) {
+    slip_response_ = std::make_unique<TangentialResponse>(
+        input.motion == ContactMotion::steady ? TangentialResponse::growth(bodies_, grid_, step)
+                                              : TangentialResponse::displacement(bodies_, grid_, {}, std::abs(step)));
+    step_ = step;
+  }
+  motion_ = input.motion;
+  return *slip_response_;
+}
+
+/// Slip without tractions: rigid slip, and what a particle loses of its previous displacement.
+void TangentialProblem::find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
+                                       const std::vector<EnteringElement>& entering, Field& cx, Field& cy) {
+  const bool shift = input.motion == ContactMotion::shift;
+  find_rigid_slip(grid_, input, creepage, step, cx, cy);
+  for (const EnteringElement& e : entering) cx[e.element] *= e.share, cy[e.element] *= e.share; // (R13)
+  if (input.motion == ContactMotion::steady || !input.previous || input.previous->px.empty()) return;
+  const TangentialState& before = *input.previous;
+  const double length = shift ? 1 : std::abs(step);
+  Field ux(cx.size()), uy(cx.size());
+  const Vec2 way = way_of(input, shift ? 0 : step);
+  TangentialResponse::displacement(bodies_, grid_, way, length).apply(before.px, before.py, ux, uy);
+  if (!entering.empty()) {
+    Field here_x(cx.size()), here_y(cx.size());
+    displacement_.apply(before.px, before.py, here_x, here_y);
+    for (const EnteringElement& e : entering) { // (R16)
+      const auto at_edge = [&](const Field& u) {
+        return u[e.ahead] + e.extrapolation * (u[e.ahead] - u[e.further_ahead]);
+      };
+      ux[e.element] = at_edge(here_x) / length;
+      uy[e.element] = at_edge(here_y) / length;
+    }
+  }
+  for (std::size_t k = 0; k < cx.size(); ++k) cx[k] -= ux[k], cy[k] -= uy[k];
+}
+
+TangentialSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
+  check_input(input, bound, grid_.count());
+  if (!bodies_.are_elastic() && input.motion != ContactMotion::steady)
+    throw Error("motion: viscoelastic bodies need steady rolling");
+  if (!bodies_.are_elastic() && input.leading_edge) throw Error("leading_edge: its correction is for elastic bodies");
+  const double step = signed_step(input, grid_);
+  const bool shift = input.motion == ContactMotion::shift;
+  const std::size_t n = grid_.count();
+
+  TangentialSolution out;
+  out.bound.assign(bound.begin(), bound.end());
+  out.creepage = input.creepage;
+  if (input.force_x) out.creepage.longitudinal = 0;
+  if (input.force_y) out.creepage.lateral = 0;
+
+  std::vector<EnteringElement> entering;
+  if (!shift && input.leading_edge) entering = entering_elements(grid_, bound, step, *input.leading_edge);
+  Field cx(n), cy(n), share;
+  if (!entering.empty()) share.assign(n, 1);
+  for (const EnteringElement& e : entering) share[e.element] = e.share;
+  find_free_slip(input, out.creepage, step, entering, cx, cy);
+
+  const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
+  FrictionProblem problem{
+      slip_response(input, step, entering), bound, cx, cy, area, input.force_x, input.force_y, share};
+  const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
+  FrictionSolution s;
+  if (wanted >= capacity && wanted > 0) {
+    // No creepage gives this force: full sliding in its direction.
+    s.status = Status::no_solution;
+    s.residual = wanted / capacity - 1;
+    for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(n, 0.0);
+    s.sliding.assign(n, 1);
+    for (std::size_t k = 0; k < n; ++k) {
+      s.px[k] = bound[k] * input.force_x.value_or(0) / wanted;
+      s.py[k] = bound[k] * input.force_y.value_or(0) / wanted;
+    }
+  } else {
+    // A shift or a step of rolling changes what was there before, so that is where to begin.
+    const bool steady = input.motion == ContactMotion::steady;
+    const FrictionNewton::Tractions before = tractions_of(steady ? nullptr : input.previous);
+    const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
+    FrictionNewton::Options options{.tolerance = input.tolerance, .progress = input.progress};
+    std::optional<RollingPreconditioner<double>> preconditioner;
+    if (steady)
+      problem.preconditioner = &preconditioner.emplace(grid_, bound, input.direction);
+    else
+      options.before = before;
+    s = newton_.solve(problem, options, {.px = start.px, .py = start.py});
+  }
+  out.creepage.longitudinal += s.constant_x;
+  out.creepage.lateral += s.constant_y;
+  out.ux.resize(n), out.uy.resize(n);
+  displacement_.apply(s.px, s.py, out.ux, out.uy);
+  find_totals(grid_, input, std::move(s), out);
+  return out;
+}
+
+} // namespace microslip

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "microslip/contact/motion.hpp"
+#include "microslip/exact/halfspace/leading_edge.hpp"
+#include "microslip/exact/newton/friction_newton.hpp"
+#include "microslip/simplified/contact.hpp"
+#include "microslip/simplified/options.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace microslip {
+
+/// Tractions that a step starts from: those of the step before, on the same grid in the contact's frame.
+struct TangentialState {
+  std::vector<double> px, py;        ///< [Pa]; empty: none
+  std::vector<double> pressure = {}; ///< p_n [Pa], which counts for bodies of different materials; empty: none
+  /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity
+  /// [m/s]; empty: nothing.
+  std::vector<double> friction_drop = {}, slip_velocity = {};
+  std::vector<double> plastic_deformation = {}; ///< of a layer [m]; empty: none
+};
+
+/// What drives the tangential problem.
+struct TangentialInput {
+  ContactMotion motion = ContactMotion::steady;
+  Creepage creepage; ///< xi [-], eta [-], phi [1/m]; where a force is given its creepage is an unknown
+  std::optional<double> force_x, force_y; ///< [N], on body 1
+  double step = 0;                        ///< dq [m], the way rolled in a step; 0: the elements' length
+  double spin_offset = 1.0 / 6; ///< where in the step the rigid slip is taken, 0 to 1 from the element's centre on
+  RollingDirection direction = RollingDirection::forward;
+  /// Transient rolling: the angle from the direction along x to that of rolling, towards +y with forward [rad].
+  double heading = 0;
+  std::optional<LeadingEdge> leading_edge; ///< rolling: with its correction (R13); none: without
+  double rolling_speed = 1;                ///< V [m/s], for the frictional power
+  /// Slip of each element on top of the rigid slip of the creepages; empty: none. In a shift [m], else [-].
+  std::span<const double> extra_x = {}, extra_y = {};
+  const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
+  const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
+  /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
+  /// FrictionNewton::Options::before.
+  double tolerance = 1e-6;
+  Progress progress = {}; ///< is told of the Newton steps; false ends the iteration, with status not_converged
+};
+
+/// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
+/// it is with bilinear elements. With constant ones it is but for steady rolling with a step below .55 dx on elements
+/// that are longer than wide (dx > dy): there the differences of displacements over a step miss what changes within an
+/// element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of .05 to .5 dx, a/b of .1
+/// to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
+bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
+
+struct TangentialSolution {
+  TangentialState tractions;
+  std::vector<double> bound;          ///< g [Pa]
+  std::vector<double> ux, uy;         ///< displacement difference u1 - u2 [m]
+  std::vector<double> sx, sy;         ///< relative slip [-], for a shift the slip distance [m]; 0 outside the contact
+  std::vector<double> slip_direction; ///< angle of the slip from the x axis [rad], -pi to pi; 0 where nothing slips
+  std::vector<CellState> state;
+  ContactForces forces;
+  Creepage creepage;           ///< as given, or as found where a force is given
+  double elastic_energy = 0;   ///< of the tangential tractions, sum of p.u dx dy/2 [J]
+  double frictional_power = 0; ///< -V sum of p.s dx dy [W]; for a shift the work, without V [J]
+  double power_by_creepage =
+      0;                    ///< -V (xi fx + eta fy + phi mz) [W], equal to it in steady rolling as the grid is refined
+  double peak_traction = 0; ///< [Pa]
+  double residual = 0;      ///< as in FrictionSolution
+  int newton_steps = 0;
+  long products = 0;
+};
+
+/// The tangential contact problem of the exact theory (R3), (R6)-(R8) on a grid of elements. With the step dq
+/// and particles that come from x + dq: steady rolling s = w(x + dq/2) + (u(x) - u(x + dq))/dq, transient rolling the
+/// same with the previous u' in the place of u(x + dq), a shift s = w + u - u'.
+class TangentialProblem {
+public:
+  /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
+  TangentialProblem(const Bodies& bodies, const ElementGrid& grid);
+
+  /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
+  /// converging and a force beyond friction are statuses; input so large that a total overflows gives
+  /// Status::invalid_input.
+  TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
+
+private:
+  SlipResponse& slip_response(const TangentialInput& input, double step, const std::vector<EnteringElement>& entering);
+
+  void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
+                      const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
+
+  Bodies bodies_;
+  ElementGrid grid_;
+  TangentialResponse displacement_;
+  std::unique_ptr<SlipResponse> slip_response_; ///< kept for the next problem of the same motion and step
+  ContactMotion motion_ = ContactMotion::shift;
+  double step_ = 0; ///< with its sign
+  FrictionNewton newton_;
+};
+
+} // namespace microslip

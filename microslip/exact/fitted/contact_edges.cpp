@@ -1,0 +1,187 @@
+#include "microslip/exact/fitted/contact_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace microslip {
+namespace {
+
+constexpr double window = 1.5, inward_window = 1.5; // times the square root of the patch's number of elements
+constexpr int smallest_window = 3;                  // elements
+constexpr double pivot_limit = 1e-9; // of the normal equations, scaled to a unit diagonal: below, no unique fit
+constexpr double farthest_outward = 1.5, farthest_inward = 0.5; // from the outermost element's centre [elements]
+
+/// A set of elements in contact that share sides.
+struct Patch {
+  int first_column, last_column, first_row, last_row;
+  int half_window(int elements) const {
+    return std::max(smallest_window, static_cast<int>(std::lround(window * std::sqrt(elements))));
+  }
+  int columns() const { return half_window(last_column - first_column + 1); }
+  int rows() const { return half_window(last_row - first_row + 1); }
+};
+
+/// Which patch each element is part of; -1 without pressure.
+struct Patches {
+  std::vector<int> of;
+  std::vector<Patch> list;
+};
+
+Patches find_patches(const ElementGrid& grid, std::span<const double> pressure) {
+  Patches patches{std::vector<int>(grid.count(), -1), {}};
+  std::vector<std::size_t> open;
+  for (std::size_t seed = 0; seed < grid.count(); ++seed) {
+    if (!(pressure[seed] > 0) || patches.of[seed] >= 0) continue;
+    const int label = static_cast<int>(patches.list.size());
+    Patch patch{grid.mx, 0, grid.my, 0};
+    const auto visit = [&](std::size_t k) {
+      if (!(pressure[k] > 0) || patches.of[k] >= 0) return;
+      patches.of[k] = label;
+      open.push_back(k);
+    };
+    visit(seed);
+    while (!open.empty()) {
+      const std::size_t k = open.back();
+      open.pop_back();
+      const int i = static_cast<int>(k % grid.mx), j = static_cast<int>(k / grid.mx);
+      patch.first_column = std::min(patch.first_column, i), patch.last_column = std::max(patch.last_column, i);
+      patch.first_row = std::min(patch.first_row, j), patch.last_row = std::max(patch.last_row, j);
+      if (i > 0) visit(k - 1);
+      if (i + 1 < grid.mx) visit(k + 1);
+      if (j > 0) visit(k - grid.mx);
+      if (j + 1 < grid.my) visit(k + grid.mx);
+    }
+    patches.list.push_back(patch);
+  }
+  return patches;
+}
+
+/// A weighted least-squares fit: a cubic polynomial in u and v, or with one row of points a quadratic one in u.
+class EdgeFit {
+public:
+  explicit EdgeFit(bool one_row) : functions_(one_row ? 3 : most_functions), spare_(one_row ? 0 : 2) {}
+
+  void add(double u, double v, double value, double weight) {
+    const Row f = {1, u, u * u, u * u * u, v, v * v, u * v, u * u * v, u * v * v, v * v * v, value};
+    for (std::size_t r = 0; r < functions_; ++r) {
+      for (std::size_t c = 0; c < functions_; ++c) normal_[r][c] += weight * f[r] * f[c];
+      normal_[r][most_functions] += weight * f[r] * value;
+    }
+    ++points_;
+  }
+
+  /// The coefficients of 1, u, u^2, u^3 at v = 0; nothing if there are too few points or they do not determine it.
+  std::optional<std::array<double, 4>> along_row() const {
+    if (points_ < functions_ + spare_) return {};
+    auto a = normal_;
+    for (std::size_t k = 0; k < functions_; ++k) {
+      if (!(a[k][k] > pivot_limit * normal_[k][k])) return {};
+      for (std::size_t r = 0; r < functions_; ++r) {
+        if (r == k) continue;
+        const double factor = a[r][k] / a[k][k];
+        for (std::size_t c = k; c <= most_functions; ++c) a[r][c] -= factor * a[k][c];
+      }
+    }
+    std::array<double, 4> coefficients{};
+    for (std::size_t k = 0; k < std::min<std::size_t>(functions_, 4); ++k)
+      coefficients[k] = a[k][most_functions] / a[k][k];
+    return coefficients;
+  }
+
+private:
+  static constexpr std::size_t most_functions = 10;
+  using Row = std::array<double, most_functions + 1>;
+
+  std::size_t functions_, spare_, points_ = 0;
+  std::array<Row, most_functions> normal_{};
+};
+
+/// Where a polynomial falls through zero, by Newton's method from 0 on.
+std::optional<double> falling_zero(const std::array<double, 4>& c) {
+  double u = 0;
+  for (int k = 0; k < 50; ++k) {
+    const double slope = c[1] + u * (2 * c[2] + u * 3 * c[3]);
+    if (!(slope < 0)) return {};
+    const double step = (c[0] + u * (c[1] + u * (c[2] + u * c[3]))) / slope;
+    u -= step;
+    if (std::abs(step) < 1e-12) return u;
+  }
+  return {};
+}
+
+/// Finds the edges of the runs of one contact.
+class EdgeSearch {
+public:
+  EdgeSearch(const ElementGrid& grid, std::span<const double> pressure)
+      : grid_(grid), pressure_(pressure), patches_(find_patches(grid, pressure)) {}
+
+  /// How far the edge is outward of the centre of the run's outermost element (`side` 1: high x, -1: low) [elements].
+  double edge(const ContactRun& run, int side) const {
+    const int column = side > 0 ? run.last : run.first;
+    const Patch& patch = patches_.list[static_cast<std::size_t>(patches_.of[at(column, run.row)])];
+    for (const int rows : {patch.rows(), 0}) {
+      const auto place = fitted_edge(column, run.row, side, patch.columns(), rows);
+      if (place && *place >= -2 * farthest_outward && *place <= 2 * farthest_outward)
+        return std::clamp(*place, -farthest_inward, farthest_outward);
+    }
+    return 0.5;
+  }
+
+private:
+  std::size_t at(int i, int j) const { return static_cast<std::size_t>(j) * grid_.mx + i; }
+
+  std::optional<double> fitted_edge(int column, int row, int side, int columns, int rows) const {
+    const int label = patches_.of[at(column, row)];
+    const int inward = column - side * static_cast<int>(std::lround(inward_window * columns)),
+              outward = column + side * columns;
+    const int low = std::max(std::min(inward, outward), 0), high = std::min(std::max(inward, outward), grid_.mx - 1);
+    const double scale = pressure_[at(column, row)];
+    EdgeFit fit(rows == 0);
+    for (int j = std::max(row - rows, 0); j <= std::min(row + rows, grid_.my - 1); ++j)
+      for (int i = low; i <= high; ++i) {
+        if (patches_.of[at(i, j)] != label) continue;
+        const double p = pressure_[at(i, j)] / scale;
+        fit.add(double(side * (i - column)) / columns, rows > 0 ? double(j - row) / rows : 0, p * p, std::sqrt(p));
+      }
+    const auto c = fit.along_row();
+    const auto zero = c ? falling_zero(*c) : std::nullopt;
+    if (!zero) return {};
+    return *zero * columns;
+  }
+
+  const ElementGrid& grid_;
+  std::span<const double> pressure_;
+  Patches patches_;
+};
+
+} // namespace
+
+std::vector<ContactRun> contact_runs(const ElementGrid& grid, std::span<const double> pressure) {
+  const EdgeSearch search(grid, pressure);
+  std::vector<ContactRun> runs;
+  for (int j = 0; j < grid.my; ++j) {
+    const auto in_contact = [&](int i) {
+      return i < grid.mx && pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0;
+    };
+    for (int i = 0; i < grid.mx; ++i) {
+      if (!in_contact(i)) continue;
+      ContactRun run{j, i, i, 0, 0};
+      while (in_contact(run.last + 1)) ++run.last;
+      run.low = grid.x(run.first) - search.edge(run, -1) * grid.dx;
+      run.high = grid.x(run.last) + search.edge(run, 1) * grid.dx;
+      if (!runs.empty() && runs.back().row == j) run.low = std::max(run.low, runs.back().high);
+      if (run.high - run.low < 0.5 * grid.dx) { // hardly in contact
+        run.low = grid.x(run.first) - grid.dx / 2;
+        run.high = grid.x(run.last) + grid.dx / 2;
+      }
+      runs.push_back(run);
+      i = run.last;
+    }
+  }
+  return runs;
+}
+
+} // namespace microslip

@@ -1,0 +1,212 @@
+#include "microslip/exact/fitted/fitted_contact.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/exact/fitted/contact_edges.hpp"
+#include "microslip/exact/fitted/edge_element.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace microslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int margin = 3; // interpolation and moments of the fitted elements reach that far ahead
+
+/// The distance from the leading element's rear side to the edge is between this and 1 more [elements]: widths of .6 to
+/// 1.57.
+constexpr double nearest_edge = 0.92;
+
+/// Appends the elements of a row in contact from `trailing` to `leading`. The elements `behind` are another run's.
+void fit_row(const ElementGrid& grid, int row, double trailing, double leading, std::vector<FittedElement>& elements,
+             double behind = -infinity) {
+  const double h = grid.dx, origin = grid.x0 - h / 2;
+  const auto cell = [&](int column) {
+    return static_cast<std::size_t>(row) * grid.mx + std::clamp(column, 0, grid.mx - 1);
+  };
+  const int last = static_cast<int>(std::floor((leading - origin) / h - nearest_edge));
+  const double left = origin + last * h, width = h * leading_element_width((leading - left) / h);
+  if (left + width / 2 <= trailing || left < behind) { // shorter than an element
+    const int column = static_cast<int>(std::floor(((leading + trailing) / 2 - origin) / h));
+    elements.push_back({row, cell(column), trailing, leading, leading + h / 2, true, true, true});
+    return;
+  }
+  int first = last;
+  while (origin + first * h > trailing + 1e-12 * h && origin + (first - 1) * h >= behind) --first;
+  for (int column = first; column <= last; ++column) {
+    const double from = origin + column * h;
+    const bool leads = column == last, next_leads = column + 1 == last;
+    const double to = from + (leads ? width : h);
+    const double end = leads ? to + h / 2 : next_leads ? to + width / 2 : to + h / 2;
+    elements.push_back({row, cell(column), from, to, end, leads, leads, column == first});
+  }
+}
+
+/// The integral of sqrt(1 - t^2) from -1 to t.
+double half_disk(double t) {
+  const double clamped = std::clamp(t, -1.0, 1.0);
+  return (clamped * std::sqrt(1 - clamped * clamped) + std::asin(clamped)) / 2 + M_PI / 4;
+}
+
+/// Gauss and Legendre's rule of eight points on (-1, 1): nodes and weights of the positive half.
+constexpr std::array<std::array<double, 2>, 4> gauss = {{{0.1834346424956498, 0.3626837833783620},
+                                                         {0.5255324099163290, 0.3137066458778873},
+                                                         {0.7966664774136267, 0.2223810344533745},
+                                                         {0.9602898564975363, 0.1012285362903763}}};
+
+/// Integrates f(y/b) over a row of the ellipse from y0 b to y1 b; in the angle, as f has square roots at y = +-b.
+template <class Function> double integrate_row(double y0, double y1, const Function& f) {
+  const double low = std::asin(std::clamp(y0, -1.0, 1.0)), high = std::asin(std::clamp(y1, -1.0, 1.0));
+  const double middle = (low + high) / 2, half = (high - low) / 2;
+  double sum = 0;
+  for (const auto& [node, weight] : gauss)
+    for (const double side : {-node, node}) {
+      const double angle = middle + side * half;
+      sum += weight * std::cos(angle) * f(std::sin(angle));
+    }
+  return sum * half;
+}
+
+} // namespace
+
+FittedContact fit_line(double a, int n, double length) {
+  FittedContact contact{ElementGrid::across_line(a, n, margin, length), {}, {}};
+  fit_row(contact.grid, 0, -a, a, contact.elements);
+  for (const FittedElement& e : contact.elements) {
+    // Of sqrt(1 - x^2/a^2), whose integral is pi a/2.
+    const double part = half_disk(e.leads ? 1 : e.right / a) - half_disk(e.trails ? -1 : e.left / a);
+    contact.load_share.push_back(part * 2 / M_PI / (e.width() * length));
+  }
+  return contact;
+}
+
+FittedContact fit_ellipse(double a, double b, int n, int m) {
+  FittedContact contact;
+  ElementGrid& grid = contact.grid = ElementGrid::across_ellipse(a, b, n, m, 0);
+  grid.mx += 2 * margin;
+  grid.x0 -= margin * grid.dx;
+  for (int row = 0; row < m; ++row) {
+    const double y = (2 * row + 1.0) / m - 1, edge = a * std::sqrt((1 - y) * (1 + y));
+    const std::size_t first = contact.elements.size();
+    fit_row(grid, row, -edge, edge, contact.elements);
+
+    const double y0 = 2.0 * row / m - 1, y1 = 2.0 * (row + 1) / m - 1;
+    double row_sum = 0;
+    for (std::size_t k = first; k < contact.elements.size(); ++k) {
+      const FittedElement& e = contact.elements[k];
+      const double from = e.trails ? -infinity : e.left / a, to = e.leads ? infinity : e.right / a;
+      const double share = integrate_row(y0, y1, [&](double t) {
+        const double half = std::sqrt((1 - t) * (1 + t)); // of the row's length over a
+        return half * half * (half_disk(to / half) - half_disk(from / half));
+      });
+      contact.load_share.push_back(share);
+      row_sum += share;
+    }
+    // The row's share in closed form: the integral of (3/4) (1 - y^2).
+    const double exact = 0.75 * (y1 - y0 - (y1 * y1 * y1 - y0 * y0 * y0) / 3);
+    for (std::size_t k = first; k < contact.elements.size(); ++k)
+      contact.load_share[k] *= exact / (row_sum * contact.elements[k].width() * grid.dy);
+  }
+  return contact;
+}
+
+namespace {
+
+void check_pressure(const ElementGrid& grid, std::span<const double> pressure) {
+  check(grid);
+  if (grid.shape != ElementShape::constant)
+    throw Error("grid.shape: elements that are fitted to the edges are constant ones");
+  if (pressure.size() != grid.count())
+    throw Error("pressure: must have mx times my = " + std::to_string(grid.count()) + " values");
+  bool contact = false;
+  for (std::size_t k = 0; k < pressure.size(); ++k) {
+    if (!(pressure[k] >= 0) || !std::isfinite(pressure[k]))
+      throw Error("pressure[" + std::to_string(k) + "]", pressure[k], "Pa", "at least 0 and finite");
+    if (!(pressure[k] > 0)) continue;
+    contact = true;
+    const int column = static_cast<int>(k % grid.mx);
+    if (column < 1 || column >= grid.mx - margin)
+      throw Error("grid: must have " + std::to_string(margin) + " columns to spare ahead of the contact and 1 behind");
+  }
+  if (!contact) throw Error("pressure: must be positive at an element at least");
+}
+
+/// The traction bound along a run: factor(x) sqrt((x - low)(high - x)), the factor constant on every element.
+class RunProfile {
+public:
+  RunProfile(const ElementGrid& grid, std::span<const double> pressure, const ContactRun& run)
+      : grid_(grid), run_(run), first_(run.first) {
+    constexpr double good_depth = 2; // elements; nearer to the edge than that, an element's pressure is bad
+    const double depth = good_depth * grid.dx;
+    int last = run.last;
+    while (first_ < last && grid.x(first_) < run.low + depth) ++first_;
+    while (last > first_ && grid.x(last) > run.high - depth) --last;
+    if (first_ == last) {
+      factors_ = {1};
+      return;
+    }
+    for (int i = first_; i <= last; ++i) {
+      const double x = grid.x(i);
+      factors_.push_back(pressure[static_cast<std::size_t>(run.row) * grid.mx + i] /
+                         shape_between(x - grid.dx / 2, x + grid.dx / 2));
+    }
+  }
+
+  /// The integral from `from` to `to`; infinite ones are the edges.
+  double integral(double from, double to) const {
+    double sum = 0;
+    const int last = first_ + static_cast<int>(factors_.size()) - 1;
+    const double place = (from - grid_.x(first_)) / grid_.dx;
+    const int begin = place > 0 ? std::min(first_ + static_cast<int>(place), last) : first_;
+    for (int i = begin; i <= last; ++i) {
+      const double low = i == first_ ? -infinity : grid_.x(i) - grid_.dx / 2;
+      const double high = i == last ? infinity : grid_.x(i) + grid_.dx / 2;
+      if (low >= to) break;
+      if (high <= from) continue;
+      sum += factors_[static_cast<std::size_t>(i - first_)] * shape_between(std::max(low, from), std::min(high, to));
+    }
+    return sum;
+  }
+
+private:
+  double shape_between(double from, double to) const {
+    const double middle = (run_.low + run_.high) / 2, half = (run_.high - run_.low) / 2;
+    return half_disk((to - middle) / half) - half_disk((from - middle) / half);
+  }
+
+  const ElementGrid& grid_;
+  const ContactRun& run_;
+  int first_;
+  std::vector<double> factors_;
+};
+
+} // namespace
+
+FittedContact fit_contact(const ElementGrid& grid, std::span<const double> pressure) {
+  check_pressure(grid, pressure);
+  FittedContact contact{grid, {}, {}};
+  double total = 0;
+  for (const double p : pressure) total += p;
+  for (const ContactRun& run : contact_runs(grid, pressure)) {
+    const std::size_t first = contact.elements.size();
+    const bool follows = first > 0 && contact.elements.back().row == run.row;
+    fit_row(grid, run.row, run.low, run.high, contact.elements, follows ? contact.elements.back().right : -infinity);
+
+    const RunProfile profile(grid, pressure, run);
+    const auto begin = pressure.begin() + static_cast<std::ptrdiff_t>(run.row) * grid.mx;
+    double load = 0;
+    for (int i = run.first; i <= run.last; ++i) load += begin[i];
+    const double whole = profile.integral(-infinity, infinity);
+    for (std::size_t k = first; k < contact.elements.size(); ++k) {
+      const FittedElement& e = contact.elements[k];
+      const double part = profile.integral(e.trails ? -infinity : e.left, e.leads ? infinity : e.right) / whole;
+      contact.load_share.push_back(part * load / (total * e.width() * grid.dy));
+    }
+  }
+  return contact;
+}
+
+} // namespace microslip

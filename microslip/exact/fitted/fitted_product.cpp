@@ -1,0 +1,131 @@
+#include "microslip/exact/fitted/fitted_product.hpp"
+
+#include "microslip/numerics/precision.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <experimental/simd>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+namespace simd = std::experimental;
+constexpr auto unaligned = simd::element_aligned;
+
+template <class Real>
+typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>::Corrections& from, double factor) {
+  typename FittedProduct<Real>::Corrections to;
+  for (const auto& run : from.runs) to.runs.push_back({run.point, run.element, run.count});
+  for (auto [values, other] : {std::pair{&from.xx, &to.xx}, {&from.xy, &to.xy}, {&from.yy, &to.yy}}) {
+    other->resize(values->size());
+    convert(*values, factor, *other);
+  }
+  return to;
+}
+
+template <class Real>
+typename FittedProduct<Real>::Tables converted(const FittedProduct<double>::Tables& from, double factor) {
+  typename FittedProduct<Real>::Tables to;
+  for (const auto& p : from.places) to.places.push_back({p.element, p.cell});
+  for (const auto& m : from.moments) {
+    to.moments.push_back({m.element, m.first_cell, {}});
+    convert(m.weight, 1, to.moments.back().weight);
+  }
+  for (const auto& s : from.stencils) {
+    to.stencils.push_back({s.point, s.first_cell, {}});
+    convert(s.weight, 1, to.stencils.back().weight);
+  }
+  to.nodes = from.nodes;
+  to.at_points = converted<Real>(from.at_points, factor);
+  to.of_elements = converted<Real>(from.of_elements, factor);
+  to.points = from.points;
+  to.end_point = from.end_point;
+  to.way.resize(from.way.size());
+  convert(from.way, 1, to.way);
+  return to;
+}
+
+} // namespace
+
+template <class Real>
+FittedProduct<Real>::FittedProduct(Tables tables, SymmetricToeplitz<Real> transform)
+    : tables_(std::move(tables)), transform_(std::move(transform)), px_(tables_.way.size() + lanes), py_(px_),
+      ux_(tables_.points + lanes), uy_(ux_) {}
+
+template <class Real>
+FittedProduct<Real>::FittedProduct(const FittedProduct<double>& other, double factor)
+    : FittedProduct(converted<Real>(other.tables_, factor), SymmetricToeplitz<Real>(other.transform_, factor)) {}
+
+template <class Real> void FittedProduct<Real>::load(std::span<const Real> px, std::span<const Real> py) {
+  std::copy(px.begin(), px.end(), px_.begin());
+  std::copy(py.begin(), py.end(), py_.begin());
+  std::complex<Real>* field = transform_.cleared_field();
+  for (const Place& p : tables_.places) field[p.cell] = {px[p.element], py[p.element]};
+  for (const Moments& m : tables_.moments)
+    for (std::size_t i = 0; i < 3; ++i)
+      field[m.first_cell + i] += m.weight[i] * std::complex<Real>(px[m.element], py[m.element]);
+}
+
+/// The displacements by the transforms.
+template <class Real> void FittedProduct<Real>::read() {
+  const std::complex<Real>* field = transform_.apply();
+  for (const Place& p : tables_.places) ux_[p.element] = field[p.cell].real(), uy_[p.element] = field[p.cell].imag();
+  for (const Stencil& s : tables_.stencils) {
+    std::complex<Real> u = 0;
+    for (int i = 0; i < tables_.nodes; ++i) u += s.weight[i] * field[s.first_cell + i];
+    ux_[s.point] = u.real(), uy_[s.point] = u.imag();
+  }
+}
+
+/// A point's sums are kept apart for each lane until its last run.
+template <class Real> void FittedProduct<Real>::correct_points() {
+  using Lanes = simd::fixed_size_simd<Real, lanes>;
+  const auto& [runs, xx, xy, yy] = tables_.at_points;
+  std::size_t at = 0;
+  for (auto run = runs.begin(); run != runs.end();) {
+    const std::size_t point = run->point;
+    Lanes ux = 0, uy = 0;
+    for (; run != runs.end() && run->point == point; ++run)
+      for (std::size_t k = run->element; k < run->element + run->count; k += lanes, at += lanes) {
+        const Lanes px(&px_[k], unaligned), py(&py_[k], unaligned), mixed(&xy[at], unaligned);
+        ux += Lanes(&xx[at], unaligned) * px + mixed * py;
+        uy += mixed * px + Lanes(&yy[at], unaligned) * py;
+      }
+    ux_[point] += reduce(ux);
+    uy_[point] += reduce(uy);
+  }
+}
+
+template <class Real> void FittedProduct<Real>::correct_for_elements() {
+  using Lanes = simd::fixed_size_simd<Real, lanes>;
+  const auto& [runs, xx, xy, yy] = tables_.of_elements;
+  std::size_t at = 0;
+  for (const Run& run : runs) {
+    const Lanes px = px_[run.element], py = py_[run.element];
+    for (std::size_t k = run.point; k < run.point + run.count; k += lanes, at += lanes) {
+      const Lanes mixed(&xy[at], unaligned);
+      (Lanes(&ux_[k], unaligned) + Lanes(&xx[at], unaligned) * px + mixed * py).copy_to(&ux_[k], unaligned);
+      (Lanes(&uy_[k], unaligned) + mixed * px + Lanes(&yy[at], unaligned) * py).copy_to(&uy_[k], unaligned);
+    }
+  }
+}
+
+template <class Real>
+void FittedProduct<Real>::apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> sx,
+                                std::span<Real> sy) {
+  load(px, py);
+  read();
+  correct_points();
+  correct_for_elements();
+  for (std::size_t k = 0; k < tables_.way.size(); ++k) {
+    const std::size_t end = tables_.end_point[k];
+    sx[k] = (ux_[k] - ux_[end]) / tables_.way[k];
+    sy[k] = (uy_[k] - uy_[end]) / tables_.way[k];
+  }
+}
+
+template class FittedProduct<double>;
+template class FittedProduct<float>;
+
+} // namespace microslip

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "microslip/exact/fitted/fitted_contact.hpp"
+#include "microslip/exact/fitted/fitted_product.hpp"
+#include "microslip/exact/halfspace/surface_response.hpp"
+
+namespace microslip {
+
+class QuarterKernel;
+
+/// What the tractions of a fitted contact contribute to the slip in steady rolling along +x, D p = (u(centre) -
+/// u(end))/(end - centre), with one number for each element. The regular grid's part goes by fast transforms: a fitted
+/// element stands there as three of the grid's with its moments of orders 0 to 2, and u between the grid's points comes
+/// from polynomials of degree 5. What that misses is corrected exactly within a few elements; beyond, it is below
+/// 1e-4 of an element's own influence. Elastically similar bodies. Memory O(N), cost one transform there and back.
+class FittedResponse : public SlipResponse {
+public:
+  FittedResponse(const CombinedMaterial& material, const FittedContact& contact);
+
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+             std::span<double> sy) override {
+    product_.apply(px, py, sx, sy);
+  }
+  double diagonal() const override { return diagonal_; }
+  long products() const override { return product_.products(); }
+  const FittedProduct<double>& product() const { return product_; }
+
+  /// The displacement difference u at the elements' centres [m] for the tractions of the last apply.
+  std::span<const double> ux() const { return product_.ux().first(elements_); }
+  std::span<const double> uy() const { return product_.uy().first(elements_); }
+
+private:
+  FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel);
+
+  std::size_t elements_;
+  FittedProduct<double> product_;
+  double diagonal_;
+};
+
+} // namespace microslip

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/fitted/second_order_rolling.hpp"
+
+#include <memory>
+
+namespace microslip {
+
+/// Steady rolling along +x of a Hertzian contact at second order, with a good start for every problem: from FASTSIM2,
+/// on large grids from the solution on a grid with half the elements in each direction, and so on down.
+class HertzianRolling {
+public:
+  HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my);
+
+  const FittedContact& contact() const { return rolling_.contact(); }
+  /// The traction bound of each element [Pa].
+  std::vector<double> bound(const EllipticContact& contact) const;
+
+  /// Creepages and spin of the contact, or forces [N] in the place of its creepages. Newton steps and products are
+  /// those on the finest grid.
+  SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,
+                            std::optional<double> force_y, double tolerance, const Progress& progress = {});
+
+  /// As SecondOrderRolling::differentiate, for a solution with creepages given.
+  SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
+                                                double tolerance) {
+    return rolling_.differentiate(bound(contact), solution, tolerance);
+  }
+
+private:
+  TangentialState from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const;
+  TangentialState growth(const EllipticContact& contact, int direction, std::span<const double> bound,
+                         const TangentialState& start) const;
+
+  SecondOrderRolling rolling_;
+  std::unique_ptr<HertzianRolling> coarser_;
+};
+
+} // namespace microslip

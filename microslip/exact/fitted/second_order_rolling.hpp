@@ -1,0 +1,68 @@
+#pragma once
+
+#include "microslip/exact/fitted/centred_slip.hpp"
+#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/fitted/rolling_derivative.hpp"
+#include "microslip/exact/newton/friction_newton.hpp"
+#include "microslip/simplified/contact.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+struct SecondOrderInput {
+  Creepage creepage;
+  std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
+  FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
+  Progress progress = {};  ///< is told of the Newton steps; false ends the iteration, with status not_converged
+  double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
+};
+
+struct SecondOrderSolution {
+  FrictionSolution friction;  ///< tractions, slip and state of each element
+  std::vector<char> centred;  ///< 1: the element's slip is that at its centre, as CentredSlip has it
+  std::vector<double> ux, uy; ///< displacement difference [m]
+  Creepage creepage;
+};
+
+/// Steady rolling along +x with forces of second order in the elements' size. Three measures make it so: leading
+/// elements fitted to the edge (FittedContact), the traction bound averaged over each element's area, and slip taken
+/// where the traction is. Slip is computed over the way between the centres of two elements and belongs to its middle;
+/// at the centre of a sliding element it is interpolated (CentredSlip). Which elements slide is found roughly with the
+/// slip as it is; then the problem is solved with the slip of those at their centres. Would this follow the elements
+/// that come to slide or to adhere on the way, Newton's method would stall now and then.
+class SecondOrderRolling {
+public:
+  SecondOrderRolling(const CombinedMaterial& material, FittedContact contact);
+
+  const FittedContact& contact() const { return contact_; }
+
+  /// `bound` is g [Pa] of each element. Not converging and a force beyond friction are statuses.
+  SecondOrderSolution solve(std::span<const double> bound, const SecondOrderInput& input);
+
+  /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages
+  /// given; the linear systems are solved to `tolerance`. Holds where no element is just between adhesion and slip.
+  /// Cost: three linear solves.
+  struct Derivatives {
+    std::array<RollingDerivative::Change, 3> by; ///< xi, eta, phi
+    long products = 0;
+  };
+  Derivatives differentiate(std::span<const double> bound, const SecondOrderSolution& solution, double tolerance);
+
+private:
+  void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;
+  FrictionSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
+  void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
+
+  FittedContact contact_;
+  FittedResponse response_;
+  RollingPreconditioner<double> preconditioner_;
+  FrictionNewton newton_;
+  std::vector<double> area_share_;
+  std::optional<RollingDerivative> derivative_; ///< made when it is first needed
+};
+
+} // namespace microslip

@@ -1,0 +1,98 @@
+#include "microslip/exact/halfspace/delayed_influence.hpp"
+
+#include "microslip/numerics/tanh_sinh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+void add(Influence& to, double factor, const Influence& a) {
+  to.xx += factor * a.xx;
+  to.xy += factor * a.xy;
+  to.yy += factor * a.yy;
+  to.zz += factor * a.zz;
+  to.xz += factor * a.xz;
+  to.yz += factor * a.yz;
+}
+
+void add(InteriorState& to, double factor, const InteriorState& a) {
+  to.ux += factor * a.ux;
+  to.uy += factor * a.uy;
+  to.uz += factor * a.uz;
+}
+
+void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
+  add(to.px, factor, a.px);
+  add(to.py, factor, a.py);
+  add(to.pn, factor, a.pn);
+}
+
+/// Integrals of exp(-q/l)/l A(x + way q) over q, way = +-1, l > 0.
+template <class Value> class DelayIntegral {
+public:
+  DelayIntegral(const RowInfluence<Value>& influence, double dx, double length, double way)
+      : influence_(influence), dx_(dx), length_(length), way_(way) {}
+
+  /// From 0 to `end`.
+  Value up_to(double x, double end) const {
+    end = std::min(end, farthest * length_);
+    std::vector<double> breaks = {0, end};
+    const auto add_break = [&](double q) {
+      if (q > 0 && q < end) breaks.push_back(q);
+    };
+    for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(way_ * (edge - x));
+    for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
+    std::sort(breaks.begin(), breaks.end());
+    Value sum = {};
+    for (std::size_t k = 1; k < breaks.size(); ++k) add_interval(x, breaks[k - 1], breaks[k], sum);
+    return sum;
+  }
+  Value whole(double x) const { return up_to(x, farthest * length_); }
+
+private:
+  static constexpr double farthest = 40; // exp(-40) is below rounding
+
+  void add_interval(double x, double from, double to, Value& sum) const {
+    static const TanhSinh rule;
+    for (int k = 0; k < TanhSinh::count; ++k) {
+      const double q = rule.node(k, from, to);
+      add(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + way_ * q));
+    }
+  }
+
+  const RowInfluence<Value>& influence_;
+  double dx_, length_, way_;
+};
+
+} // namespace
+
+template <class Value>
+std::vector<Value> delayed_row(const Delay& delay, const RowInfluence<Value>& influence, double dx, double x_first,
+                               int count) {
+  std::vector<Value> row(static_cast<std::size_t>(count));
+  const bool forward = delay.distance >= 0;
+  const double length = std::abs(delay.distance), decay = std::exp(-dx / length);
+  const DelayIntegral<Value> integral(influence, dx, length, forward ? 1 : -1);
+  for (int k = 0; k < count; ++k) { // from where the particles come from
+    const int i = forward ? count - 1 - k : k;
+    const double x = x_first + i * dx;
+    Value& here = row[static_cast<std::size_t>(i)];
+    if (length == 0) {
+      add(here, delay.ratio, influence(x));
+    } else if (k == 0) {
+      add(here, delay.ratio, integral.whole(x));
+    } else {
+      add(here, delay.ratio, integral.up_to(x, dx));
+      add(here, decay, row[static_cast<std::size_t>(forward ? i + 1 : i - 1)]);
+    }
+  }
+  return row;
+}
+
+template std::vector<Influence> delayed_row(const Delay&, const RowInfluence<Influence>&, double, double, int);
+template std::vector<InteriorInfluence> delayed_row(const Delay&, const RowInfluence<InteriorInfluence>&, double,
+                                                    double, int);
+
+} // namespace microslip

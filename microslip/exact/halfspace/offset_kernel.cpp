@@ -1,0 +1,163 @@
+#include "microslip/exact/halfspace/offset_kernel.hpp"
+
+#include "microslip/elasticity/bilinear_influence.hpp"
+#include "microslip/exact/halfspace/delayed_influence.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace microslip {
+namespace {
+
+/// Where an endless strip's displacement is 0 [m].
+double far_of(const ElementGrid& grid) {
+  return grid.mx * grid.dx;
+}
+
+/// The influence of an element of the grid, constant or bilinear.
+Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid, double x, double y) {
+  if (grid.shape == ElementShape::constant) return element_influence(material, grid, grid.dx, x, y);
+  return grid.line ? bilinear_line_influence(material, grid.dx, x, far_of(grid))
+                   : bilinear_influence(material, grid.dx, grid.dy, x, y);
+}
+
+/// Of an element of the length `side`, for a point at `place` from its centre: 1 within it, half on its edge.
+double share_within(double place, double side) {
+  constexpr double rounding = 1e-9;
+  const double distance = 2 * std::abs(place) / side;
+  return distance < 1 - rounding ? 1 : distance < 1 + rounding ? 0.5 : 0;
+}
+
+/// A layer is sheared where the traction is: on the element itself, and half on its edges.
+void add_layer(double flexibility, double dx, double first, std::vector<Influence>& row) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double share = share_within(first + static_cast<double>(i) * dx, dx);
+    row[i].xx += share * flexibility;
+    row[i].yy += share * flexibility;
+  }
+}
+
+/// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the
+/// average of the two places where the elastic ones are.
+Influence far_away(const Delay& delay, const RowInfluence<Influence>& influence, const ElementGrid& grid) {
+  const double far = far_of(grid);
+  const Influence a = delayed_row(delay, influence, grid.dx, -far, 1)[0];
+  const Influence b = delayed_row(delay, influence, grid.dx, far, 1)[0];
+  return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
+}
+
+/// The influence of an element on the points of row j, `shift` further, at all offsets from 1 - mx on.
+std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, int j) {
+  const double y = j * grid.dy + shift.y, first = (1 - grid.mx) * grid.dx + shift.x;
+  const int count = 2 * grid.mx - 1;
+  std::vector<Influence> row;
+  row.reserve(static_cast<std::size_t>(count));
+  for (int i = 1 - grid.mx; i < grid.mx; ++i)
+    row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift.x, y));
+  for (const DelayedPart& part : bodies.delayed) {
+    const RowInfluence<Influence> influence = [&](double x) { return influence_at(part.material, grid, x, y); };
+    const std::vector<Influence> late = delayed_row(part.delay, influence, grid.dx, first, count);
+    const Influence far = grid.line ? far_away(part.delay, influence, grid) : Influence{};
+    for (std::size_t i = 0; i < late.size(); ++i) {
+      row[i].xx += late[i].xx - far.xx, row[i].xy += late[i].xy, row[i].yy += late[i].yy - far.yy;
+      row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz - far.zz;
+    }
+  }
+  const double sheared = grid.line ? 1 : share_within(y, grid.dy);
+  if (sheared > 0 && bodies.layer.flexibility > 0) add_layer(sheared * bodies.layer.flexibility, grid.dx, first, row);
+  return row;
+}
+
+/// What a particle's displacement contributes to its slip: (u(x + shift) - u(x + before))/length, or without the second
+/// term.
+struct SlipRate {
+  Vec2 shift = {};
+  double length = 1;
+  std::optional<Vec2> before = {};
+};
+
+/// Calls at(i, j, slip, here) for all offsets of a grid: what the influence makes of slip, and the influence itself.
+template <class At> void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate, At at) {
+  for (int j = 1 - grid.my; j < grid.my; ++j) {
+    const std::vector<Influence> now = influence_row(bodies, grid, rate.shift, j);
+    const std::vector<Influence> before =
+        rate.before ? influence_row(bodies, grid, *rate.before, j) : std::vector<Influence>(now.size());
+    for (int i = 1 - grid.mx; i < grid.mx; ++i) {
+      const auto k = static_cast<std::size_t>(i + grid.mx - 1);
+      const auto of = [&](double Influence::*part) { return (now[k].*part - before[k].*part) / rate.length; };
+      at(i, j,
+         Influence{of(&Influence::xx), of(&Influence::xy), of(&Influence::yy), 0, of(&Influence::xz),
+                   of(&Influence::yz)},
+         now[k]);
+    }
+  }
+}
+
+TangentialKernel tangential_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate) {
+  check(grid);
+  const OffsetTable empty(grid);
+  TangentialKernel kernel{empty, empty, empty};
+  for_offsets(bodies, grid, rate, [&](int i, int j, const Influence& slip, const Influence&) {
+    kernel.xx.at(i, j) = slip.xx;
+    kernel.xy.at(i, j) = slip.xy;
+    kernel.yy.at(i, j) = slip.yy;
+  });
+  return kernel;
+}
+
+CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate) {
+  check(grid);
+  const OffsetTable empty(grid);
+  CoupledKernel kernel{{empty, empty, empty}, empty, empty, empty, empty, empty};
+  for_offsets(bodies, grid, rate, [&](int i, int j, const Influence& slip, const Influence& here) {
+    kernel.slip.xx.at(i, j) = slip.xx;
+    kernel.slip.xy.at(i, j) = slip.xy;
+    kernel.slip.yy.at(i, j) = slip.yy;
+    kernel.xz.at(i, j) = slip.xz;
+    kernel.yz.at(i, j) = slip.yz;
+    kernel.zx.at(i, j) = -here.xz;
+    kernel.zy.at(i, j) = -here.yz;
+    kernel.zz.at(i, j) = here.zz;
+  });
+  return kernel;
+}
+
+SlipRate growth_over(double step) {
+  return {.shift = {}, .length = std::abs(step), .before = Vec2{step, 0}};
+}
+
+} // namespace
+
+Influence element_influence(const CombinedMaterial& material, const ElementGrid& grid, double width, double x,
+                            double y) {
+  return grid.line ? line_influence(material, width, x, far_of(grid)) : influence(material, width, grid.dy, x, y);
+}
+
+OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid) {
+  check(grid);
+  OffsetTable zz(grid);
+  for (int j = 1 - grid.my; j < grid.my; ++j)
+    for (int i = 1 - grid.mx; i < grid.mx; ++i) zz.at(i, j) = normal_coefficient(material, grid, i, j);
+  return zz;
+}
+
+double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j) {
+  return influence_at(material, grid, i * grid.dx, j * grid.dy).zz;
+}
+
+TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
+                                                double length) {
+  return tangential_kernel(bodies, grid, {.shift = shift, .length = length});
+}
+TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
+  return tangential_kernel(bodies, grid, growth_over(step));
+}
+
+CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length) {
+  return coupled_kernel(bodies, grid, {.shift = shift, .length = length});
+}
+CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
+  return coupled_kernel(bodies, grid, growth_over(step));
+}
+
+} // namespace microslip

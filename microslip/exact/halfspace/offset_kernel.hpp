@@ -1,0 +1,76 @@
+#pragma once
+
+#include "microslip/contact/element_grid.hpp"
+#include "microslip/elasticity/influence.hpp"
+#include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/vec2.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The entries of a block Toeplitz matrix on a grid by offset, K(i, j) for |i| < mx, |j| < my: what an element does to
+/// the one i columns and j rows further. 4 N numbers instead of N^2. They lie in the order of
+/// ToeplitzTransform::kernel_spectrum.
+class OffsetTable {
+public:
+  explicit OffsetTable(const ElementGrid& grid)
+      : mx_(grid.mx), my_(grid.my),
+        values_((2 * static_cast<std::size_t>(grid.mx) - 1) * (2 * static_cast<std::size_t>(grid.my) - 1)) {}
+
+  int mx() const { return mx_; }
+  int my() const { return my_; }
+  double& at(int i, int j) { return values_[index(i, j)]; }
+  double at(int i, int j) const { return values_[index(i, j)]; }
+  std::span<const double> values() const { return values_; }
+  /// K(., j); index 0 is offset 0, and indices run from 1 - mx to mx - 1.
+  const double* row(int j) const { return values_.data() + index(0, j); }
+
+private:
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(2 * mx_ - 1) +
+           static_cast<std::size_t>(i + mx_ - 1);
+  }
+
+  int mx_, my_;
+  std::vector<double> values_;
+};
+
+/// The influence of a constant element of any width in a grid's rows on a point at an offset from its centre; of an
+/// endless strip for a line contact.
+Influence element_influence(const CombinedMaterial& material, const ElementGrid& grid, double width, double x,
+                            double y);
+
+/// A_zz [m/Pa]: normal displacement difference from pressure, elastically similar bodies; of endless strips for a line
+/// contact. Throws Error for a grid without elements.
+OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& grid);
+
+/// Its entry for the element i columns and j rows further, which may lie beyond the grid.
+double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j);
+
+/// The map D from tractions to slip that TangentialResponse applies by transforms, element by element.
+struct TangentialKernel {
+  OffsetTable xx, xy, yy; ///< D_yx = D_xy
+
+  /// As SlipResponse::diagonal.
+  double diagonal() const { return (xx.at(0, 0) + yy.at(0, 0)) / 2; }
+
+  /// As TangentialResponse::displacement and TangentialResponse::growth.
+  static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
+                                       double length = 1);
+  static TangentialKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
+};
+
+/// The map from tractions and pressure to slip and normal displacement that CoupledResponse applies.
+struct CoupledKernel {
+  TangentialKernel slip;
+  OffsetTable xz, yz;     ///< slip from the pressure
+  OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
+
+  /// As CoupledResponse::displacement and CoupledResponse::growth.
+  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1);
+  static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
+};
+
+} // namespace microslip

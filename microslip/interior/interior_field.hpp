@@ -1,0 +1,117 @@
+#pragma once
+
+#include "microslip/contact/element_grid.hpp"
+#include "microslip/elasticity/interior_influence.hpp"
+#include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/numerics/toeplitz.hpp"
+
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// Tractions of the elements, **on body 1**, index j mx + i [Pa]; what is empty is zero.
+struct SurfaceTractions {
+  std::span<const double> px, py, pn;
+};
+
+/// A point of a body, `depth` >= 0 below its surface: z = depth in body 1, z = -depth in body 2 [m].
+struct InteriorPoint {
+  double x = 0, y = 0, depth = 0;
+};
+
+/// Displacements and stresses in a body from the tractions on its surface, as sums over the elements. Elastic
+/// half-space, any combination of bodies; a line contact gives the plane field of endless strips, with displacements as
+/// in line_interior_influence, `far` being the grid's length.
+///
+/// The sums are exact for tractions that are constant in each element, at every depth. Those of a contact are not:
+/// nearer to the surface than about an element the steps between elements are felt. How much, and where less:
+/// docs/theory-interior.md, section 6. Bilinear elements have no steps; their sums have the errors of
+/// bilinear_interior_influence.
+///
+/// Of a body in steady rolling whose deformation comes late (Delay), displacements are those of this deformation. Its
+/// stresses are the elastic ones: they depend on the tractions and on Poisson's ratio, which does not change with time.
+/// Const calls may be made from several threads.
+class InteriorField {
+public:
+  /// Copies the tractions. Throws Error for a material or grid out of range, and for tractions whose number is not that
+  /// of the elements or which are not finite.
+  InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions,
+                const Delay& delay = {});
+
+  /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
+  /// the surface; with a delay some 100 times as much. Throws Error unless depth >= 0 and all is finite.
+  InteriorState at(const InteriorPoint& point) const;
+  /// The same at many points, which OpenMP's threads share out.
+  std::vector<InteriorState> at(std::span<const InteriorPoint> points) const;
+
+  /// What an element does at an offset from it, at once.
+  InteriorInfluence influence(double x, double y, double depth) const;
+  /// The displacements that come late, at `count` offsets x_first, x_first + dx, ..., and no stresses.
+  std::vector<InteriorInfluence> late_influence(double x_first, int count, double y, double depth) const;
+  bool has_delay() const { return delay_.ratio > 0; }
+
+  const ElementGrid& grid() const { return grid_; }
+  /// Of all elements, index j mx + i.
+  const std::vector<double>& px() const { return px_; }
+  const std::vector<double>& py() const { return py_; }
+  const std::vector<double>& pn() const { return pn_; }
+
+private:
+  struct LoadedElement {
+    int i, j; ///< column and row
+    double px, py, pn;
+  };
+  /// Adjoining elements of loaded_ that lie in one row.
+  struct LoadedRow {
+    std::size_t begin, end;
+  };
+
+  void add_late(const InteriorPoint& point, InteriorState& sum) const;
+
+  Material material_;
+  Delay delay_;
+  Body body_;
+  ElementGrid grid_;
+  std::vector<double> px_, py_, pn_;
+  std::vector<LoadedElement> loaded_;
+  std::vector<LoadedRow> loaded_rows_;
+  InteriorInfluence late_far_away_; ///< of a line contact: subtracted from late displacements along the tractions
+};
+
+/// The same at the centres of all elements in planes of constant depth, by fast transforms. It agrees with the sum to
+/// about 1e-15 of the plane's largest values.
+///
+/// Cost for a plane of N points: N influences (the rest follow by symmetry), 9 transforms of kernels for each of px,
+/// py, pn that is not zero, 9 back, each on a grid padded to 4N: 4 to 8 us a point, where the sum takes .3 us for every
+/// pair. With a delay 120 more influences for each. Memory: some 700 bytes for a point, 1200 with a delay.
+class InteriorLayers {
+public:
+  /// Points at the elements' centres and, beyond the grid, `margin` more columns and rows on each side (rows not for a
+  /// line contact).
+  /// Throws Error for a plane that needs more memory than the machine has.
+  explicit InteriorLayers(InteriorField field, int margin = 0);
+
+  /// Where the points are.
+  const ElementGrid& grid() const { return grid_; }
+  const InteriorField& field() const { return field_; }
+
+  /// States at the points, index j mx + i. Throws Error unless depth >= 0 and finite.
+  std::vector<InteriorState> at_depth(double depth);
+
+private:
+  /// Influences at a depth: of offsets x, y >= 0, and late ones of all x and y >= 0.
+  struct Influences {
+    std::vector<InteriorInfluence> quadrant, late;
+  };
+
+  Influences influences(double depth) const;
+  std::vector<double> kernel(int load, int component, const Influences& influences) const;
+
+  InteriorField field_;
+  ElementGrid grid_;
+  std::vector<int> loads_; ///< those of px, py, pn that are not zero
+  ToeplitzTransform transform_;
+};
+
+} // namespace microslip

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "microslip/interior/interior_field.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
+
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// Points inside the bodies: all combinations of the coordinates [m]; z >= 0 lies in body 1, z < 0 in body 2.
+struct InteriorGrid {
+  std::vector<double> x, y, z;
+
+  std::size_t count() const { return x.size() * y.size() * z.size(); }
+  double x_of(std::size_t point) const { return x[point % x.size()]; }
+  double y_of(std::size_t point) const { return y[point / x.size() % y.size()]; }
+  double z_of(std::size_t point) const { return z[point / x.size() / y.size()]; }
+};
+
+/// A body whose inside is asked for: elastic, or with a part of its deformation that comes late.
+struct InteriorBody {
+  InteriorBody(const Material& elastic) : material(elastic) {} // NOLINT(google-explicit-constructor)
+  InteriorBody(const Material& at_once, const Delay& late) : material(at_once), delay(late) {}
+
+  Material material;
+  Delay delay = {};
+};
+
+/// Displacements and stresses at the points of a grid, x fastest, then y, then z: by InteriorLayers where there are
+/// many points below elements' centres, else by InteriorField. Errors as theirs.
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ElementGrid& elements, const SurfaceTractions& tractions,
+                                           const InteriorGrid& points);
+
+/// The same for what EllipticContactSolver has found on elements of the sides dx, dy [m]. A leading element of another
+/// width counts as one of the grid's with the same forces, which is felt less than an element deep only.
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ExactContact& contact, double dx, double dy,
+                                           const InteriorGrid& points);
+
+/// The largest value of a measure of stress among points, or the smallest of one that is a compression.
+struct InteriorExtreme {
+  std::string name;      ///< sigma_hyd, von_mises, tresca, sigma_1, sigma_3, sigma_xx, sigma_yy, sigma_zz
+  double value = 0;      ///< [Pa], with its sign
+  std::size_t point = 0; ///< where
+};
+
+/// The extremes of all measures: of sigma_hyd and sigma_xx, yy, zz the largest magnitude, of sigma_3 the smallest
+/// value, else the largest; of equal ones the first. Empty without points.
+std::vector<InteriorExtreme> interior_extremes(const std::vector<InteriorState>& states);
+
+} // namespace microslip

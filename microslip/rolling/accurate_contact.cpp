@@ -1,0 +1,90 @@
+#include "microslip/rolling/accurate_contact.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/simplified/creepage_coefficients.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+constexpr int coarsest = 4, finest = 512;
+
+/// The largest difference of two results, as a fraction of mu Fn.
+double difference(const EllipticContact& contact, const ExactContact& a, const ExactContact& b) {
+  const double full = contact.friction.static_coefficient() * contact.normal_force;
+  if (!(full > 0)) return 0;
+  const ContactForces &f = a.fields.forces, &g = b.fields.forces;
+  const auto c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
+  const double stiffness = contact.shear_modulus * contact.a * contact.b;
+  return std::max({std::abs(f.fx - g.fx), std::abs(f.fy - g.fy),
+                   std::abs(f.mz - g.mz) / std::sqrt(contact.a * contact.b),
+                   stiffness * c.c11 * std::abs(a.creepage.longitudinal - b.creepage.longitudinal),
+                   stiffness * c.c22 * std::abs(a.creepage.lateral - b.creepage.lateral)}) /
+         full;
+}
+
+AccurateContact extrapolate(const ExactContact& coarse, ExactContact fine) {
+  AccurateContact out;
+  const ContactForces &f = coarse.fields.forces, &g = fine.fields.forces;
+  out.coarser = f;
+  out.forces = g;
+  out.forces.fx = limit_of_second_order(f.fx, g.fx);
+  out.forces.fy = limit_of_second_order(f.fy, g.fy);
+  out.forces.mz = limit_of_second_order(f.mz, g.mz);
+  out.creepage = fine.creepage;
+  out.creepage.longitudinal = limit_of_second_order(coarse.creepage.longitudinal, fine.creepage.longitudinal);
+  out.creepage.lateral = limit_of_second_order(coarse.creepage.lateral, fine.creepage.lateral);
+  out.finest = std::move(fine);
+  return out;
+}
+
+} // namespace
+
+double limit_of_second_order(double coarse, double fine) {
+  return fine + (fine - coarse) / 4;
+}
+
+AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions& options)
+    : accuracy_(require_between("accuracy", accuracy, "-", 1e-5, 0.1)), options_(options) {
+  options_.discretisation = Discretisation::second_order;
+  options_.tolerance = std::min(options_.tolerance, accuracy / 100);
+}
+
+ExactContact AccurateContactSolver::solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion) {
+  ExactOptions options = options_;
+  options.mx = options.my = elements;
+  return solvers_.try_emplace(elements, options).first->second.solve(contact, motion);
+}
+
+AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
+                                             const Progress& progress) {
+  if (motion.kind != ContactMotion::steady || motion.step != 0)
+    throw Error("motion: must be steady rolling without a step of its own to be extrapolated");
+  AccurateContact out;
+  const ExactContact first = solve_on(coarsest, contact, motion);
+  ExactContact coarse = solve_on(2 * coarsest, contact, motion);
+  double last_change = difference(contact, first, coarse);
+  long products = first.products + coarse.products;
+  for (int elements = 4 * coarsest;; elements *= 2) {
+    ExactContact fine = solve_on(elements, contact, motion);
+    products += fine.products;
+    const double change = difference(contact, coarse, fine), error = std::max(change, last_change / 4);
+    last_change = change;
+    out = extrapolate(coarse, fine);
+    out.error = error;
+    out.elements = elements;
+    out.products = products;
+    const bool solved = coarse.fields.forces.status == Status::ok && fine.fields.forces.status == Status::ok;
+    if (!solved || error <= accuracy_) return out;
+    const bool go_on = !progress || progress(std::min(1.0, accuracy_ / error)); // the error falls to the accuracy
+    if (elements == finest || !go_on) {
+      out.forces.status = Status::not_converged;
+      return out;
+    }
+    coarse = std::move(fine);
+  }
+}
+
+} // namespace microslip

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/fitted/hertzian_rolling.hpp"
+#include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
+#include "microslip/progress.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace microslip {
+
+/// How steady rolling is discretised. Shifts and transient rolling are always classical.
+enum class Discretisation {
+  second_order, ///< SecondOrderRolling: forces with errors of second order in the elements' size
+  classical,    ///< TangentialProblem: Kalker's regular elements, errors of first order
+};
+
+/// How the exact theory discretises a Hertzian contact.
+struct ExactOptions {
+  int mx = 24; ///< elements across the ellipse along x, 1 to 4,000
+  int my = 24; ///< and along y
+  Discretisation discretisation = Discretisation::second_order;
+  ElementShape elements = ElementShape::constant; ///< bilinear needs Discretisation::classical
+  RollingDirection direction = RollingDirection::forward;
+  double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
+  /// Bodies of different materials, viscoelastic ones, or with a layer between them, which are solved classically;
+  /// none: similar elastic bodies with the contact's constants. The ellipse is that of the elastic bodies without
+  /// friction.
+  std::optional<Bodies> bodies = {};
+  Coupling coupling = Coupling::newton;
+  FrictionMemory friction_memory = {}; ///< of friction that depends on the slip, which is solved classically, too
+  SlipStart slip_start = SlipStart::below;
+  /// Bodies whose surfaces have temperatures in steady rolling, and what these add to the friction; both are solved
+  /// classically. The effect needs the bodies.
+  std::optional<ThermalBodies> thermal = {};
+  std::optional<TemperatureEffect> temperature_effect = {};
+};
+
+/// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
+/// [m] and rotation [rad].
+struct ExactMotion {
+  ContactMotion kind = ContactMotion::steady;
+  std::optional<double> force_x = {}, force_y = {}; ///< [N] on body 1, in the place of the creepage in that direction
+  double step = 0;                                  ///< dq [m], the way rolled in a step, >= 0; 0: the elements' length
+  int steps = 1; ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
+};
+
+/// One of the steps of transient rolling.
+struct ExactStep {
+  Creepage creepage;
+  ContactForces forces;
+  double residual = 0;
+  int newton_steps = 0;
+  long products = 0;
+};
+
+/// What the exact theory finds for a Hertzian contact. In transient rolling it belongs to the last step.
+struct ExactContact {
+  ContactFields fields; ///< rows with y ascending, in each from the leading to the trailing edge; with margins outside
+                        ///< the contact
+  std::vector<double> pressure; ///< p_n at the cells of `fields` [Pa]
+  std::vector<double> ux, uy;   ///< displacement difference u1 - u2 [m]
+  Creepage creepage;            ///< as given, or as found where a force is given
+  double approach = 0;          ///< [m]; second order: Hertz's, classical: of the discrete normal problem
+  double peak_pressure = 0;     ///< of the elements [Pa]
+  double peak_traction = 0;     ///< of the elements [Pa]
+  double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) [W]; for a shift the work, without V [J]
+  double elastic_energy = 0;    ///< of the tangential tractions [J]
+  double residual = 0;
+  int newton_steps = 0; ///< of all steps together
+  long products = 0;
+  int friction_rounds = 0; ///< as in ContactStepSolution, of the last step; and so is the residual
+  double friction_residual = 0;
+  std::vector<double> friction; ///< mu of the cells [-], if it depends on slip or temperature; else empty
+  std::vector<double> temperature1, temperature2; ///< of the surfaces at the cells [deg C], with thermal bodies
+  double highest_temperature = 0;                 ///< in contact
+  std::vector<double> gap;        ///< deformed distance of the bodies [m]; empty at second order, see deformed_gap
+  std::vector<ExactStep> history; ///< transient rolling: the steps in their order
+};
+
+/// Forces in steady rolling and their derivatives: row k belongs to fx, fy, mz, columns to xi [-], eta [-], phi [1/m].
+struct ExactDerivatives {
+  ExactContact contact;
+  double jacobian[3][3] = {};
+  long products = 0; ///< that the derivatives took
+};
+
+/// Hertzian contacts by the exact theory: normal and tangential problem on a grid of mx x my elements across the
+/// ellipse. Influence coefficients are kept for the next contact if it has the same ellipse and material. Distinct
+/// objects may be used from distinct threads.
+class EllipticContactSolver {
+public:
+  /// Throws Error if an option is out of range, or if the grid needs more memory than the machine has.
+  explicit EllipticContactSolver(const ExactOptions& options);
+
+  const ExactOptions& options() const { return options_; }
+
+  /// Input out of range gives Status::invalid_input and NaN. `progress` is told of the steps of transient rolling, else
+  /// of the Newton steps, and may end them: with status not_converged and the tractions so far. It is not told of the
+  /// Newton steps for bodies of different materials and for friction that depends on the slip.
+  ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
+
+  /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
+  /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
+  /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
+  /// `progress` is told of the Newton steps; false ends them, with status not_converged and derivatives that mean
+  /// nothing.
+  ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
+
+  /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
+  /// problem on their grid. Throws Error for a contact out of range.
+  std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {});
+
+private:
+  bool is_second_order(const EllipticContact& contact, const ExactMotion& motion) const;
+  bool needs_sequence(const EllipticContact& contact) const;
+  void require_memory_for(ContactProblem problem) const;
+  void prepare_classical(const EllipticContact& contact);
+  void prepare_second_order(const EllipticContact& contact);
+  bool is_prepared_for(const EllipticContact& contact, bool second_order);
+  ExactContact solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
+  TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
+                          const Progress& progress, std::vector<ExactStep>& history);
+  template <class Field> Field in_rows(Field field) const;
+  ExactContact results(TangentialSolution solution, const NormalSolution& normal, double normal_force) const;
+  ContactStep sequence_step(const EllipticContact& contact, const ExactMotion& motion) const;
+  ExactContact solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
+  EllipticContact mirrored(EllipticContact contact) const;
+  ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
+  TangentialState fitted_start(const EllipticContact& contact, const std::vector<double>& bound) const;
+  ExactContact results(const SecondOrderSolution& solution, const EllipticContact& contact,
+                       const std::vector<double>& bound) const;
+
+  ExactOptions options_;
+  double a_ = 0, b_ = 0;
+  CombinedMaterial material_ = {0, 0, 0};
+  // What belongs to that ellipse and material: one or the other.
+  ElementGrid grid_;
+  NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
+  std::unique_ptr<TangentialProblem> tangential_;
+  std::unique_ptr<HertzianRolling> second_order_;
+  ContactSequence sequence_; ///< of bodies and friction that need one
+};
+
+} // namespace microslip
