@@ -180,8 +180,8 @@ public:
       for_each_parallel(forces.size(), solvers_.size(), [&](std::size_t i) {
         InterruptGuard::throw_if_interrupted();
         const auto result = solvers_[static_cast<std::size_t>(omp_get_thread_num())].solve(rows.contacts[i]);
-        forces[i] = result.fields.forces;
-        iterations[i] = {result.residual, result.newton_steps};
+        forces[i] = result.forces();
+        iterations[i] = {result.report.residual, result.report.newton_steps};
         report(chunks[c].text.size() / forces.size());
       });
       count(forces);

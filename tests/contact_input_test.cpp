@@ -160,7 +160,7 @@ TEST(ContactInput, WhatMakesNoSenseIsMarkedAndGivesNoNumbers) {
       const ContactDerivatives d = solver.differentiate(contact);
       EXPECT_EQ(d.forces.status, Status::invalid_input);
       EXPECT_TRUE(all_nan(d));
-      const ContactFields fields = solver.fields(contact);
+      const ContactSolution fields = solver.fields(contact);
       EXPECT_EQ(fields.forces.status, Status::invalid_input);
       EXPECT_TRUE(all_nan(fields.forces));
       EXPECT_TRUE(std::isnan(fields.frictional_power));

@@ -26,16 +26,16 @@ ExactOptions options(int n, Discretisation discretisation = Discretisation::seco
   return {.mx = n, .my = n, .discretisation = discretisation, .direction = direction, .tolerance = 1e-9};
 }
 
-ExactContact solve(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion = {}) {
+ContactSolution solve(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion = {}) {
   return EllipticContactSolver(options).solve(contact, motion);
 }
 
-void expect_same(const ExactContact& one, const ExactContact& other) {
+void expect_same(const ContactSolution& one, const ContactSolution& other) {
   EXPECT_EQ(one.fields.px, other.fields.px);
   EXPECT_EQ(one.fields.py, other.fields.py);
   EXPECT_EQ(one.ux, other.ux);
   EXPECT_EQ(one.pressure, other.pressure);
-  EXPECT_EQ(one.fields.forces.mz, other.fields.forces.mz);
+  EXPECT_EQ(one.totals.mz, other.totals.mz);
 }
 
 TEST(EllipticContact, SecondOrderIsTheDefault) {
@@ -47,8 +47,8 @@ TEST(EllipticContact, TotalsAreSumsOverTheFields) {
   for (const Discretisation discretisation : both_discretisations)
     for (const RollingDirection direction : both_directions) {
       const EllipticContact contact = mixed();
-      const ExactContact s = solve(options(14, discretisation, direction), contact);
-      const ContactFields& f = s.fields;
+      const ContactSolution s = solve(options(14, discretisation, direction), contact);
+      const ContactSolution& f = s.fields;
       double fx = 0, fy = 0, mz = 0, bound = 0, load = 0, energy = 0, power = 0, slip = 0, adhesion = 0;
       for (std::size_t k = 0; k < f.x.size(); ++k) {
         fx += f.area[k] * f.px[k];
@@ -78,7 +78,7 @@ TEST(EllipticContact, TotalsAreSumsOverTheFields) {
 TEST(EllipticContact, RowsBeginAtTheLeadingEdge) {
   for (const Discretisation discretisation : both_discretisations)
     for (const RollingDirection direction : both_directions) {
-      const ContactFields f = solve(options(9, discretisation, direction), mixed()).fields;
+      const ContactSolution f = solve(options(9, discretisation, direction), mixed()).fields;
       const double side = direction == RollingDirection::forward ? 1 : -1;
       for (std::size_t k = 0; k < f.x.size(); ++k) {
         if (k % f.mx > 0) {
@@ -94,15 +94,15 @@ TEST(EllipticContact, RowsBeginAtTheLeadingEdge) {
 /// Rolling along -x is the mirror image of rolling along x: xi, phi, Fx and Mz change their signs.
 TEST(EllipticContact, RollingBackwardIsTheMirrorImage) {
   for (const Discretisation discretisation : both_discretisations) {
-    const ExactContact forward = solve(options(13, discretisation), mixed());
+    const ContactSolution forward = solve(options(13, discretisation), mixed());
     EllipticContact mirrored = mixed();
     mirrored.creepage.longitudinal *= -1;
     mirrored.creepage.spin *= -1;
-    const ExactContact s = solve(options(13, discretisation, RollingDirection::backward), mirrored);
+    const ContactSolution s = solve(options(13, discretisation, RollingDirection::backward), mirrored);
     const double unit = friction_force(mirrored);
-    EXPECT_NEAR(s.fields.forces.fx, -forward.fields.forces.fx, 1e-8 * unit);
-    EXPECT_NEAR(s.fields.forces.fy, forward.fields.forces.fy, 1e-8 * unit);
-    EXPECT_NEAR(s.fields.forces.mz, -forward.fields.forces.mz, 1e-8 * friction_moment(mirrored));
+    EXPECT_NEAR(s.totals.fx, -forward.totals.fx, 1e-8 * unit);
+    EXPECT_NEAR(s.totals.fy, forward.totals.fy, 1e-8 * unit);
+    EXPECT_NEAR(s.totals.mz, -forward.totals.mz, 1e-8 * friction_moment(mirrored));
     EXPECT_EQ(s.creepage.longitudinal, mirrored.creepage.longitudinal);
     EXPECT_EQ(s.creepage.spin, mirrored.creepage.spin);
     ASSERT_EQ(s.fields.mx, forward.fields.mx);
@@ -123,8 +123,8 @@ TEST(EllipticContact, BothDiscretisationsHaveTheSameLimit) {
     for (const double sign : {1.0, -1.0}) {
       const EllipticContact contact = steel_contact(9e-3, 6e-3, 0.4, -0.5, 0.3 * sign);
       const auto limit = [&](Discretisation discretisation, double order) {
-        const ContactForces coarse = solve(options(20, discretisation, direction), contact).fields.forces;
-        const ContactForces fine = solve(options(40, discretisation, direction), contact).fields.forces;
+        const ContactForces coarse = solve(options(20, discretisation, direction), contact).forces();
+        const ContactForces fine = solve(options(40, discretisation, direction), contact).forces();
         const double more = 1 / (std::exp2(order) - 1);
         return ContactForces{fine.fx + more * (fine.fx - coarse.fx), fine.fy + more * (fine.fy - coarse.fy),
                              fine.mz + more * (fine.mz - coarse.mz)};
@@ -154,14 +154,14 @@ TEST(EllipticContact, TransientRollingKeepsItsSteps) {
   ExactMotion motion;
   motion.kind = ContactMotion::transient;
   motion.steps = 5;
-  const ExactContact s = solve(options(10), mixed(), motion);
+  const ContactSolution s = solve(options(10), mixed(), motion);
   ASSERT_EQ(s.history.size(), 5U);
-  EXPECT_EQ(s.history.back().forces.fx, s.fields.forces.fx);
+  EXPECT_EQ(s.history.back().forces.fx, s.totals.fx);
   int steps = 0, asked = 0;
-  for (const ExactStep& step : s.history) steps += step.newton_steps;
+  for (const SolutionStep& step : s.history) steps += step.newton_steps;
   EXPECT_EQ(s.newton_steps, steps);
   EXPECT_LT(std::abs(s.history[0].forces.fx), std::abs(s.history[4].forces.fx));
-  const ExactContact ended =
+  const ContactSolution ended =
       EllipticContactSolver(options(10)).solve(mixed(), motion, [&](double) { return ++asked < 2; });
   EXPECT_EQ(ended.history.size(), 2U);
 }
@@ -169,20 +169,20 @@ TEST(EllipticContact, TransientRollingKeepsItsSteps) {
 TEST(EllipticContact, ForcesLeadBackToTheCreepages) {
   for (const RollingDirection direction : both_directions) {
     const EllipticContact contact = mixed();
-    const ExactContact given = solve(options(12, Discretisation::second_order, direction), contact);
+    const ContactSolution given = solve(options(12, Discretisation::second_order, direction), contact);
     ExactMotion motion;
-    motion.force_x = given.fields.forces.fx;
-    motion.force_y = given.fields.forces.fy;
+    motion.force_x = given.totals.fx;
+    motion.force_y = given.totals.fy;
     EllipticContact unknown = contact;
     unknown.creepage.longitudinal = 5;
     unknown.creepage.lateral = -7;
-    const ExactContact s = solve(options(12, Discretisation::second_order, direction), unknown, motion);
+    const ContactSolution s = solve(options(12, Discretisation::second_order, direction), unknown, motion);
     const double size = std::hypot(contact.creepage.longitudinal, contact.creepage.lateral);
-    EXPECT_EQ(s.fields.forces.status, Status::ok);
+    EXPECT_EQ(s.report.status, Status::ok);
     EXPECT_NEAR(s.creepage.longitudinal, contact.creepage.longitudinal, 1e-3 * size);
     EXPECT_NEAR(s.creepage.lateral, contact.creepage.lateral, 1e-3 * size);
-    EXPECT_NEAR(s.fields.forces.fx, *motion.force_x, 1e-8 * friction_force(contact));
-    EXPECT_NEAR(s.fields.forces.fy, *motion.force_y, 1e-8 * friction_force(contact));
+    EXPECT_NEAR(s.totals.fx, *motion.force_x, 1e-8 * friction_force(contact));
+    EXPECT_NEAR(s.totals.fy, *motion.force_y, 1e-8 * friction_force(contact));
   }
 }
 
@@ -205,8 +205,8 @@ TEST(EllipticContact, PowersAgreeInTheLimit) {
   const EllipticContact contact = mixed();
   double last = 1;
   for (const int n : {12, 24, 48}) {
-    const ExactContact s = solve(options(n), contact);
-    const double difference = std::abs(1 - s.fields.frictional_power / s.power_by_creepage);
+    const ContactSolution s = solve(options(n), contact);
+    const double difference = std::abs(1 - s.totals.frictional_power / s.power_by_creepage);
     EXPECT_LT(difference, 0.7 * last) << n;
     last = difference;
   }
@@ -226,7 +226,7 @@ TEST(EllipticContact, DeformedGap) {
     EllipticContactSolver solver(options(12, discretisation));
     const EllipticContact contact = mixed();
     const auto gap = solver.deformed_gap(contact);
-    const ExactContact s = solve(options(12, discretisation), contact);
+    const ContactSolution s = solve(options(12, discretisation), contact);
     ASSERT_EQ(gap.size(), s.pressure.size());
     for (std::size_t k = 0; k < gap.size(); ++k) {
       const double x = s.fields.x[k] / contact.a, y = s.fields.y[k] / contact.b;
@@ -245,9 +245,9 @@ TEST(EllipticContact, InputOutOfRangeIsAStatus) {
   for (const Discretisation discretisation : both_discretisations) {
     EllipticContactSolver solver(options(6, discretisation));
     const auto expect_invalid = [&](const EllipticContact& contact, const ExactMotion& motion = {}) {
-      const ExactContact s = solver.solve(contact, motion);
-      EXPECT_EQ(s.fields.forces.status, Status::invalid_input);
-      EXPECT_TRUE(std::isnan(s.fields.forces.fx));
+      const ContactSolution s = solver.solve(contact, motion);
+      EXPECT_EQ(s.report.status, Status::invalid_input);
+      EXPECT_TRUE(std::isnan(s.totals.fx));
     };
     for (const auto member : {&EllipticContact::a, &EllipticContact::b, &EllipticContact::shear_modulus,
                               &EllipticContact::normal_force, &EllipticContact::rolling_speed})
@@ -269,7 +269,7 @@ TEST(EllipticContact, InputOutOfRangeIsAStatus) {
       motion.force_x = value;
       expect_invalid(mixed(), motion);
     }
-    EXPECT_EQ(solver.solve(mixed()).fields.forces.status, Status::ok);
+    EXPECT_EQ(solver.solve(mixed()).report.status, Status::ok);
   }
 }
 

@@ -85,7 +85,7 @@ TEST(Fastrip, TractionsStayWithinTheBoundAndTotalsAreTheirSums) {
   RandomContacts random(7);
   for (int n = 0; n < 200; ++n) {
     const EllipticContact contact = random.next();
-    const ContactFields f = Fastrip(options(17, 9)).fields(contact);
+    const ContactSolution f = Fastrip(options(17, 9)).fields(contact);
     ASSERT_EQ(f.forces.status, Status::ok);
     double fx = 0, fy = 0, mz = 0;
     for (std::size_t k = 0; k < f.px.size(); ++k) {

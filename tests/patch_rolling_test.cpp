@@ -70,7 +70,7 @@ double rms_error(const Gap& gap, double half_x, double half_y, double force, int
                  Vec2 exact) {
   double sum = 0;
   for (const auto& [x, y] : positions) {
-    const PatchSolution s = rolling(gap, grid_over(half_x, half_y, n, x, y), force).solve(m);
+    const ContactSolution s = rolling(gap, grid_over(half_x, half_y, n, x, y), force).solve(m);
     EXPECT_EQ(s.forces.status, Status::ok);
     sum += (std::pow(s.forces.fx - exact.x, 2) + std::pow(s.forces.fy - exact.y, 2)) / 3;
   }
@@ -78,7 +78,7 @@ double rms_error(const Gap& gap, double half_x, double half_y, double force, int
 }
 
 Vec2 fine_forces(const Gap& gap, double half_x, double half_y, double force, const PatchRollingMotion& m) {
-  const PatchSolution s = rolling(gap, grid_over(half_x, half_y, 72, 0.3, 0.2), force).solve(m);
+  const ContactSolution s = rolling(gap, grid_over(half_x, half_y, 72, 0.3, 0.2), force).solve(m);
   return {s.forces.fx, s.forces.fy};
 }
 
@@ -113,7 +113,7 @@ TEST(PatchRolling, FindsCartersForceOfCylinders) {
       grid.x0 += place * grid.dx;
       const Field gap = sampled([](double x, double) { return curvature * x * x; }, grid);
       PatchRolling contact(steel, grid, gap, {NormalLoad::Given::force, line_load});
-      const PatchSolution s = contact.solve({.friction = friction, .creepage = {-creepage, 0, 0}});
+      const ContactSolution s = contact.solve({.friction = friction, .creepage = {-creepage, 0, 0}});
       EXPECT_EQ(s.forces.status, Status::ok);
       sum += std::pow(s.forces.fx / (friction * line_load) - (1 - adhesion * adhesion), 2) / 5;
     }
@@ -144,10 +144,10 @@ TEST(PatchRolling, AlongMinusXIsTheMirrorImage) {
   const Gap image = [](double x, double y) { return egg(-x, y); };
   const ElementGrid grid = grid_over(1.5 * radius, 1.2 * radius, 16, 0, 0.3);
   PatchRollingMotion m = mixed;
-  const PatchSolution forward = rolling(egg, grid).solve(m);
+  const ContactSolution forward = rolling(egg, grid).solve(m);
   m.creepage.longitudinal *= -1;
   m.creepage.spin *= -1;
-  const PatchSolution backward = rolling(image, grid, load, RollingDirection::backward).solve(m);
+  const ContactSolution backward = rolling(image, grid, load, RollingDirection::backward).solve(m);
   EXPECT_NEAR(backward.forces.fx, -forward.forces.fx, 1e-5 * capacity);
   EXPECT_NEAR(backward.forces.fy, forward.forces.fy, 1e-5 * capacity);
   EXPECT_NEAR(backward.forces.mz, -forward.forces.mz, 1e-5 * capacity * radius);
@@ -156,7 +156,7 @@ TEST(PatchRolling, AlongMinusXIsTheMirrorImage) {
 TEST(PatchRolling, FullSlidingGivesFrictionTimesTheLoad) {
   for (const Gap& gap : {Gap(circular), Gap(one_behind_the_other)}) {
     const ElementGrid grid = grid_over(2.7 * radius, 2.7 * radius, 12, 0.2, 0.4);
-    const PatchSolution s = rolling(gap, grid).solve(motion(100, 0, 0));
+    const ContactSolution s = rolling(gap, grid).solve(motion(100, 0, 0));
     double whole = 0;
     for (std::size_t k = 0; k < s.px.size(); ++k) {
       whole += s.bound[k] * s.area[k];
@@ -170,11 +170,11 @@ TEST(PatchRolling, FullSlidingGivesFrictionTimesTheLoad) {
 
 TEST(PatchRolling, ForcesGiveTheCreepagesBack) {
   PatchRolling contact = rolling(egg, grid_over(1.5 * radius, 1.2 * radius, 16, 0.2, 0.3));
-  const PatchSolution given = contact.solve(mixed);
+  const ContactSolution given = contact.solve(mixed);
   PatchRollingMotion m = mixed;
   m.creepage.longitudinal = m.creepage.lateral = 0;
   m.force_x = given.forces.fx, m.force_y = given.forces.fy;
-  const PatchSolution found = contact.solve(m);
+  const ContactSolution found = contact.solve(m);
   EXPECT_EQ(found.forces.status, Status::ok);
   EXPECT_NEAR(found.creepage.longitudinal / mixed.creepage.longitudinal, 1, 2e-3);
   EXPECT_NEAR(found.creepage.lateral / mixed.creepage.lateral, 1, 2e-3);

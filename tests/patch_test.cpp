@@ -76,8 +76,8 @@ TEST(Patch, EllipseAsAPatchIsTheEllipse) {
     if (options.bound != TractionBound::parabolic) continue;
     SCOPED_TRACE(describe(solver));
     for (const EllipticContact& contact : contacts) {
-      const ContactFields f = solver.fields(contact);
-      const ContactFields p = solver.fields(ellipse(contact, options).rows(), motion_of(contact, options.flexibility));
+      const ContactSolution f = solver.fields(contact);
+      const ContactSolution p = solver.fields(ellipse(contact, options).rows(), motion_of(contact, options.flexibility));
       const double peak = *std::max_element(f.bound.begin(), f.bound.end());
       const double weight = f.area[0] / p.area[0];
       for (std::size_t k = 0; k < f.x.size(); ++k) {
@@ -194,13 +194,13 @@ TEST(Patch, RowsDoNotInfluenceEachOther) {
                     .leading = {both.leading[j]},
                     .trailing = {both.trailing[j]},
                     .pressure = {both.pressure[2 * j], both.pressure[2 * j + 1]}};
-    const ContactFields f = solver.fields(one.rows(), motion);
+    const ContactSolution f = solver.fields(one.rows(), motion);
     fx += f.forces.fx;
     fy += f.forces.fy;
     mz += f.forces.mz;
     power += f.frictional_power;
   }
-  const ContactFields f = solver.fields(both.rows(), motion);
+  const ContactSolution f = solver.fields(both.rows(), motion);
   EXPECT_DOUBLE_EQ(f.forces.fx, fx);
   EXPECT_DOUBLE_EQ(f.forces.fy, fy);
   EXPECT_DOUBLE_EQ(f.forces.mz, mz);
@@ -215,7 +215,7 @@ TEST(Patch, AnyPressureIsTaken) {
       Patch patch = rectangle(mx, RollingDirection::forward);
       for (std::size_t k = 0; k < patch.pressure.size(); ++k)
         patch.pressure[k] = (k / mx) % 2 == 0 ? 0 : 1e9 * static_cast<double>((k * 7) % 5);
-      const ContactFields f = solver.fields(patch.rows(), steel_motion({1e-3, 2e-3, 0.4}));
+      const ContactSolution f = solver.fields(patch.rows(), steel_motion({1e-3, 2e-3, 0.4}));
       EXPECT_EQ(f.forces.status, Status::ok);
       for (std::size_t k = 0; k < patch.pressure.size(); ++k) {
         ASSERT_LE(std::hypot(f.px[k], f.py[k]), f.bound[k] * (1 + 4e-16));

@@ -29,7 +29,7 @@ std::vector<EllipticContact> contacts() {
 struct MarchedSlip {
   double x, y;
 };
-MarchedSlip marched_slip(const ContactFields& f, std::size_t k, const EllipticContact& contact,
+MarchedSlip marched_slip(const ContactSolution& f, std::size_t k, const EllipticContact& contact,
                          const Flexibilities& l) {
   const double cell = 2 * contact.a * std::sqrt(1 - std::pow(f.y[k] / contact.b, 2)) / f.mx;
   return {f.sx[k] * cell / l.longitudinal, f.sy[k] * cell / l.lateral};
@@ -46,7 +46,7 @@ template <class Check> void for_all_fields(int mx, int my, Check check) {
 
 /// (F12): rows from -b to b, cells from the leading to the trailing edge.
 TEST(RowFields, CellsAreWhereThePaperPutsThem) {
-  for_all_fields(4, 7, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(4, 7, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     ASSERT_EQ(f.mx, 4);
     ASSERT_EQ(f.my, 7);
     const double sign = solver.options().direction == RollingDirection::forward ? 1 : -1;
@@ -61,7 +61,7 @@ TEST(RowFields, CellsAreWhereThePaperPutsThem) {
 }
 
 TEST(RowFields, BoundIsThatOfTheFrictionLayer) {
-  for_all_fields(5, 4, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(5, 4, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     const auto shape = solver.options().bound;
     const double peak = traction_bound(shape, contact.a, contact.b, contact.normal_force, 1, 0, 0);
     for (std::size_t k = 0; k < f.x.size(); ++k) {
@@ -78,7 +78,7 @@ TEST(RowFields, BoundIsThatOfTheFrictionLayer) {
 /// The weights make up the load exactly: with Coulomb friction the bound's sum is mu Fn.
 TEST(RowFields, WeightsMakeUpTheLoad) {
   for (const int n : {1, 2, 5, 10, 31})
-    for_all_fields(n, n, [](const RowSolver&, const EllipticContact& contact, const ContactFields& f) {
+    for_all_fields(n, n, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
       if (contact.friction.kind() != FrictionLaw::Kind::coulomb) return;
       double sum = 0;
       for (std::size_t k = 0; k < f.x.size(); ++k) sum += f.area[k] * f.bound[k];
@@ -87,14 +87,14 @@ TEST(RowFields, WeightsMakeUpTheLoad) {
 }
 
 TEST(RowFields, TractionIsWithinTheBound) {
-  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact&, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact&, const ContactSolution& f) {
     for (std::size_t k = 0; k < f.x.size(); ++k) ASSERT_LE(std::hypot(f.px[k], f.py[k]), f.bound[k] * (1 + 4e-16));
   });
 }
 
 TEST(RowFields, CellsAdhereWithoutSlipOrSlipOnTheBound) {
   int adhesion = 0, slip = 0;
-  for_all_fields(9, 8, [&](const RowSolver&, const EllipticContact&, const ContactFields& f) {
+  for_all_fields(9, 8, [&](const RowSolver&, const EllipticContact&, const ContactSolution& f) {
     for (std::size_t k = 0; k < f.x.size(); ++k) {
       if (f.state[k] == CellState::adhesion) {
         ASSERT_EQ(f.sx[k], 0);
@@ -113,7 +113,7 @@ TEST(RowFields, CellsAdhereWithoutSlipOrSlipOnTheBound) {
 
 /// p = -g S/|S|, to the rounding of the tractions whose difference S is; with equal flexibilities S is parallel to s.
 TEST(RowFields, TractionOpposesSlip) {
-  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     const auto l = flexibilities(solver.options().flexibility, {}, contact);
     for (std::size_t k = 0; k < f.x.size(); ++k) {
       if (f.state[k] != CellState::slip) continue;
@@ -128,7 +128,7 @@ TEST(RowFields, TractionOpposesSlip) {
 }
 
 TEST(RowFields, TractionsAddUpToTheForces) {
-  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
     double fx = 0, fy = 0, mz = 0;
     for (std::size_t k = 0; k < f.x.size(); ++k) {
       fx += f.area[k] * f.px[k];
@@ -143,7 +143,7 @@ TEST(RowFields, TractionsAddUpToTheForces) {
 }
 
 TEST(RowFields, ForcesAreThoseOfTheForcesAlone) {
-  for_all_fields(9, 8, [](RowSolver solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](RowSolver solver, const EllipticContact& contact, const ContactSolution& f) {
     const ContactForces expected = solver.solve(contact);
     const double force = friction_force(contact);
     ASSERT_NEAR(f.forces.fx, expected.fx, 1e-14 * force);
@@ -155,7 +155,7 @@ TEST(RowFields, ForcesAreThoseOfTheForcesAlone) {
 
 /// FASTSIM knows no boundary within a cell: the slip area is that of the sliding cells.
 TEST(RowFields, SlipAreaIsThatOfTheSlidingCells) {
-  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     if (solver.scheme() != MarchingScheme::fastsim) return;
     double sliding = 0, all = 0;
     for (std::size_t k = 0; k < f.x.size(); ++k) {
@@ -167,7 +167,7 @@ TEST(RowFields, SlipAreaIsThatOfTheSlidingCells) {
 }
 
 TEST(RowFields, FrictionDissipates) {
-  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
     ASSERT_GE(f.frictional_power, 0);
     double power = 0;
     for (std::size_t k = 0; k < f.x.size(); ++k)
@@ -186,7 +186,7 @@ double power_unit(const EllipticContact& contact) {
 /// s = w + du/dq along the way q of a particle, so integral p.s = integral p.w + [L p^2/2], and p is zero where
 /// particles enter and leave. With one flexibility integral p.w is xi Fx + eta Fy + phi Mz: what friction takes is what
 /// drives the bodies. With three it is integral (L1 px w~x + L2 py w~y) with the effective rigid slip w~ of (F18).
-double driving_power(const ContactFields& f, const EllipticContact& contact, const Flexibilities& l) {
+double driving_power(const ContactSolution& f, const EllipticContact& contact, const Flexibilities& l) {
   const auto& [xi, eta, phi] = contact.creepage;
   double power = 0;
   for (std::size_t k = 0; k < f.x.size(); ++k)
@@ -202,7 +202,7 @@ double power_misfit(MarchingScheme scheme, FlexibilityModel model, int n) {
   std::vector<double> misfits;
   for (const EllipticContact& contact : every_nth_case(29)) {
     if (!(power_unit(contact) > 0)) continue;
-    const ContactFields f = solver.fields(contact);
+    const ContactSolution f = solver.fields(contact);
     const double driving = driving_power(f, contact, flexibilities(model, {}, contact));
     if (model == FlexibilityModel::one) {
       const auto& [xi, eta, phi] = contact.creepage;

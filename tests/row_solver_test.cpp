@@ -89,7 +89,7 @@ TEST(RowSolver, InstructionSetsAgreeToTheLastBit) {
         ASSERT_TRUE(same_bits(derivatives[k], other_derivatives[k])) << describe(other);
       }
       for (std::size_t k = 0; k < contacts.size(); k += 7) {
-        const ContactFields one = baseline.fields(contacts[k]), two = other.fields(contacts[k]);
+        const ContactSolution one = baseline.fields(contacts[k]), two = other.fields(contacts[k]);
         ASSERT_TRUE(same_bits(one.px, two.px) && same_bits(one.py, two.py) && same_bits(one.sx, two.sx) &&
                     same_bits(one.sy, two.sy) && one.state == two.state && same_bits(one.forces, two.forces));
       }

@@ -102,7 +102,7 @@ TEST(Symmetry, FieldsAreMirroredToo) {
     for (std::size_t n = 0; n < all.size(); n += 11) {
       const EllipticContact& contact = all[n];
       const double peak = friction_force(contact) / ellipse_area(contact);
-      const ContactFields f = solver.fields(contact), m = solver.fields(with_signs(contact, {1, -1, -1}));
+      const ContactSolution f = solver.fields(contact), m = solver.fields(with_signs(contact, {1, -1, -1}));
       for (int j = 0; j < 6; ++j)
         for (int i = 0; i < 5; ++i) {
           const int here = j * 5 + i, there = (5 - j) * 5 + i;

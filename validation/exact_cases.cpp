@@ -18,8 +18,8 @@ public:
 
   ExactCase solve(const EllipticContact& contact) {
     if (method_.start == Start::fastsim2) {
-      const ExactContact s = from_fastsim2_.solve(contact);
-      return {s.fields.forces, s.residual, s.newton_steps, s.products};
+      const ContactSolution s = from_fastsim2_.solve(contact);
+      return {s.forces(), s.report.residual, s.report.newton_steps, s.report.products};
     }
     if (!from_nothing_ || a_ != contact.a || b_ != contact.b) prepare(contact);
     TangentialInput input;

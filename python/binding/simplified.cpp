@@ -101,10 +101,10 @@ RealArray pressures(const py::object& pressure, std::size_t rows) {
   return array;
 }
 
-ContactFields patch_fields(RowSolver& solver, const py::object& y, const py::object& leading,
-                           const py::object& trailing, const py::object& pressure, double row_width,
-                           const std::array<double, 3>& flexibilities, const py::object& friction,
-                           const py::object& creepage, double rolling_speed) {
+ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::object& leading,
+                             const py::object& trailing, const py::object& pressure, double row_width,
+                             const std::array<double, 3>& flexibilities, const py::object& friction,
+                             const py::object& creepage, double rolling_speed) {
   const auto rows = real_array("y", y);
   if (rows.ndim() != 1) throw Error("y: must be one number for each row");
   const auto front = real_array("leading", leading, {rows.size()}),
@@ -166,10 +166,10 @@ void bind_row_solver(py::module_& module) {
           "The same with other creepages [-], [-] and spin [1/m] than the contact's own.")
       .def(
           "fields", [](RowSolver& self, const EllipticContact& contact) { return self.fields(contact); }, "contact"_a,
-          "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactFields.")
+          "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution.")
       .def("patch_fields", &patch_fields, "y"_a, "leading"_a, "trailing"_a, "pressure"_a, py::kw_only(), "row_width"_a,
            "flexibilities"_a, "friction"_a, "creepage"_a, "rolling_speed"_a = 1.0,
-           "The fields of a patch of any outline, as ContactFields: rows at y [m], shape (my), from their leading to "
+           "The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their leading to "
            "their trailing\n"
            "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), from "
            "the leading\n"
