@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/theory.hpp"
+#include "microslip/rolling/theory.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"

@@ -75,10 +75,10 @@ TEST(Progress, TransientRollingKeepsTheStepsSoFar) {
   EXPECT_EQ(listener.told, (std::vector<double>{1.0 / 6, 2.0 / 6, 3.0 / 6, 4.0 / 6}));
   ASSERT_EQ(part.history.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(part.history[i].forces.fx, whole.history[i].forces.fx);
-    EXPECT_EQ(part.history[i].forces.status, Status::ok);
+    EXPECT_EQ(part.history[i].totals.fx, whole.history[i].totals.fx);
+    EXPECT_EQ(part.history[i].report.status, Status::ok);
   }
-  EXPECT_EQ(part.totals.fx, whole.history[3].forces.fx);
+  EXPECT_EQ(part.totals.fx, whole.history[3].totals.fx);
   Listener last(6); // all steps are done
   EXPECT_EQ(solver.solve(contact(), motion, last.progress()).report.status, Status::ok);
 }
@@ -96,7 +96,7 @@ TEST(Progress, TransientRollingWithFallingFriction) {
 TEST(Progress, OfDerivatives) {
   EllipticContactSolver solver({.mx = 16, .my = 16});
   expect_heard(
-      [&](const Progress& progress) { return solver.differentiate(contact(), progress).contact.report.status; });
+      [&](const Progress& progress) { return solver.differentiate(contact(), progress).solution.report.status; });
 }
 
 /// The contact above on a grid.
@@ -135,10 +135,10 @@ TEST(Progress, OfPatches) {
   std::optional<PatchRolling> rolling;
   expect_heard([&](const Progress& progress) {
     rolling.emplace(on.material, on.grid, on.gap, on.load, RollingDirection::forward, progress);
-    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage}).forces.status;
+    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage}).report.status;
   });
   expect_heard([&](const Progress& progress) {
-    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage, .progress = progress}).forces.status;
+    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage, .progress = progress}).report.status;
   });
 }
 

@@ -90,8 +90,11 @@ TEST(RowSolver, InstructionSetsAgreeToTheLastBit) {
       }
       for (std::size_t k = 0; k < contacts.size(); k += 7) {
         const ContactSolution one = baseline.fields(contacts[k]), two = other.fields(contacts[k]);
-        ASSERT_TRUE(same_bits(one.px, two.px) && same_bits(one.py, two.py) && same_bits(one.sx, two.sx) &&
-                    same_bits(one.sy, two.sy) && one.state == two.state && same_bits(one.forces, two.forces));
+        ASSERT_TRUE(same_bits(one.fields.traction.x, two.fields.traction.x) &&
+                    same_bits(one.fields.traction.y, two.fields.traction.y) &&
+                    same_bits(one.fields.slip.x, two.fields.slip.x) &&
+                    same_bits(one.fields.slip.y, two.fields.slip.y) && one.fields.state == two.fields.state &&
+                    same_bits(one.forces(), two.forces()));
       }
     }
   }

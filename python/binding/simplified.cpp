@@ -171,9 +171,9 @@ void bind_row_solver(py::module_& module) {
            "flexibilities"_a, "friction"_a, "creepage"_a, "rolling_speed"_a = 1.0,
            "The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their leading to "
            "their trailing\n"
-           "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), from "
-           "the leading\n"
-           "edge on; row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, "
+           "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), x "
+           "ascending;\n"
+           "row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, "
            "friction [-] or a\n"
            "law, creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense.")
       .def_property_readonly(
