@@ -1,5 +1,6 @@
 #include "microslip/rolling/elliptic_contact.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/fastsim2_start.hpp"
@@ -12,7 +13,6 @@
 namespace microslip {
 namespace {
 
-constexpr int margin = 2; // the discrete contact may be a little larger than the ellipse
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ExactContact invalid() {
@@ -33,7 +33,7 @@ bool is_valid(const EllipticContact& c) {
 
 bool is_valid(const ExactMotion& m) {
   return std::isfinite(m.force_x.value_or(0)) && std::isfinite(m.force_y.value_or(0)) && m.step >= 0 &&
-         std::isfinite(m.step) && m.steps >= 1 && m.steps <= 1000000;
+         std::isfinite(m.step) && m.steps >= 1 && m.steps <= most_steps;
 }
 
 /// Under a load of 1 N, which pressures and approach are proportional to.
@@ -51,8 +51,8 @@ bool is_cut_short(const std::vector<ExactStep>& history, const ExactMotion& moti
 } // namespace
 
 EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : options_(options) {
-  require_count("mx", options.mx, 1, 4000);
-  require_count("my", options.my, 1, 4000);
+  require_count("mx", options.mx, 1, most_elements);
+  require_count("my", options.my, 1, most_elements);
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
   if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
     throw Error("elements: bilinear ones need the classical discretisation");
@@ -64,7 +64,7 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
 }
 
 void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
-  require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, margin));
+  require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, contact_margin));
 }
 
 /// Whether normal and tangential problem, or friction and slip, depend on each other, or there are temperatures.
@@ -95,7 +95,7 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 /// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
   if (is_prepared_for(contact, false)) return;
-  grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
+  grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, contact_margin);
   grid_.shape = options_.elements;
   normal_ = unit_load(contact, grid_);
   tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
@@ -209,7 +209,7 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   for (const DelayedPart& part : step.bodies.delayed) softest = std::max(softest, 1 + part.delay.ratio);
   const double growth = std::cbrt(softest) - 1;
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
-  step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin + wider);
+  step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, contact_margin + wider);
   step.grid.shape = options_.elements;
   const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;
   step.gap = hertzian_gap(gap, step.grid);
