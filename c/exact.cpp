@@ -1,5 +1,6 @@
 #include "c/contact.hpp"
 #include "c/growing_struct.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ microslip_exact* make_solver(const microslip_exact_options& o) {
 
 ExactMotion motion_of(const microslip_exact_motion& m) {
   require_between("step", m.step, "m", 0, std::numeric_limits<double>::max());
-  require_count("steps", m.steps, 1, 1000000);
+  require_count("steps", m.steps, 1, most_steps);
   ExactMotion out{
       .kind = motions[static_cast<std::size_t>(require_count("kind", m.kind, 0, 2))], .step = m.step, .steps = m.steps};
   if (require_count("force_x_given", m.force_x_given, 0, 1)) out.force_x = require_finite("force_x", m.force_x, "N");

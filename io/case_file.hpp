@@ -49,9 +49,6 @@ struct RollingCase {
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
 
-/// Largest number of cells along either side of a grid whose fields are kept.
-inline constexpr int largest_field_grid = 2000;
-
 /// Reads a case from TOML text; `name` is the file's name for messages. Unknown keys, missing keys, wrong types and
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.

@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/simplified/fastsim.hpp"
+#include "microslip/batch/solve_parallel.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/expect_error.hpp"
 #include "tests/plain_fastsim.hpp"

@@ -1,5 +1,6 @@
 #include "microslip/rolling/elliptic_contact.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
@@ -14,13 +15,11 @@
 namespace microslip {
 namespace {
 
-constexpr int margin = 2; // the discrete contact may be a little larger than the ellipse
-
 void check(const ExactMotion& m) {
   if (m.force_x) require_finite("force_x", *m.force_x, "N");
   if (m.force_y) require_finite("force_y", *m.force_y, "N");
   require_between("step", m.step, "m", 0, std::numeric_limits<double>::max());
-  require_count("steps", m.steps, 1, 1000000);
+  require_count("steps", m.steps, 1, most_steps);
 }
 
 /// Under a load of 1 N, which pressures and approach are proportional to.
@@ -63,8 +62,8 @@ bool is_cut_short(const std::vector<SolutionStep>& history, const ExactMotion& m
 } // namespace
 
 EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : options_(options) {
-  require_count("mx", options.mx, 1, 4000);
-  require_count("my", options.my, 1, 4000);
+  require_count("mx", options.mx, 1, most_elements);
+  require_count("my", options.my, 1, most_elements);
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
   if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
     throw Error("elements: bilinear ones need the classical discretisation");
@@ -76,7 +75,7 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
 }
 
 void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
-  require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, margin));
+  require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, contact_margin));
 }
 
 /// Whether normal and tangential problem, or friction and slip, depend on each other, or there are temperatures.
@@ -107,7 +106,7 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 /// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
   if (is_prepared_for(contact, false)) return;
-  grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
+  grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, contact_margin);
   grid_.shape = options_.elements;
   normal_ = unit_load(contact, grid_);
   tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
@@ -179,7 +178,7 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   for (const DelayedPart& part : step.bodies.delayed) softest = std::max(softest, 1 + part.delay.ratio);
   const double growth = std::cbrt(softest) - 1;
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
-  step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, margin + wider);
+  step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, contact_margin + wider);
   step.grid.shape = options_.elements;
   const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;
   step.gap = hertzian_gap(gap, step.grid);

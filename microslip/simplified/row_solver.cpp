@@ -1,5 +1,6 @@
 #include "microslip/simplified/row_solver.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/numerics/dual.hpp"
 #include "microslip/simplified/ellipse_grid.hpp"
@@ -238,8 +239,8 @@ struct RowSolver::Workspace {
 };
 
 RowSolver::RowSolver(MarchingScheme scheme, const SimplifiedOptions& options) {
-  require_count("mx", options.mx, 1, 10000);
-  require_count("my", options.my, 1, 10000);
+  require_count("mx", options.mx, 1, most_cells);
+  require_count("my", options.my, 1, most_cells);
   require_between("slope_reduction.initial", options.slope_reduction.initial, "-", 1e-6, 1);
   require_between("slope_reduction.at_infinity", options.slope_reduction.at_infinity, "-", 0, 1);
   require_between("slope_reduction.decay", options.slope_reduction.decay, "-", 0, 1e6);
@@ -289,23 +290,6 @@ ContactSolution RowSolver::fields(const EllipticContact& contact) {
 }
 ContactSolution RowSolver::fields(const PatchRows& patch, const PatchMotion& motion) {
   return march_patch(workspace_->kernels, workspace_->travel, patch, motion);
-}
-
-void solve_parallel(const RowSolver& solver, std::span<const EllipticContact> contacts, std::span<ContactForces> forces,
-                    int threads) {
-  require_count("threads", threads, 1, 1024);
-  const std::size_t chunk = 256;
-  const auto chunks = static_cast<long>((contacts.size() + chunk - 1) / chunk);
-#pragma omp parallel num_threads(threads)
-  {
-    RowSolver mine(solver);
-#pragma omp for schedule(dynamic)
-    for (long k = 0; k < chunks; ++k) {
-      const std::size_t first = static_cast<std::size_t>(k) * chunk;
-      const std::size_t n = std::min(chunk, contacts.size() - first);
-      mine.solve(contacts.subspan(first, n), forces.subspan(first, n));
-    }
-  }
 }
 
 } // namespace microslip

@@ -51,8 +51,4 @@ private:
   std::unique_ptr<Workspace> workspace_;
 };
 
-/// Forces of many contacts on `threads` threads, to the last bit the same for every number of them.
-void solve_parallel(const RowSolver& solver, std::span<const EllipticContact> contacts, std::span<ContactForces> forces,
-                    int threads);
-
 } // namespace microslip

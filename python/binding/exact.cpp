@@ -4,6 +4,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
+#include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 namespace microslip::python {
@@ -40,9 +41,11 @@ ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, co
       like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force, friction, rolling_speed});
   ExactForceArrays out(batch);
   const ExactOptions options = self.object.options();
+  if (options.bodies && !(shear_modulus.is_none() && poisson_ratio.is_none()))
+    throw Error("shear_modulus, poisson_ratio: the solver's material has its own; make a solver for each material");
   const int count = thread_count(threads);
   const py::gil_scoped_release release;
-  share_out(batch.count(), 1, count, [&]() -> Worker {
+  run_batch(batch.count(), 1, count, [&]() -> BatchWorker {
     return [&, solver = std::make_shared<EllipticContactSolver>(options)](std::size_t i, std::size_t,
                                                                           const Progress& progress) {
       const ContactSolution solved = solver->solve(batch[i], {}, progress);

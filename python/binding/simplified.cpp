@@ -3,6 +3,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
@@ -41,7 +42,7 @@ template <class Work>
 void for_batch(const RowSolver& solver, const ContactBatch& batch, int threads, const Work& work) {
   const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
   const py::gil_scoped_release release;
-  share_out(batch.count(), chunk_of(own), threads, [&]() -> Worker {
+  run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
     return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
                                                                                  const Progress&) mutable {
       contacts.clear();
@@ -95,7 +96,7 @@ EllipticContact moved(EllipticContact contact, double longitudinal, double later
 RealArray pressures(const py::object& pressure, std::size_t rows) {
   auto array = real_array("pressure", pressure);
   if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(0)) != rows || array.shape(1) < 1 ||
-      array.shape(1) > 10000)
+      array.shape(1) > most_cells)
     throw Error("pressure has shape " + to_text({array.shape(), array.shape() + array.ndim()}) + ": must be (" +
                 std::to_string(rows) + ", mx), a row for each of y");
   return array;

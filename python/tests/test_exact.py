@@ -89,6 +89,19 @@ class EllipticContactSolverTest(unittest.TestCase):
             self.assertEqual(batch.forces.fy[1, 4], single.forces.fy)
             self.assertTrue(np.all(batch.forces.status == microslip.Status.ok))
 
+    def test_a_batch_of_dissimilar_bodies_has_their_constants(self):
+        steel, aluminium = (microslip.Material.from_young(*constants) for constants in ((210e9, 0.28), (70e9, 0.33)))
+        pair = microslip.combine(steel, aluminium)
+        solver = microslip.EllipticContactSolver(8, 8, material=pair)
+        like = microslip.EllipticContact(0.006, 0.005, pair.shear_modulus, pair.poisson_ratio, 80e3, 0.3)
+        batch = solver.solve_batch(like, [0, 1e-3])
+        like.creepage.longitudinal = 1e-3
+        self.assertEqual(batch.forces.fx[1], solver.solve(like).forces.fx)
+        self.assertNotEqual(batch.forces.fx[0], 0)
+        for constants in ({"shear_modulus": 80e9}, {"poisson_ratio": [0.2, 0.3]}):
+            with self.assertRaisesRegex(microslip.Error, "material has its own"):
+                solver.solve_batch(like, 1e-3, **constants)
+
     def test_options_out_of_range(self):
         with self.assertRaisesRegex(microslip.Error, "mx = 0"):
             microslip.EllipticContactSolver(0, 12)

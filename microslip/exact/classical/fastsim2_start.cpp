@@ -1,5 +1,6 @@
 #include "microslip/exact/classical/fastsim2_start.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/vec2.hpp"
 
@@ -34,8 +35,8 @@ Vec2 interpolate(const ContactSolution& simplified, int j, double x) {
 TangentialState start_from_fastsim2(const EllipticContact& contact, const ElementGrid& grid,
                                     std::span<const double> bound, RollingDirection direction) {
   SimplifiedOptions options;
-  options.mx = std::clamp(static_cast<int>(std::lround(2 * contact.a / grid.dx)), 1, 10000);
-  options.my = std::clamp(static_cast<int>(std::lround(2 * contact.b / grid.dy)), 1, 10000);
+  options.mx = std::clamp(static_cast<int>(std::lround(2 * contact.a / grid.dx)), 1, most_cells);
+  options.my = std::clamp(static_cast<int>(std::lround(2 * contact.b / grid.dy)), 1, most_cells);
   options.bound = TractionBound::elliptic;
   options.flexibility = FlexibilityModel::blended;
   options.direction = direction;
