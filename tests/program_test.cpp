@@ -504,6 +504,27 @@ TEST(Program, LeavesNothingOnAFullDisk) {
   EXPECT_EQ(folder.entries(), Names{"in.csv"});
 }
 
+TEST(Program, SaysWhenItsOutputIsLost) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, "init wheel.toml").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "solve wheel.toml -o out --no-pictures").exit_code, 0);
+  const std::string inp = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
+  for (const std::string& arguments :
+       {std::string("--version"), std::string("--help"), std::string("solve wheel.toml --no-pictures"),
+        std::string("solve wheel.toml --no-pictures --json"), std::string("hertz wheel.toml"),
+        std::string("hertz wheel.toml --json"), "batch '" + example_table + "' -o forces.csv --json",
+        std::string("init other.toml"), "run '" + inp + "'", "run '" + inp + "' --json", "convert '" + inp + "'",
+        "convert '" + inp + "' --json", std::string("plot out/result.h5 --cut 0"),
+        std::string("plot out/result.h5 --cut 0 --json"), std::string("validate --list"),
+        std::string("validate model-problem --no-pictures"), std::string("completion bash"), std::string("manual")}) {
+    const auto outcome = run_program(folder, arguments, "true", "/dev/full");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.errors.find("microslip: standard output cannot be written\n"), std::string::npos)
+        << arguments << "\n"
+        << outcome.errors;
+  }
+}
+
 TEST(Program, LeavesNothingAfterAnInterrupt) {
   const TemporaryFolder folder;
   const auto input = (folder / "in.csv").string(), output = (folder / "out.csv").string();
