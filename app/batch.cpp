@@ -179,7 +179,11 @@ public:
       std::vector<Iteration> iterations(forces.size());
       for_each_parallel(forces.size(), solvers_.size(), [&](std::size_t i) {
         InterruptGuard::throw_if_interrupted();
-        const auto result = solvers_[static_cast<std::size_t>(omp_get_thread_num())].solve(rows.contacts[i]);
+        const auto result =
+            solvers_[static_cast<std::size_t>(omp_get_thread_num())].solve(rows.contacts[i], {}, [](double) {
+              InterruptGuard::throw_if_interrupted();
+              return true;
+            });
         forces[i] = result.fields.forces;
         iterations[i] = {result.residual, result.newton_steps};
         report(chunks[c].text.size() / forces.size());

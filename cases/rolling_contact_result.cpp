@@ -41,12 +41,13 @@ SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContac
   return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
 }
 
-CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact) {
+CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, const Progress& progress) {
   auto options = of_case;
   options.mx = std::min(options.mx, largest_curve_grid);
   options.my = std::min(options.my, largest_curve_grid);
   EllipticContactSolver solver(options);
-  return creep_curve(contact, exact_curve_points, [&](const auto& moved) { return solver.solve(moved).fields.forces; });
+  return creep_curve(contact, exact_curve_points,
+                     [&](const auto& moved) { return solver.solve(moved, {}, progress).fields.forces; });
 }
 
 /// dq: as given, or the elements' length.
@@ -64,9 +65,10 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
   EllipticContactSolver solver(options);
   ExactResult result;
-  result.contact = solver.solve(contact, motion, progress);
-  result.gap = result.contact.gap.empty() ? solver.deformed_gap(contact, motion) : result.contact.gap;
-  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
+  result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
+  const Progress rest = essential_part(progress, 0.7, 0.9);
+  result.gap = result.contact.gap.empty() ? solver.deformed_gap(contact, motion, rest) : result.contact.gap;
+  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
   result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
   return result;
 }
@@ -75,10 +77,10 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
 ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
   auto options = exact_options(input);
   ExactResult result;
-  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, progress);
+  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, part(progress, 0, 0.8));
   result.contact = result.limit->finest;
   options.mx = options.my = result.limit->elements;
-  result.gap = EllipticContactSolver(options).deformed_gap(contact);
+  result.gap = EllipticContactSolver(options).deformed_gap(contact, {}, essential_part(progress, 0.8, 0.9));
   result.grid_error = difference(contact, result.contact.fields.forces, result.limit->coarser);
   return result;
 }
@@ -95,7 +97,9 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   const bool ok = result.contact.fields.forces.status == Status::ok;
   auto options = exact_options(input);
   if (result.limit) options.mx = options.my = result.limit->elements;
-  if (input.motion.kind == ContactMotion::steady && ok) result.curve = exact_curve(options, contact);
+  if (input.motion.kind == ContactMotion::steady && ok)
+    result.curve = exact_curve(options, contact, part(progress, 0.9, 1));
+  go_on(progress, 1);
   return result;
 }
 

@@ -61,6 +61,7 @@ std::vector<Quantity> hertz_quantities(const HertzContact& hertz);
 std::string simplified_name(const RollingCase& input);
 
 /// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
+/// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
 
 /// Writes it as HDF5. Error if that is impossible.

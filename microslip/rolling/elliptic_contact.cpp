@@ -15,9 +15,9 @@ namespace {
 constexpr int margin = 2; // the discrete contact may be a little larger than the ellipse
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-ExactContact invalid() {
+ExactContact without_result(Status status) {
   ExactContact out;
-  out.fields.forces = {nan, nan, nan, nan, nan, Status::invalid_input};
+  out.fields.forces = {nan, nan, nan, nan, nan, status};
   out.fields.frictional_power = out.approach = out.peak_pressure = out.power_by_creepage = out.elastic_energy = nan;
   out.creepage = {nan, nan, nan};
   out.peak_traction = out.residual = nan;
@@ -37,15 +37,27 @@ bool is_valid(const ExactMotion& m) {
 }
 
 /// Under a load of 1 N, which pressures and approach are proportional to.
-NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid) {
+NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid, const Progress& progress) {
+  constexpr double tolerance = 1e-8;
+  const Progress essential = essential_part(progress, 0, 0);
   const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
   const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, material, 1).gap;
-  return NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1});
+  return NormalProblem(material, grid, essential)
+      .solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1}, tolerance, essential);
 }
 
 /// Whether transient rolling was ended before its last step, and nothing else was wrong.
 bool is_cut_short(const std::vector<ExactStep>& history, const ExactMotion& motion, Status status) {
   return status == Status::ok && static_cast<int>(history.size()) < motion.steps;
+}
+
+/// Progress of the step that follows those of `history`; it is of no use unless it is whole.
+Progress within_step(const ExactMotion& motion, const std::vector<ExactStep>& history, const Progress& progress) {
+  if (!progress) return {};
+  return [&](double fraction) {
+    go_on(progress, (static_cast<double>(history.size()) + fraction) / motion.steps);
+    return true;
+  };
 }
 
 } // namespace
@@ -93,17 +105,18 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 }
 
 /// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
-void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
+void EllipticContactSolver::prepare_classical(const EllipticContact& contact, const Progress& progress) {
   if (is_prepared_for(contact, false)) return;
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, margin);
   grid_.shape = options_.elements;
-  normal_ = unit_load(contact, grid_);
-  tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
+  normal_ = unit_load(contact, grid_, progress);
+  tangential_ = std::make_unique<TangentialProblem>(material_, grid_, essential_part(progress, 0, 0));
 }
 
-void EllipticContactSolver::prepare_second_order(const EllipticContact& contact) {
+void EllipticContactSolver::prepare_second_order(const EllipticContact& contact, const Progress& progress) {
   if (is_prepared_for(contact, true)) return;
-  second_order_ = std::make_unique<HertzianRolling>(a_, b_, material_, options_.mx, options_.my);
+  second_order_ =
+      std::make_unique<HertzianRolling>(a_, b_, material_, options_.mx, options_.my, essential_part(progress, 0, 0));
 }
 
 /// Solves the tangential problem; transient rolling step by step.
@@ -119,7 +132,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
-  if (motion.kind != ContactMotion::transient) input.progress = progress;
+  input.progress = motion.kind == ContactMotion::transient ? within_step(motion, history, progress) : progress;
   TangentialState state;
   const bool creepages_given = !motion.force_x && !motion.force_y;
   if (motion.kind == ContactMotion::steady && creepages_given) {
@@ -133,9 +146,12 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
     return !progress || progress(double(history.size()) / motion.steps);
   };
   input.previous = &state;
-  while (remember() && static_cast<int>(history.size()) < motion.steps) {
-    state = std::move(s.tractions);
-    s = tangential_->solve(bound, input);
+  try {
+    while (remember() && static_cast<int>(history.size()) < motion.steps) {
+      state = s.tractions;
+      s = tangential_->solve(bound, input);
+    }
+  } catch (const Stopped&) { // in the midst of a step
   }
   if (is_cut_short(history, motion, s.forces.status)) s.forces.status = Status::not_converged;
   return s;
@@ -186,7 +202,7 @@ ExactContact EllipticContactSolver::results(TangentialSolution s, const NormalSo
 
 ExactContact EllipticContactSolver::solve_classical(const EllipticContact& contact, const ExactMotion& motion,
                                                     const Progress& progress) {
-  prepare_classical(contact);
+  prepare_classical(contact, progress);
   std::vector<double> bound = normal_.pressure;
   for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
   std::vector<ExactStep> history;
@@ -234,8 +250,9 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
 ExactContact EllipticContactSolver::solve_sequence(const EllipticContact& contact, const ExactMotion& motion,
                                                    const Progress& progress) {
   ContactStep step = sequence_step(contact, motion);
-  ContactStepSolution s = sequence_.solve(step);
   std::vector<ExactStep> history;
+  step.motion.progress = motion.kind == ContactMotion::transient ? within_step(motion, history, progress) : progress;
+  ContactStepSolution s = sequence_.solve(step);
   if (motion.kind == ContactMotion::transient) {
     const auto remember = [&] {
       const TangentialSolution& t = s.tangential;
@@ -243,7 +260,10 @@ ExactContact EllipticContactSolver::solve_sequence(const EllipticContact& contac
       return !progress || progress(double(history.size()) / motion.steps);
     };
     step.start = StepStart::previous;
-    while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
+    try {
+      while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
+    } catch (const Stopped&) { // in the midst of a step
+    }
     if (is_cut_short(history, motion, s.status)) s.status = Status::not_converged;
   }
   grid_ = step.grid;
@@ -323,7 +343,7 @@ EllipticContact EllipticContactSolver::mirrored(EllipticContact contact) const {
 
 ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion,
                                                        const Progress& progress) {
-  prepare_second_order(contact);
+  prepare_second_order(contact, progress);
   std::optional<double> force_x = motion.force_x;
   if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
   const SecondOrderSolution solution =
@@ -333,15 +353,19 @@ ExactContact EllipticContactSolver::solve_second_order(const EllipticContact& co
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact, const Progress& progress) {
   constexpr double linear_tolerance = 3e-5; // of which derivatives of forces have some fifth as an error
-  if (!is_valid(contact) || needs_sequence(contact)) return {.contact = invalid()};
-  try {
-    prepare_second_order(contact);
-  } catch (const Error&) { // numbers that overflow on the way
-    return {.contact = invalid()};
-  }
+  if (!is_valid(contact) || needs_sequence(contact)) return {.contact = without_result(Status::invalid_input)};
   const EllipticContact forward = mirrored(contact);
-  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, progress);
-  const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
+  SecondOrderSolution solution;
+  SecondOrderRolling::Derivatives derivatives;
+  try {
+    prepare_second_order(contact, progress);
+    solution = second_order_->solve(forward, {}, {}, options_.tolerance, essential_part(progress, 0, 0.7));
+    derivatives = second_order_->differentiate(forward, solution, linear_tolerance, part(progress, 0.7, 1));
+  } catch (const Error&) { // numbers that overflow on the way
+    return {.contact = without_result(Status::invalid_input)};
+  } catch (const Stopped&) {
+    return {.contact = without_result(Status::not_converged)};
+  }
   ExactDerivatives out{.contact = results(solution, contact, second_order_->bound(contact))};
   out.products = derivatives.products;
   const FittedContact& fitted = second_order_->contact();
@@ -362,25 +386,28 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
 
 ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
                                           const Progress& progress) {
-  if (!is_valid(contact) || !is_valid(motion)) return invalid();
+  if (!is_valid(contact) || !is_valid(motion)) return without_result(Status::invalid_input);
   const bool second_order = is_second_order(contact, motion), sequence = needs_sequence(contact);
   if (!second_order) require_memory_for(sequence ? ContactProblem::coupled : ContactProblem::tangential);
   try {
     if (second_order) return solve_second_order(contact, motion, progress);
     return sequence ? solve_sequence(contact, motion, progress) : solve_classical(contact, motion, progress);
   } catch (const Error&) { // numbers that overflow on the way
-    return invalid();
+    return without_result(Status::invalid_input);
+  } catch (const Stopped&) {
+    return without_result(Status::not_converged);
   }
 }
 
-std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion) {
-  if (needs_sequence(contact)) return solve_sequence(contact, motion, {}).gap;
+std::vector<double> EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion,
+                                                        const Progress& progress) {
+  if (needs_sequence(contact)) return solve_sequence(contact, motion, progress).gap;
   std::vector<double> gap;
   if (is_second_order(contact, motion)) {
-    prepare_second_order(contact);
-    gap = unit_load(contact, second_order_->contact().grid).gap;
+    prepare_second_order(contact, progress);
+    gap = unit_load(contact, second_order_->contact().grid, progress).gap;
   } else {
-    prepare_classical(contact);
+    prepare_classical(contact, progress);
     gap = normal_.gap;
   }
   for (double& distance : gap) distance *= contact.normal_force;

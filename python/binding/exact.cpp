@@ -24,8 +24,10 @@ ExactContact solve(Solver& self, const EllipticContact& contact, ContactMotion m
 }
 
 py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMotion motion) {
-  const auto gap =
-      self.run([&, contact](EllipticContactSolver& solver) { return solver.deformed_gap(contact, {.kind = motion}); });
+  const auto gap = self.run([&, contact](EllipticContactSolver& solver) {
+    SignalCheck signals;
+    return solver.deformed_gap(contact, {.kind = motion}, signals.progress());
+  });
   const ExactOptions& options = self.object.options();
   const bool fitted = options.discretisation == Discretisation::second_order && motion == ContactMotion::steady;
   const std::size_t to_spare = fitted ? 0 : 4; // rows of the classical grid beside the ellipse

@@ -38,14 +38,18 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
                            const NormalLoad& load, RollingDirection direction, const Progress& progress)
     : side_(direction == RollingDirection::forward ? 1 : -1) {
   require_memory(ContactProblem::tangential, grid);
-  bool stopped = false;
-  normal_ = NormalProblem(material, grid).solve(gap, load, normal_tolerance, [&](double fraction) {
-    stopped = progress && !progress(fraction);
-    return !stopped;
-  });
-  if (stopped || normal_.contact_elements == 0) return;
-  rolling_.emplace(material, side_ > 0 ? fit_contact(grid, normal_.pressure)
-                                       : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)));
+  try {
+    const Progress essential = essential_part(progress, 0, 1);
+    normal_ = NormalProblem(material, grid, essential).solve(gap, load, normal_tolerance, essential);
+    if (normal_.contact_elements == 0) return;
+    rolling_.emplace(material,
+                     side_ > 0 ? fit_contact(grid, normal_.pressure)
+                               : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)),
+                     essential);
+  } catch (const Stopped&) {
+    normal_ = {};
+    normal_.status = Status::not_converged;
+  }
 }
 
 PatchSolution PatchRolling::solve(const PatchRollingMotion& motion) {
@@ -53,7 +57,7 @@ PatchSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   PatchSolution out;
   out.creepage = motion.creepage;
   if (!rolling_) {
-    out.forces.status = normal_.contact_elements == 0 ? Status::no_contact : normal_.status;
+    out.forces.status = normal_.status == Status::ok ? Status::no_contact : normal_.status;
     return out;
   }
   const FittedContact& contact = rolling_->contact();
