@@ -125,15 +125,18 @@ void write_friction(ResultFile& file, const RollingCase& input) {
   }
 }
 
-void write_motion(ResultFile& file, const RollingCase& input, const Creepage& creepage) {
+/// What was given: a creepage whose force is given in its place is a result, exact/creep_x or creep_y.
+void write_motion(ResultFile& file, const RollingCase& input) {
+  const auto& creepage = input.creepage;
   const bool shift = input.motion.kind == ContactMotion::shift;
   const auto write = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("inputs/") + name, value, unit, what);
   };
-  write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
-        "rigid motion along x: given, or found where the force is given");
-  write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-",
-        "rigid motion along y: given, or found where the force is given");
+  if (!input.motion.force_x)
+    write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
+          "rigid motion along x");
+  if (!input.motion.force_y)
+    write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-", "rigid motion along y");
   write(shift ? "rotation" : "spin", creepage.spin, shift ? "rad" : "1/m", "rigid rotation about the normal");
   file.scalar("inputs/rolling_speed", input.rolling_speed, "m/s", "rolling speed V");
   file.text("inputs/motion", std::string(to_word(input.motion.kind)), "shift, transient or steady rolling");
@@ -179,7 +182,7 @@ void write_inputs(ResultFile& file, const RollingCase& input, const EllipticCont
     file.scalar("inputs/layer_hardening", input.layer.hardening, "Pa/m", "what plastic deformation adds to that");
   }
   write_friction(file, input);
-  write_motion(file, input, contact.creepage);
+  write_motion(file, input);
   write_solution(file, input);
 }
 
@@ -325,6 +328,17 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
   write("mz", "N m", &ContactForces::mz);
 }
 
+/// Which creepage varies, and where on the curve the case is.
+void write_curve_point(ResultFile& file, const CreepCurve& curve, const Creepage& creepage) {
+  const auto write = [&](const char* name, double value, const char* unit) {
+    file.scalar(std::string("creep_curve/") + name, value, unit, "of the case: given, or found where the force is given");
+  };
+  write("creepage_longitudinal", creepage.longitudinal, "-");
+  write("creepage_lateral", creepage.lateral, "-");
+  write("spin", creepage.spin, "1/m");
+  file.attribute("creep_curve", "variable", curve.variable);
+}
+
 } // namespace
 
 std::vector<Quantity> body_quantities(const BodyInput& body, int number) {
@@ -401,7 +415,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     write_theory(file, name, simplified->fields);
     write_tolerances(file, name, simplified->grid_error, "twice the cells");
     write_curve(file, name, simplified->curve);
-    file.attribute("creep_curve", "variable", simplified->curve.variable);
+    write_curve_point(file, simplified->curve, result.contact.creepage);
   }
   file.commit();
 }

@@ -172,7 +172,9 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   {
     const Hdf5Reader reader(folder / "out/result.h5");
     EXPECT_NEAR(reader.values<double>("exact/fx", H5T_NATIVE_DOUBLE).at(0), -12e3, 0.1);
-    EXPECT_GT(reader.values<double>("inputs/shift_longitudinal", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_GT(reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_FALSE(reader.has("inputs/shift_longitudinal")); // the force is what was given
+    EXPECT_EQ(reader.values<double>("inputs/shift_lateral", H5T_NATIVE_DOUBLE).at(0), 1e-6);
     EXPECT_EQ(reader.text("inputs/motion"), "shift");
   }
   ASSERT_EQ(solve("kind = \"transient\"\nforce_longitudinal = -12e3\nsteps = 4\nrolling_speed = 2").exit_code, 0);
@@ -184,6 +186,15 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
     for (const double force : fx) EXPECT_NEAR(force, -12e3, 0.1);
     EXPECT_EQ(creep.back(), reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0));
     EXPECT_NE(creep[0], creep[3]);
+  }
+  ASSERT_EQ(solve("force_longitudinal = -12e3\nspin = 0.2\nrolling_speed = 2").exit_code, 0);
+  {
+    const Hdf5Reader reader(folder / "out/result.h5");
+    const auto number = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
+    EXPECT_FALSE(reader.has("inputs/creepage_longitudinal"));
+    EXPECT_EQ(number("inputs/creepage_lateral"), 0);
+    EXPECT_EQ(number("creep_curve/creepage_longitudinal"), number("exact/creep_x"));
+    EXPECT_EQ(number("creep_curve/spin"), number("inputs/spin"));
   }
   const auto too_much = solve("force_longitudinal = -30e3\nrolling_speed = 2");
   EXPECT_EQ(too_much.exit_code, 1);

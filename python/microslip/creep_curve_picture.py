@@ -52,9 +52,14 @@ def creep_curve_picture(result, theories):
     return figure
 
 
+def creepage_of_case(result, name):
+    """As given, or as found where a force is given; older files have it among the inputs only."""
+    return result.number(f"/creep_curve/{name}" if f"/creep_curve/{name}" in result else f"/inputs/{name}")
+
+
 def mark_points(axes, result, theories, varied):
     """The case itself as each theory has it; the last one's as filled markers."""
-    here = CREEPAGES[varied][2] * result.number(f"/inputs/{varied}")
+    here = CREEPAGES[varied][2] * creepage_of_case(result, varied)
     for theory in theories:
         for name, (label, colour) in FORCES.items():
             force = 1e-3 * result.number(f"/{theory}/{name}")
@@ -79,7 +84,7 @@ def held_creepages(result, varied):
     """The creepages that the curve keeps, as text."""
     texts = []
     for name, (_, symbol, factor, _, unit) in CREEPAGES.items():
-        value = factor * result.number(f"/inputs/{name}")
+        value = factor * creepage_of_case(result, name)
         if name != varied:
             texts.append(f"{symbol} = {number(value)}" + (unit if value else ""))
     return ",  ".join(texts)
