@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace microslip {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
 
@@ -68,6 +70,10 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
   const Progress rest = essential_part(progress, 0.7, 0.9);
   result.gap = result.contact.gap.empty() ? solver.deformed_gap(contact, motion, rest) : result.contact.gap;
+  if (coarser.mx == options.mx && coarser.my == options.my) {
+    result.grid_error = {nan, nan, nan};
+    return result;
+  }
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
   result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
   return result;

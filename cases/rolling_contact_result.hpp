@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// How far totals are from those on another grid.
+/// How far totals are from those on another grid; NaN where there is none, as for a single element.
 struct GridError {
   double fx = 0, fy = 0; ///< in units of mu Fn
   double mz = 0;         ///< in units of mu Fn sqrt(a b)

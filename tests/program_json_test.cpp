@@ -83,6 +83,17 @@ TEST(ProgramJson, NumbersThatAreNotFiniteAreWords) {
   EXPECT_EQ(json.at("inputs").at("creepage_longitudinal"), 1e300);
 }
 
+/// A coarser grid than one element there is not.
+TEST(ProgramJson, OneElementHasNoErrorEstimate) {
+  const TemporaryFolder folder;
+  auto text = contents(example);
+  save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[1, 1]"));
+  const auto json = document(folder, "solve c.toml -o out --no-pictures");
+  for (const char* name : {"grid_fx", "grid_fy", "grid_mz"})
+    EXPECT_EQ(json.at("tolerances").at("exact").at(name), "nan") << name;
+  EXPECT_GT(json.at("tolerances").at("fastsim2").at("grid_fx").get<double>(), 0);
+}
+
 TEST(ProgramJson, HertzAgreesWithSolve) {
   const TemporaryFolder folder;
   const auto solved = document(folder, "solve " + example + " -o out --no-pictures");
