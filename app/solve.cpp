@@ -160,8 +160,8 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.add("residual", contact.residual, "-",
             fmt::format("{} Newton steps, {} products", contact.newton_steps, contact.products));
   if (contact.friction_rounds > 0)
-    table.add("last change of the slip", contact.friction_residual, "-",
-              fmt::format("{} rounds of friction, from {}", contact.friction_rounds,
+    table.add("relative change of slip", contact.friction_residual, "-",
+              fmt::format("{} friction-slip iterations, from {}", contact.friction_rounds,
                           input.slip_start == SlipStart::above ? "full sliding" : "rest"));
   table.add("status", status);
   table.print();
@@ -181,18 +181,17 @@ void print_interior(const InteriorGrid& points, const std::vector<InteriorState>
 
 /// What a status other than ok means here.
 std::string explain(const RollingCase& input, const RollingContactResult& result) {
-  if (result.status == Status::no_solution)
-    return "the given force is beyond what friction can carry; full sliding is shown";
+  if (result.status == Status::no_solution) return "prescribed force exceeds mu Fn; the result shown is full sliding";
   if (result.status == Status::not_converged && result.exact && result.exact->limit)
-    return fmt::format("the accuracy is not reached: estimated error {:.2g}", result.exact->limit->error);
+    return fmt::format("accuracy not reached: estimated error {:.2g} mu Fn", result.exact->limit->error);
   if (result.status == Status::not_converged && result.exact &&
       result.exact->contact.friction_residual > friction_tolerance)
-    return fmt::format("friction and slip do not go together after {} rounds: the slip changes by {:.2g} of itself",
+    return fmt::format("friction-slip iteration not converged after {} iterations: relative change of slip {:.2g}",
                        result.exact->contact.friction_rounds, result.exact->contact.friction_residual);
   if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
     return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.residual,
                        input.tolerance);
-  return "the numbers are too large or too small to compute with";
+  return "overflow or underflow in the computation: check units and magnitudes";
 }
 
 RollingContactResult solve_with_progress(const RollingCase& input, const std::string& name) {

@@ -337,7 +337,8 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
 /// Which creepage varies, and where on the curve the case is.
 void write_curve_point(ResultFile& file, const CreepCurve& curve, const Creepage& creepage) {
   const auto write = [&](const char* name, double value, const char* unit) {
-    file.scalar(std::string("creep_curve/") + name, value, unit, "of the case: given, or found where the force is given");
+    file.scalar(std::string("creep_curve/") + name, value, unit,
+                "of the case: given, or found where the force is given");
   };
   write("creepage_longitudinal", creepage.longitudinal, "-");
   write("creepage_lateral", creepage.lateral, "-");

@@ -198,7 +198,7 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   }
   const auto too_much = solve("force_longitudinal = -30e3\nrolling_speed = 2");
   EXPECT_EQ(too_much.exit_code, 1);
-  EXPECT_NE(too_much.errors.find("beyond what friction can carry"), std::string::npos);
+  EXPECT_NE(too_much.errors.find("prescribed force exceeds mu Fn"), std::string::npos);
 }
 
 /// Falling friction may have several solutions: a result says from which start it was found.
