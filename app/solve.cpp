@@ -88,15 +88,23 @@ class SideBySide {
 public:
   SideBySide(QuantityTable& table, const RollingContactResult& result) : table_(table), result_(result) {}
 
-  /// `value` takes a quantity from the fields and the grid error of a theory.
+  /// `value` takes a quantity from the fields of a theory.
   template <class Value> void add(const std::string& name, const std::string& unit, const Value& value) {
-    std::vector<double> values = {value(result_.exact->contact.fields, result_.exact->grid_error)};
-    if (const auto& simplified = result_.simplified)
-      values.push_back(value(simplified->fields, simplified->grid_error));
+    std::vector<double> values = {value(result_.exact->contact.fields)};
+    if (const auto& simplified = result_.simplified) values.push_back(value(simplified->fields));
     table_.add(name, values, unit);
   }
 
+  /// An error that `value` takes from the grid errors; none where there was nothing to compare with.
+  void add_error(const std::string& name, const std::string& unit, double GridError::*value) {
+    std::vector<std::string> texts = {error_text(result_.exact->grid_error.*value)};
+    if (const auto& simplified = result_.simplified) texts.push_back(error_text(simplified->grid_error.*value));
+    table_.add(name, texts, unit);
+  }
+
 private:
+  static std::string error_text(double error) { return std::isnan(error) ? "none" : fmt::format("{:.6g}", error); }
+
   QuantityTable& table_;
   const RollingContactResult& result_;
 };
@@ -106,22 +114,21 @@ void add_totals(QuantityTable& table, const RollingContactResult& result, bool s
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   SideBySide rows(table, result);
   using Fields = const ContactFields&;
-  using Error = const GridError&;
-  rows.add("longitudinal force fx", "N", [](Fields f, Error) { return f.forces.fx; });
-  rows.add("lateral force fy", "N", [](Fields f, Error) { return f.forces.fy; });
-  rows.add("spin moment mz", "N m", [](Fields f, Error) { return f.forces.mz; });
+  rows.add("longitudinal force fx", "N", [](Fields f) { return f.forces.fx; });
+  rows.add("lateral force fy", "N", [](Fields f) { return f.forces.fy; });
+  rows.add("spin moment mz", "N m", [](Fields f) { return f.forces.mz; });
   if (limit > 0) {
-    rows.add("fx", "mu Fn", [&](Fields f, Error) { return f.forces.fx / limit; });
-    rows.add("fy", "mu Fn", [&](Fields f, Error) { return f.forces.fy / limit; });
-    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f, Error) { return f.forces.mz / moment; });
+    rows.add("fx", "mu Fn", [&](Fields f) { return f.forces.fx / limit; });
+    rows.add("fy", "mu Fn", [&](Fields f) { return f.forces.fy / limit; });
+    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f) { return f.forces.mz / moment; });
   }
-  rows.add("adhesion area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.adhesion_area; });
-  rows.add("slip area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.slip_area; });
+  rows.add("adhesion area", "mm^2", [](Fields f) { return 1e6 * f.forces.adhesion_area; });
+  rows.add("slip area", "mm^2", [](Fields f) { return 1e6 * f.forces.slip_area; });
   rows.add(shift ? "frictional work" : "frictional power", shift ? "J" : "W",
-           [](Fields f, Error) { return f.frictional_power; });
-  rows.add("discretisation error of fx", "mu Fn", [](Fields, Error e) { return e.fx; });
-  rows.add("discretisation error of fy", "mu Fn", [](Fields, Error e) { return e.fy; });
-  rows.add("discretisation error of mz", "mu Fn sqrt(a b)", [](Fields, Error e) { return e.mz; });
+           [](Fields f) { return f.frictional_power; });
+  rows.add_error("discretisation error of fx", "mu Fn", &GridError::fx);
+  rows.add_error("discretisation error of fy", "mu Fn", &GridError::fy);
+  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &GridError::mz);
 }
 
 void add_limit(QuantityTable& table, const AccurateContact& limit, const RollingCase& input) {
