@@ -41,8 +41,9 @@ std::string percent(double part, double whole) {
   return fmt::format("{:.1f} %", 100 * part / whole);
 }
 
-void print_hertz(const RollingContactResult& result) {
-  QuantityTable table("Hertz");
+void print_hertz(const RollingCase& input, const RollingContactResult& result) {
+  const auto assumption = hertz_assumption(input);
+  QuantityTable table(assumption.empty() ? "Hertz" : fmt::format("Hertz, {}", assumption));
   table.add("normal force", result.contact.normal_force, "N");
   add_hertz(table, result.hertz);
   table.print();
@@ -171,6 +172,8 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
               fmt::format("{} friction-slip iterations, from {}", contact.friction_rounds,
                           input.slip_start == SlipStart::above ? "full sliding" : "rest"));
   table.add("status", status);
+  const auto assumption = simplified_assumption(input);
+  if (result.simplified && !assumption.empty()) table.add(fmt::format("{} assumes", heads.back()), {assumption});
   table.print();
 }
 
@@ -229,7 +232,7 @@ void write(const SolveArguments& arguments, const RollingCase& input, const Roll
 
 void print_tables(const RollingCase& input, const RollingContactResult& result) {
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
-  print_hertz(result);
+  print_hertz(input, result);
   fmt::print("\n");
   result.exact ? print_exact(input, result) : print_simplified(input, result);
   if (result.exact) print_interior(input.interior, result.exact->interior);

@@ -334,6 +334,11 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
   write("mz", "N m", &ContactForces::mz);
 }
 
+/// Of results for simpler bodies than the case's.
+void write_assumption(ResultFile& file, const std::string& group, const std::string& assumption) {
+  if (!assumption.empty()) file.attribute(group, "assumes", assumption);
+}
+
 /// Which creepage varies, and where on the curve the case is.
 void write_curve_point(ResultFile& file, const CreepCurve& curve, const Creepage& creepage) {
   const auto write = [&](const char* name, double value, const char* unit) {
@@ -390,6 +395,24 @@ std::string simplified_name(const RollingCase& input) {
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
 }
 
+std::string hertz_assumption(const RollingCase& input) {
+  const Bodies bodies = bodies_of(input);
+  return bodies.are_elastic() && !bodies.are_coupled() ? "" : "elastic bodies of K = 0 without friction";
+}
+
+std::string simplified_assumption(const RollingCase& input) {
+  std::string all;
+  const auto add = [&](bool is_needed, const char* assumption) {
+    if (is_needed) all.append(all.empty() ? "" : ", ").append(assumption);
+  };
+  const Bodies bodies = bodies_of(input);
+  add(!bodies.are_elastic() || bodies.are_coupled(), "elastic bodies of K = 0");
+  add(bodies.layer.flexibility > 0, "no layer");
+  add(input.temperature_effect.has_value(), "friction without heat");
+  add(input.friction_memory.distance > 0, "friction without memory");
+  return all;
+}
+
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
@@ -409,6 +432,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   ResultFile file(path, provenance);
   write_inputs(file, input, result.contact);
   write(file, hertz_quantities(result.hertz));
+  write_assumption(file, "hertz", hertz_assumption(input));
   if (const auto& exact = result.exact) {
     write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
@@ -420,6 +444,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   if (const auto& simplified = result.simplified) {
     const auto name = simplified_name(input);
     write_theory(file, name, simplified->fields);
+    write_assumption(file, name, simplified_assumption(input));
     write_tolerances(file, name, simplified->grid_error, "twice the cells");
     write_curve(file, name, simplified->curve);
     write_curve_point(file, simplified->curve, result.contact.creepage);

@@ -60,6 +60,11 @@ std::vector<Quantity> hertz_quantities(const HertzContact& hertz);
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const RollingCase& input);
 
+/// Where Hertz's solution and the simplified theory, as they stand beside the exact theory, are those of simpler bodies
+/// than the case's: which. Empty: of the same.
+std::string hertz_assumption(const RollingCase& input);
+std::string simplified_assumption(const RollingCase& input);
+
 /// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
 /// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});

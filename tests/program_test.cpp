@@ -221,6 +221,36 @@ TEST(Program, SaysWhereFallingFrictionBegan) {
   }
 }
 
+/// Hertz and FASTSIM2 stand beside the exact theory for simpler bodies than it has: the reader is told.
+TEST(Program, SaysWhatHertzAndFastsim2Assume) {
+  const TemporaryFolder folder;
+  const auto solve = [&](const std::string& from, const std::string& to) {
+    auto text = contents(example);
+    save(folder / "c.toml", text.replace(text.find(from), from.size(), to).replace(text.find("[40, 40]"), 8, "[9, 9]"));
+    return run_program(folder, "solve c.toml -o out --no-pictures").output;
+  };
+  const auto expect_attributes = [&](bool hertz, const std::string& fastsim2) {
+    const Hdf5Reader reader(folder / "out/result.h5");
+    EXPECT_EQ(reader.has_attribute("hertz", "assumes"), hertz);
+    ASSERT_EQ(reader.has_attribute("fastsim2", "assumes"), !fastsim2.empty());
+    if (!fastsim2.empty()) {
+      EXPECT_EQ(reader.attribute("fastsim2", "assumes"), fastsim2);
+    }
+  };
+  const auto plain = solve("[load]", "[load]");
+  EXPECT_EQ(plain.find("assumes"), std::string::npos);
+  EXPECT_NE(plain.find("\nHertz\n"), std::string::npos);
+  expect_attributes(false, "");
+  const auto viscoelastic = solve("[body2]", "creep_ratio = 0.5\ncreep_time = 1e-3\n\n[body2]");
+  EXPECT_NE(viscoelastic.find("\nHertz, elastic bodies of K = 0 without friction\n"), std::string::npos)
+      << viscoelastic;
+  EXPECT_NE(viscoelastic.find("fastsim2 assumes"), std::string::npos) << viscoelastic;
+  expect_attributes(true, "elastic bodies of K = 0");
+  const auto layered = solve("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n\n[load]");
+  EXPECT_NE(layered.find("\nHertz\n"), std::string::npos) << layered;
+  expect_attributes(false, "no layer");
+}
+
 TEST(Program, SolvesEveryExampleWithPictures) {
   const TemporaryFolder folder;
   for (const auto* name : {"wheel_on_rail", "two_rollers", "starting_to_roll"}) {

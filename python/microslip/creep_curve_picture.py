@@ -1,7 +1,7 @@
 """The creep curve through a case: forces over one creepage, the others held."""
 
-from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, new_figure, number, open_axes,
-                                     quantity)
+from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, heading, new_figure, number,
+                                     open_axes, quantity)
 from microslip.result_file import ResultError
 
 # Name of the varied creepage: title, symbol, factor from SI, unit for an axis and behind a number.
@@ -42,7 +42,7 @@ def creep_curve_picture(result, theories):
     axes.set_ylabel("force on the wheel [kN]")
     relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
     relative.set_ylabel(r"force / ($\mu F_n$) [-]")
-    figure.suptitle(f"Creep curve: {result.attribute('title', 'rolling contact')}")
+    figure.suptitle(heading("Creep curve", result, theories))
     who = " and ".join(THEORIES[theory] for theory in theories)
     axes.set_title(f"{who}, held: {held_creepages(result, varied)}")
     if len(theories) == 1:
