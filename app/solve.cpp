@@ -162,6 +162,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
     table.add(shift ? "lateral shift, found" : "lateral creepage, found", contact.creepage.lateral, shift ? "m" : "-");
   table.add("frictional power by creepages", contact.power_by_creepage, shift ? "J" : "W");
   table.add("elastic energy of the tractions", contact.elastic_energy, "J");
+  if (!bodies_of(input).are_elastic()) table.add("rolling resistance moment my", contact.my, "N m");
   table.add("peak pressure", 1e-6 * contact.peak_pressure, "MPa");
   table.add("peak traction", 1e-6 * contact.peak_traction, "MPa");
   if (!contact.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");

@@ -240,6 +240,7 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   scalar("power_by_creepage", contact.power_by_creepage, "W",
          "frictional power by the creepages; for a shift work in J");
   scalar("elastic_energy", contact.elastic_energy, "J", "of the tangential tractions");
+  scalar("my", contact.my, "N m", "moment of the pressure about y on body 1: rolling resistance");
   scalar("residual", contact.residual, "-", "of the tangential problem, relative");
   scalar("newton_steps", contact.newton_steps, "-", "iterations of Newton's method");
   if (contact.friction_rounds > 0) {

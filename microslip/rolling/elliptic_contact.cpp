@@ -19,6 +19,7 @@ ExactContact without_result(Status status) {
   ExactContact out;
   out.fields.forces = {nan, nan, nan, nan, nan, status};
   out.fields.frictional_power = out.approach = out.peak_pressure = out.power_by_creepage = out.elastic_energy = nan;
+  out.my = nan;
   out.creepage = {nan, nan, nan};
   out.peak_traction = out.residual = nan;
   return out;
@@ -61,6 +62,12 @@ Progress within_step(const ExactMotion& motion, const std::vector<ExactStep>& hi
 }
 
 } // namespace
+
+double rolling_moment(const ContactFields& cells, std::span<const double> pressure) {
+  double sum = 0;
+  for (std::size_t k = 0; k < pressure.size(); ++k) sum += cells.x[k] * pressure[k] * cells.area[k];
+  return -sum;
+}
 
 EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : options_(options) {
   require_count("mx", options.mx, 1, 4000);
@@ -390,8 +397,11 @@ ExactContact EllipticContactSolver::solve(const EllipticContact& contact, const 
   const bool second_order = is_second_order(contact, motion), sequence = needs_sequence(contact);
   if (!second_order) require_memory_for(sequence ? ContactProblem::coupled : ContactProblem::tangential);
   try {
-    if (second_order) return solve_second_order(contact, motion, progress);
-    return sequence ? solve_sequence(contact, motion, progress) : solve_classical(contact, motion, progress);
+    ExactContact out = second_order ? solve_second_order(contact, motion, progress)
+                       : sequence   ? solve_sequence(contact, motion, progress)
+                                    : solve_classical(contact, motion, progress);
+    out.my = rolling_moment(out.fields, out.pressure);
+    return out;
   } catch (const Error&) { // numbers that overflow on the way
     return without_result(Status::invalid_input);
   } catch (const Stopped&) {

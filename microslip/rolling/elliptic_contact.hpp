@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace microslip {
@@ -70,6 +71,7 @@ struct ExactContact {
   double peak_traction = 0;     ///< of the elements [Pa]
   double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) [W]; for a shift the work, without V [J]
   double elastic_energy = 0;    ///< of the tangential tractions [J]
+  double my = 0;                ///< moment of the pressure about y on body 1, rolling resistance [N m]: rolling_moment
   double residual = 0;
   int newton_steps = 0; ///< of all steps together
   long products = 0;
@@ -81,6 +83,12 @@ struct ExactContact {
   std::vector<double> gap;        ///< deformed distance of the bodies [m]; empty at second order, see deformed_gap
   std::vector<ExactStep> history; ///< transient rolling: the steps in their order
 };
+
+/// Moment about y that the pressure has on body 1, My = -(sum of x p_n dA) [N m]. Pressure of viscoelastic bodies
+/// leads: rolling along +x, where a wheel turns positively about y, My is negative, along -x positive, and My over the
+/// wheel's radius is the force that it takes to keep it rolling. For similar elastic bodies it vanishes but for
+/// rounding.
+double rolling_moment(const ContactFields& cells, std::span<const double> pressure);
 
 /// Forces in steady rolling and their derivatives: row k belongs to fx, fy, mz, columns to xi [-], eta [-], phi [1/m].
 struct ExactDerivatives {

@@ -96,6 +96,10 @@ void bind_results(py::module_& module) {
       .def_readonly("power_by_creepage", &ExactContact::power_by_creepage,
                     "-V (xi fx + eta fy + phi mz) [W]; for a shift the work [J].")
       .def_readonly("elastic_energy", &ExactContact::elastic_energy, "Of the tangential tractions [J].")
+      .def_readonly("my", &ExactContact::my,
+                    "Moment of the pressure about y on body 1 [N m], -(sum of x p_n dA): rolling resistance of "
+                    "viscoelastic bodies,\n"
+                    "negative for rolling along +x; 0 but for rounding for similar elastic ones.")
       .def_readonly("residual", &ExactContact::residual, "Relative residual [-].")
       .def_readonly("newton_steps", &ExactContact::newton_steps, "Steps of Newton's method, of all steps together [-].")
       .def_readonly("products", &ExactContact::products, "Products with the matrix [-].")
