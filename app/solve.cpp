@@ -253,6 +253,7 @@ void print_document(const RollingCase& input, const RollingContactResult& result
     document["interior_extremes"] = extremes_json(input.interior, result.exact->interior);
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
+  document["warnings"] = result.warnings;
   print_json(document);
 }
 
@@ -278,6 +279,7 @@ int solve(SolveArguments arguments) {
     print_document(input, result, file, pictures);
   else
     for (const auto& picture : pictures) print_file(picture);
+  print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), explain(input, result));
   return ExitCode::not_met;

@@ -417,6 +417,7 @@ std::string simplified_assumption(const RollingCase& input) {
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
+  result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
   if (const auto& exact = result.exact)
@@ -434,6 +435,9 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   write_inputs(file, input, result.contact);
   write(file, hertz_quantities(result.hertz));
   write_assumption(file, "hertz", hertz_assumption(input));
+  std::string warnings;
+  for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
+  if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   if (const auto& exact = result.exact) {
     write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));

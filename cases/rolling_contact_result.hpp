@@ -42,6 +42,7 @@ struct RollingContactResult {
   std::optional<ExactResult> exact;
   std::optional<SimplifiedResult> simplified; ///< beside the exact theory if that converges for steady rolling
   Status status = Status::ok;                 ///< of the theory that the case asks for
+  std::vector<std::string> warnings;          ///< of an implausible contact; see implausibilities
 };
 
 /// A number of a result file.

@@ -336,11 +336,13 @@ Bodies bodies_of(const RollingCase& input) {
   return bodies;
 }
 
+PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2) {
+  return {body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius};
+}
+
 HertzContact hertz_contact(const RollingCase& input) {
-  const auto &body1 = input.body1, &body2 = input.body2;
-  const auto gap =
-      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
-  const auto material = combine(body1.material, body2.material);
+  const auto gap = gap_curvatures(principal_radii(input.body1, input.body2));
+  const auto material = combine(input.body1.material, input.body2.material);
   return input.normal_force ? hertz_from_load(gap, material, *input.normal_force)
                             : hertz_from_approach(gap, material, *input.approach);
 }

@@ -65,6 +65,7 @@ InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.
 HertzContact hertz_contact(const RollingCase& input);
+PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2);
 EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz);
 ExactOptions exact_options(const RollingCase& input);
 

@@ -34,9 +34,15 @@ std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
 }
 
 SolvedCase solve(const std::shared_ptr<Case>& given) {
-  const py::gil_scoped_release release;
-  SignalCheck signals;
-  return {given, solve_case(given->input, signals.progress())};
+  SolvedCase solved{given, {}};
+  {
+    const py::gil_scoped_release release;
+    SignalCheck signals;
+    solved.result = solve_case(given->input, signals.progress());
+  }
+  for (const auto& warning : solved.result.warnings)
+    if (PyErr_WarnEx(PyExc_UserWarning, (given->name + ": " + warning).c_str(), 1) != 0) throw py::error_already_set();
+  return solved;
 }
 
 /// Holds Python's lock throughout: the HDF5 library keeps global state, which other modules may share.
@@ -171,6 +177,11 @@ void bind_case_files(py::module_& module) {
                              "SimplifiedResult, also beside the exact theory in steady rolling; else None.")
       .def_property_readonly("status", result(&RollingContactResult::status),
                              "Of the theory that the case asks for, a Status [-].")
+      .def_property_readonly(
+          "warnings", result(&RollingContactResult::warnings),
+          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often "
+          "a length\n"
+          "in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
            "be written.");
