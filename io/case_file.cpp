@@ -168,12 +168,6 @@ void refuse_at(const TomlSection& section, std::string_view name, std::string_vi
   section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
 }
 
-bool needs_classical(const RollingCase& input) {
-  const Bodies bodies = bodies_of(input);
-  return input.friction_law != "coulomb" || input.body1.thermal || bodies.are_coupled() || !bodies.are_elastic() ||
-         bodies.layer.flexibility > 0;
-}
-
 /// Limits are those of steady rolling at second order; bodies that differ or flow and falling friction are classical.
 void check_exact(const TomlSection& motion, const TomlSection& solution, RollingCase& input) {
   const bool is_classical = needs_classical(input);
@@ -285,6 +279,12 @@ void read_interior(const TomlSection& interior, RollingCase& input) {
 }
 
 } // namespace
+
+bool needs_classical(const RollingCase& input) {
+  const Bodies bodies = bodies_of(input);
+  return input.friction_law != "coulomb" || input.body1.thermal || bodies.are_coupled() || !bodies.are_elastic() ||
+         bodies.layer.flexibility > 0;
+}
 
 RollingCase parse_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);

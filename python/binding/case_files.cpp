@@ -4,9 +4,11 @@
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
 #include "cases/rolling_contact_result.hpp"
+#include "microslip/error.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace microslip::python {
 namespace {
@@ -57,6 +59,39 @@ void write(const SolvedCase& self, const py::object& path) {
                path_from(path));
 }
 
+using ExactSolver = OneAtATime<EllipticContactSolver>;
+using AccurateSolver = OneAtATime<AccurateContactSolver>;
+
+void require_second_order(const RollingCase& input) {
+  if (needs_classical(input))
+    throw Error("second order is for similar elastic bodies with Coulomb friction, without a layer or temperatures");
+}
+
+std::unique_ptr<ExactSolver> exact_solver(const Case& self, std::optional<int> elements,
+                                          std::optional<Discretisation> discretisation) {
+  auto options = exact_options(self.input);
+  if (elements) options.mx = options.my = *elements;
+  if (discretisation == Discretisation::second_order) require_second_order(self.input);
+  if (needs_classical(self.input)) options.discretisation = Discretisation::classical;
+  if (discretisation) options.discretisation = *discretisation;
+  if (options.discretisation == Discretisation::second_order) options.elements = ElementShape::constant;
+  return std::make_unique<ExactSolver>(options);
+}
+
+std::unique_ptr<AccurateSolver> accurate_solver(const Case& self, double accuracy) {
+  require_second_order(self.input);
+  auto options = exact_options(self.input);
+  options.elements = ElementShape::constant;
+  return std::make_unique<AccurateSolver>(accuracy, options);
+}
+
+RowSolver simplified_solver(const Case& self, std::optional<int> cells) {
+  if (self.input.theory == Theory::fastrip) throw Error("solution.theory: FaStrip has no solver in Python");
+  auto options = self.input.options;
+  if (cells) options.mx = options.my = *cells;
+  return {marching_scheme(self.input.theory), options};
+}
+
 template <class T> auto of_input(T RollingCase::*member) {
   return [member](const Case& self) { return self.input.*member; };
 }
@@ -82,6 +117,19 @@ void bind_case(py::module_& module) {
           "The EllipticContact for the solvers of either theory.")
       .def_property_readonly(
           "text", [](const Case& self) { return self.text; }, "The text of the file.");
+  rolling_case
+      .def("exact_solver", &exact_solver, py::kw_only(), "cells"_a = py::none(), "discretisation"_a = py::none(),
+           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-], on its "
+           "grid "
+           "or with\n"
+           "`cells` elements across the ellipse in each direction. Error if it cannot have that discretisation.")
+      .def("accurate_solver", &accurate_solver, "accuracy"_a,
+           "An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation.")
+      .def("simplified_solver", &simplified_solver, py::kw_only(), "cells"_a = py::none(),
+           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with "
+           "`cells` "
+           "in each\n"
+           "direction. Error for FaStrip, which has no such solver in Python.");
   add_text(rolling_case, {"title", "theory", "contact"});
 
   module.def(
