@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace microslip {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
 
@@ -41,12 +43,13 @@ SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContac
   return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
 }
 
-CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact) {
+CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, const Progress& progress) {
   auto options = of_case;
   options.mx = std::min(options.mx, largest_curve_grid);
   options.my = std::min(options.my, largest_curve_grid);
   EllipticContactSolver solver(options);
-  return creep_curve(contact, exact_curve_points, [&](const auto& moved) { return solver.solve(moved).forces(); });
+  return creep_curve(contact, exact_curve_points,
+                     [&](const auto& moved) { return solver.solve(moved, {}, progress).forces(); });
 }
 
 /// dq: as given, or the elements' length.
@@ -64,9 +67,14 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
   EllipticContactSolver solver(options);
   ExactResult result;
-  result.contact = solver.solve(contact, motion, progress);
-  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion).gap;
-  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
+  result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
+  const Progress rest = essential_part(progress, 0.7, 0.9);
+  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion, rest).gap;
+  if (coarser.mx == options.mx && coarser.my == options.my) {
+    result.grid_error = {nan, nan, nan};
+    return result;
+  }
+  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
   result.grid_error = difference(contact, result.contact.forces(), coarse.forces());
   return result;
 }
@@ -75,10 +83,11 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
 ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
   auto options = exact_options(input);
   ExactResult result;
-  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, progress);
+  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, part(progress, 0, 0.8));
   result.contact = result.limit->finest;
   options.mx = options.my = result.limit->elements;
-  result.contact.fields.gap = EllipticContactSolver(options).deformed_gap(contact).gap;
+  result.contact.fields.gap =
+      EllipticContactSolver(options).deformed_gap(contact, {}, essential_part(progress, 0.8, 0.9)).gap;
   result.grid_error = difference(contact, result.contact.forces(), result.limit->coarser);
   return result;
 }
@@ -93,7 +102,9 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   const bool ok = result.contact.report.status == Status::ok;
   auto options = exact_options(input);
   if (result.limit) options.mx = options.my = result.limit->elements;
-  if (input.motion.kind == ContactMotion::steady && ok) result.curve = exact_curve(options, contact);
+  if (input.motion.kind == ContactMotion::steady && ok)
+    result.curve = exact_curve(options, contact, part(progress, 0.9, 1));
+  go_on(progress, 1);
   return result;
 }
 
@@ -119,15 +130,18 @@ void write_friction(ResultFile& file, const RollingCase& input) {
   }
 }
 
-void write_motion(ResultFile& file, const RollingCase& input, const Creepage& creepage) {
+/// What was given: a creepage whose force is given in its place is a result, exact/creep_x or creep_y.
+void write_motion(ResultFile& file, const RollingCase& input) {
+  const auto& creepage = input.creepage;
   const bool shift = input.motion.kind == ContactMotion::shift;
   const auto write = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("inputs/") + name, value, unit, what);
   };
-  write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
-        "rigid motion along x: given, or found where the force is given");
-  write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-",
-        "rigid motion along y: given, or found where the force is given");
+  if (!input.motion.force_x)
+    write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
+          "rigid motion along x");
+  if (!input.motion.force_y)
+    write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-", "rigid motion along y");
   write(shift ? "rotation" : "spin", creepage.spin, shift ? "rad" : "1/m", "rigid rotation about the normal");
   file.scalar("inputs/rolling_speed", input.rolling_speed, "m/s", "rolling speed V");
   file.text("inputs/motion", std::string(to_word(input.motion.kind)), "shift, transient or steady rolling");
@@ -173,7 +187,7 @@ void write_inputs(ResultFile& file, const RollingCase& input, const EllipticCont
     file.scalar("inputs/layer_hardening", input.layer.hardening, "Pa/m", "what plastic deformation adds to that");
   }
   write_friction(file, input);
-  write_motion(file, input, contact.creepage);
+  write_motion(file, input);
   write_solution(file, input);
 }
 
@@ -231,6 +245,7 @@ void write_exact(ResultFile& file, const ExactResult& result) {
   scalar("power_by_creepage", contact.totals.power_by_creepage, "W",
          "frictional power by the creepages; for a shift work in J");
   scalar("elastic_energy", contact.totals.elastic_energy, "J", "of the tangential tractions");
+  scalar("my", contact.totals.my, "N m", "moment of the pressure about y on body 1: rolling resistance");
   scalar("residual", contact.report.residual, "-", "of the tangential problem, relative");
   scalar("newton_steps", contact.report.newton_steps, "-", "iterations of Newton's method");
   if (contact.report.friction_iterations > 0) {
@@ -326,6 +341,23 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
   write("mz", "N m", &ContactForces::mz);
 }
 
+/// Of results for simpler bodies than the case's.
+void write_assumption(ResultFile& file, const std::string& group, const std::string& assumption) {
+  if (!assumption.empty()) file.attribute(group, "assumes", assumption);
+}
+
+/// Which creepage varies, and where on the curve the case is.
+void write_curve_point(ResultFile& file, const CreepCurve& curve, const Creepage& creepage) {
+  const auto write = [&](const char* name, double value, const char* unit) {
+    file.scalar(std::string("creep_curve/") + name, value, unit,
+                "of the case: given, or found where the force is given");
+  };
+  write("creepage_longitudinal", creepage.longitudinal, "-");
+  write("creepage_lateral", creepage.lateral, "-");
+  write("spin", creepage.spin, "1/m");
+  file.attribute("creep_curve", "variable", curve.variable);
+}
+
 } // namespace
 
 std::vector<Quantity> body_quantities(const BodyInput& body, int number) {
@@ -370,9 +402,28 @@ std::string simplified_name(const RollingCase& input) {
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
 }
 
+std::string hertz_assumption(const RollingCase& input) {
+  const Bodies bodies = bodies_of(input);
+  return bodies.are_elastic() && !bodies.are_coupled() ? "" : "elastic bodies of K = 0 without friction";
+}
+
+std::string simplified_assumption(const RollingCase& input) {
+  std::string all;
+  const auto add = [&](bool is_needed, const char* assumption) {
+    if (is_needed) all.append(all.empty() ? "" : ", ").append(assumption);
+  };
+  const Bodies bodies = bodies_of(input);
+  add(!bodies.are_elastic() || bodies.are_coupled(), "elastic bodies of K = 0");
+  add(bodies.layer.flexibility > 0, "no layer");
+  add(input.temperature_effect.has_value(), "friction without heat");
+  add(input.friction_memory.distance > 0, "friction without memory");
+  return all;
+}
+
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
+  result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
   if (const auto& exact = result.exact)
@@ -389,6 +440,10 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   ResultFile file(path, provenance);
   write_inputs(file, input, result.contact);
   write(file, hertz_quantities(result.hertz));
+  write_assumption(file, "hertz", hertz_assumption(input));
+  std::string warnings;
+  for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
+  if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   if (const auto& exact = result.exact) {
     write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
@@ -400,9 +455,10 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   if (const auto& simplified = result.simplified) {
     const auto name = simplified_name(input);
     write_theory(file, name, simplified->solution);
+    write_assumption(file, name, simplified_assumption(input));
     write_tolerances(file, name, simplified->grid_error, "twice the cells");
     write_curve(file, name, simplified->curve);
-    file.attribute("creep_curve", "variable", simplified->curve.variable);
+    write_curve_point(file, simplified->curve, result.contact.creepage);
   }
   file.commit();
 }

@@ -62,8 +62,11 @@ InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.
 HertzContact hertz_contact(const RollingCase& input);
+PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2);
 EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz);
 ExactOptions exact_options(const RollingCase& input);
+/// Whether the exact theory can solve the case with the classical discretisation only.
+bool needs_classical(const RollingCase& input);
 
 /// The text of a case file. Error if it cannot be read or is longer than 1 MiB.
 std::string read_case_text(const std::filesystem::path& path);

@@ -172,7 +172,9 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   {
     const Hdf5Reader reader(folder / "out/result.h5");
     EXPECT_NEAR(reader.values<double>("exact/fx", H5T_NATIVE_DOUBLE).at(0), -12e3, 0.1);
-    EXPECT_GT(reader.values<double>("inputs/shift_longitudinal", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_GT(reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_FALSE(reader.has("inputs/shift_longitudinal")); // the force is what was given
+    EXPECT_EQ(reader.values<double>("inputs/shift_lateral", H5T_NATIVE_DOUBLE).at(0), 1e-6);
     EXPECT_EQ(reader.text("inputs/motion"), "shift");
   }
   ASSERT_EQ(solve("kind = \"transient\"\nforce_longitudinal = -12e3\nsteps = 4\nrolling_speed = 2").exit_code, 0);
@@ -185,9 +187,18 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
     EXPECT_EQ(creep.back(), reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0));
     EXPECT_NE(creep[0], creep[3]);
   }
+  ASSERT_EQ(solve("force_longitudinal = -12e3\nspin = 0.2\nrolling_speed = 2").exit_code, 0);
+  {
+    const Hdf5Reader reader(folder / "out/result.h5");
+    const auto number = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
+    EXPECT_FALSE(reader.has("inputs/creepage_longitudinal"));
+    EXPECT_EQ(number("inputs/creepage_lateral"), 0);
+    EXPECT_EQ(number("creep_curve/creepage_longitudinal"), number("exact/creep_x"));
+    EXPECT_EQ(number("creep_curve/spin"), number("inputs/spin"));
+  }
   const auto too_much = solve("force_longitudinal = -30e3\nrolling_speed = 2");
   EXPECT_EQ(too_much.exit_code, 1);
-  EXPECT_NE(too_much.errors.find("beyond what friction can carry"), std::string::npos);
+  EXPECT_NE(too_much.errors.find("prescribed force exceeds mu Fn"), std::string::npos);
 }
 
 /// Falling friction may have several solutions: a result says from which start it was found.
@@ -208,6 +219,39 @@ TEST(Program, SaysWhereFallingFrictionBegan) {
     EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
     EXPECT_EQ(Hdf5Reader(folder / "out/result.h5").text("inputs/slip_start"), start);
   }
+}
+
+/// Hertz and FASTSIM2 stand beside the exact theory for simpler bodies than it has: the reader is told.
+TEST(Program, SaysWhatHertzAndFastsim2Assume) {
+  const TemporaryFolder folder;
+  const auto solve = [&](const std::string& from, const std::string& to) {
+    auto text = contents(example);
+    for (const auto& [old, now] :
+         {std::pair{from, to}, {"[40, 40]", "[9, 9]"}, {"= \"second_order\"", "= \"classical\""}})
+      text.replace(text.find(old), old.size(), now);
+    save(folder / "c.toml", text);
+    return run_program(folder, "solve c.toml -o out --no-pictures").output;
+  };
+  const auto expect_attributes = [&](bool hertz, const std::string& fastsim2) {
+    const Hdf5Reader reader(folder / "out/result.h5");
+    EXPECT_EQ(reader.has_attribute("hertz", "assumes"), hertz);
+    ASSERT_EQ(reader.has_attribute("fastsim2", "assumes"), !fastsim2.empty());
+    if (!fastsim2.empty()) {
+      EXPECT_EQ(reader.attribute("fastsim2", "assumes"), fastsim2);
+    }
+  };
+  const auto plain = solve("[load]", "[load]");
+  EXPECT_EQ(plain.find("assumes"), std::string::npos);
+  EXPECT_NE(plain.find("\nHertz\n"), std::string::npos);
+  expect_attributes(false, "");
+  const auto viscoelastic = solve("[body2]", "creep_ratio = 0.5\ncreep_time = 1e-3\n\n[body2]");
+  EXPECT_NE(viscoelastic.find("\nHertz, elastic bodies of K = 0 without friction\n"), std::string::npos)
+      << viscoelastic;
+  EXPECT_NE(viscoelastic.find("fastsim2 assumes"), std::string::npos) << viscoelastic;
+  expect_attributes(true, "elastic bodies of K = 0");
+  const auto layered = solve("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n\n[load]");
+  EXPECT_NE(layered.find("\nHertz\n"), std::string::npos) << layered;
+  expect_attributes(false, "no layer");
 }
 
 TEST(Program, SolvesEveryExampleWithPictures) {
@@ -431,8 +475,8 @@ TEST(Program, BatchOfDissimilarBodies) {
     if (dissimilarities[i] != 0) options.bodies = CombinedMaterial{82e9, 0.28, dissimilarities[i]};
     const Names without_k(table[i].begin() + 1, table[i].end());
     const auto expected = EllipticContactSolver(options).solve(contact_of(without_k));
-    EXPECT_EQ(std::stod(table[i].at(10)), expected.fields.forces.fx);
-    EXPECT_EQ(std::stod(table[i].at(11)), expected.fields.forces.fy);
+    EXPECT_EQ(std::stod(table[i].at(10)), expected.totals.fx);
+    EXPECT_EQ(std::stod(table[i].at(11)), expected.totals.fy);
   }
   EXPECT_NE(table[1].at(10), table[0].at(10));
   EXPECT_NE(table[1].at(10), table[3].at(10));
@@ -453,8 +497,8 @@ TEST(Program, BatchTakesTheOptionsOfTheExactTheory) {
   };
   const auto expect = [&](const Names& found, const ExactOptions& options) {
     const auto expected = EllipticContactSolver(options).solve(contact_of(found));
-    EXPECT_EQ(std::stod(found.at(9)), expected.fields.forces.fx);
-    EXPECT_EQ(std::stod(found.at(15)), expected.residual);
+    EXPECT_EQ(std::stod(found.at(9)), expected.totals.fx);
+    EXPECT_EQ(std::stod(found.at(15)), expected.report.residual);
   };
   expect(solved("--theory exact --tolerance 1e-9"), {.mx = 8, .my = 8, .tolerance = 1e-9});
   expect(solved("--theory exact --direction backward"), {.mx = 8, .my = 8, .direction = RollingDirection::backward});
@@ -562,6 +606,27 @@ TEST(Program, LeavesNothingOnAFullDisk) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors, "microslip: out.csv: cannot be written: File too large\n");
   EXPECT_EQ(folder.entries(), Names{"in.csv"});
+}
+
+TEST(Program, SaysWhenItsOutputIsLost) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, "init wheel.toml").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "solve wheel.toml -o out --no-pictures").exit_code, 0);
+  const std::string inp = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
+  for (const std::string& arguments :
+       {std::string("--version"), std::string("--help"), std::string("solve wheel.toml --no-pictures"),
+        std::string("solve wheel.toml --no-pictures --json"), std::string("hertz wheel.toml"),
+        std::string("hertz wheel.toml --json"), "batch '" + example_table + "' -o forces.csv --json",
+        std::string("init other.toml"), "run '" + inp + "'", "run '" + inp + "' --json", "convert '" + inp + "'",
+        "convert '" + inp + "' --json", std::string("plot out/result.h5 --cut 0"),
+        std::string("plot out/result.h5 --cut 0 --json"), std::string("validate --list"),
+        std::string("validate model-problem --no-pictures"), std::string("completion bash"), std::string("manual")}) {
+    const auto outcome = run_program(folder, arguments, "true", "/dev/full");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.errors.find("microslip: standard output cannot be written\n"), std::string::npos)
+        << arguments << "\n"
+        << outcome.errors;
+  }
 }
 
 TEST(Program, LeavesNothingAfterAnInterrupt) {

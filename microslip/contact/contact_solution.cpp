@@ -5,13 +5,13 @@
 
 namespace microslip {
 
-ContactSolution invalid_solution(std::string reason) {
+ContactSolution solution_without_result(Status status, std::string reason) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   ContactSolution out;
   out.creepage = {nan, nan, nan};
   out.approach = nan;
-  out.totals = {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan};
-  out.report = {.status = Status::invalid_input, .reason = std::move(reason), .residual = nan};
+  out.totals = {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan};
+  out.report = {.status = status, .reason = std::move(reason), .residual = nan};
   return out;
 }
 

@@ -32,7 +32,7 @@ struct ContactSolution {
   }
 };
 
-/// Without fields, all numbers NaN, with Status::invalid_input and its reason.
-ContactSolution invalid_solution(std::string reason);
+/// Without fields, all numbers NaN, with a status that is not ok and its reason.
+ContactSolution solution_without_result(Status status, std::string reason);
 
 } // namespace microslip

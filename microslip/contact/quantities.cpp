@@ -27,6 +27,8 @@ constexpr Quantity all_quantities[] = {
     {"fy", "Fy", "N", "N", "lateral force on body 1", [](Solution s) { return s.totals.fy; }, always},
     {"mz", "Mz", "N m", "N m", "spin moment on body 1, about the normal", [](Solution s) { return s.totals.mz; },
      always},
+    {"my", "My", "N m", "N m", "moment of the pressure about y on body 1: rolling resistance",
+     [](Solution s) { return s.totals.my; }, has_pressure},
     {"creepage_longitudinal", "xi", "-", "m",
      "longitudinal creepage: as given, or as found where the force is prescribed",
      [](Solution s) { return s.creepage.longitudinal; }, always},

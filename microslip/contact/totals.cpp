@@ -25,7 +25,10 @@ Totals find_totals(const Elements& elements, const SurfaceFields& fields, const 
     t.elastic_energy += 0.5 * (px * at(fields.displacement.x, k) + py * at(fields.displacement.y, k)) * area;
     t.peak_traction = std::max(t.peak_traction, std::hypot(px, py));
   }
-  for (const double p : fields.pressure) t.peak_pressure = std::max(t.peak_pressure, p);
+  for (std::size_t k = 0; k < fields.pressure.size(); ++k) {
+    t.my -= elements.x[k] * fields.pressure[k] * elements.area[k];
+    t.peak_pressure = std::max(t.peak_pressure, fields.pressure[k]);
+  }
   t.frictional_power *= speed;
   t.power_by_creepage = -speed * (creepage.longitudinal * t.fx + creepage.lateral * t.fy + creepage.spin * t.mz);
   return t;

@@ -9,9 +9,13 @@ namespace microslip {
 
 /// Integrals and extremes of a contact's fields. Forces and moments act on body 1.
 struct Totals {
-  double fx = 0;                ///< integral of px [N]
-  double fy = 0;                ///< integral of py [N]
-  double mz = 0;                ///< moment about z, integral of x py - y px [N m]
+  double fx = 0; ///< integral of px [N]
+  double fy = 0; ///< integral of py [N]
+  double mz = 0; ///< moment about z, integral of x py - y px [N m]
+  /// Moment about y of the pressure, -(integral of x p_n) [N m]: rolling resistance. Pressure of viscoelastic bodies
+  /// leads: rolling along +x, where a wheel turns positively about y, it is negative, along -x positive, and over the
+  /// wheel's radius it is the force that keeps the wheel rolling. Zero to rounding for similar elastic bodies.
+  double my = 0;
   double adhesion_area = 0;     ///< [m^2]
   double slip_area = 0;         ///< [m^2]
   double frictional_power = 0;  ///< -V integral of p.s [W], >= 0; for a shift the work, without V [J]

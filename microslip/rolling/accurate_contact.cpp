@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace microslip {
 namespace {
 
 constexpr int coarsest = 4, finest = 512;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The largest difference of two results, as a fraction of mu Fn.
 double difference(const EllipticContact& contact, const ContactSolution& a, const ContactSolution& b) {
@@ -52,11 +54,11 @@ AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions
   options_.tolerance = std::min(options_.tolerance, accuracy / 100);
 }
 
-ContactSolution AccurateContactSolver::solve_on(int elements, const EllipticContact& contact,
-                                                const ExactMotion& motion) {
+ContactSolution AccurateContactSolver::solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion,
+                                                const Progress& progress) {
   ExactOptions options = options_;
   options.mx = options.my = elements;
-  return solvers_.try_emplace(elements, options).first->second.solve(contact, motion);
+  return solvers_.try_emplace(elements, options).first->second.solve(contact, motion, progress);
 }
 
 AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
@@ -64,12 +66,23 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
   if (motion.kind != ContactMotion::steady || motion.step != 0)
     throw Error("motion: must be steady rolling without a step of its own to be extrapolated");
   AccurateContact out;
-  const ContactSolution first = solve_on(coarsest, contact, motion);
-  ContactSolution coarse = solve_on(2 * coarsest, contact, motion);
+  out.forces = {nan, nan, nan, nan, nan, Status::not_converged};
+  double done = 0;
+  bool stopped = false;
+  const Progress on_grid = [&](double) {
+    stopped = stopped || (progress && !progress(done));
+    return !stopped;
+  };
+  const ContactSolution first = solve_on(coarsest, contact, motion, on_grid);
+  ContactSolution coarse = solve_on(2 * coarsest, contact, motion, on_grid);
   double last_change = difference(contact, first, coarse);
   long products = first.report.products + coarse.report.products;
   for (int elements = 4 * coarsest;; elements *= 2) {
-    ContactSolution fine = solve_on(elements, contact, motion);
+    ContactSolution fine = solve_on(elements, contact, motion, on_grid);
+    if (stopped) {
+      out.forces.status = Status::not_converged;
+      return out;
+    }
     products += fine.report.products;
     const double change = difference(contact, coarse, fine), error = std::max(change, last_change / 4);
     last_change = change;
@@ -79,8 +92,8 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
     out.products = products;
     const bool solved = coarse.report.status == Status::ok && fine.report.status == Status::ok;
     if (!solved || error <= accuracy_) return out;
-    const bool go_on = !progress || progress(std::min(1.0, accuracy_ / error)); // the error falls to the accuracy
-    if (elements == finest || !go_on) {
+    done = std::min(1.0, accuracy_ / error); // the error falls to the accuracy
+    if (elements == finest || !on_grid(1)) {
       out.forces.status = Status::not_converged;
       return out;
     }

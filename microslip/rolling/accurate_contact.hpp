@@ -34,11 +34,13 @@ public:
   AccurateContactSolver(double accuracy, const ExactOptions& options = {});
 
   /// Steady rolling with creepages or forces given. If not even the finest grid of 512 x 512 elements is good enough
-  /// the status is not_converged and the result is the one from there.
+  /// the status is not_converged and the result is the one from there. `progress` may end the work: with the same
+  /// status and the result from the grids before, NaN if there are none.
   AccurateContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
 private:
-  ContactSolution solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion);
+  ContactSolution solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion,
+                           const Progress& progress);
 
   double accuracy_;
   ExactOptions options_;

@@ -15,6 +15,8 @@
 namespace microslip {
 namespace {
 
+constexpr const char* ended = "ended by the progress function";
+
 void check(const ExactMotion& m) {
   if (m.force_x) require_finite("force_x", *m.force_x, "N");
   if (m.force_y) require_finite("force_y", *m.force_y, "N");
@@ -23,10 +25,13 @@ void check(const ExactMotion& m) {
 }
 
 /// Under a load of 1 N, which pressures and approach are proportional to.
-NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid) {
+NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid, const Progress& progress) {
+  constexpr double tolerance = 1e-8;
+  const Progress essential = essential_part(progress, 0, 0);
   const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
   const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, material, 1).gap;
-  return NormalProblem(material, grid).solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1});
+  return NormalProblem(material, grid, essential)
+      .solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1}, tolerance, essential);
 }
 
 SolutionStep step_of(const TangentialSolution& s) {
@@ -57,6 +62,15 @@ void mirror(DeformedGap& of) {
 /// Whether transient rolling was ended before its last step, and nothing else was wrong.
 bool is_cut_short(const std::vector<SolutionStep>& history, const ExactMotion& motion, Status status) {
   return status == Status::ok && static_cast<int>(history.size()) < motion.steps;
+}
+
+/// Progress of the step that follows those of `history`; it is of no use unless it is whole.
+Progress within_step(const ExactMotion& motion, const std::vector<SolutionStep>& history, const Progress& progress) {
+  if (!progress) return {};
+  return [&](double fraction) {
+    go_on(progress, (static_cast<double>(history.size()) + fraction) / motion.steps);
+    return true;
+  };
 }
 
 } // namespace
@@ -104,17 +118,18 @@ bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool
 }
 
 /// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
-void EllipticContactSolver::prepare_classical(const EllipticContact& contact) {
+void EllipticContactSolver::prepare_classical(const EllipticContact& contact, const Progress& progress) {
   if (is_prepared_for(contact, false)) return;
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, contact_margin);
   grid_.shape = options_.elements;
-  normal_ = unit_load(contact, grid_);
-  tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
+  normal_ = unit_load(contact, grid_, progress);
+  tangential_ = std::make_unique<TangentialProblem>(material_, grid_, essential_part(progress, 0, 0));
 }
 
-void EllipticContactSolver::prepare_second_order(const EllipticContact& contact) {
+void EllipticContactSolver::prepare_second_order(const EllipticContact& contact, const Progress& progress) {
   if (is_prepared_for(contact, true)) return;
-  second_order_ = std::make_unique<HertzianRolling>(a_, b_, material_, options_.mx, options_.my);
+  second_order_ =
+      std::make_unique<HertzianRolling>(a_, b_, material_, options_.mx, options_.my, essential_part(progress, 0, 0));
 }
 
 /// Solves the tangential problem; transient rolling step by step.
@@ -130,7 +145,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
-  if (motion.kind != ContactMotion::transient) input.progress = progress;
+  input.progress = motion.kind == ContactMotion::transient ? within_step(motion, history, progress) : progress;
   TangentialState state;
   const bool creepages_given = !motion.force_x && !motion.force_y;
   if (motion.kind == ContactMotion::steady && creepages_given) {
@@ -144,9 +159,12 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
     return !progress || progress(double(history.size()) / motion.steps);
   };
   input.previous = &state;
-  while (remember() && static_cast<int>(history.size()) < motion.steps) {
-    state = std::move(s.tractions);
-    s = tangential_->solve(bound, input);
+  try {
+    while (remember() && static_cast<int>(history.size()) < motion.steps) {
+      state = s.tractions;
+      s = tangential_->solve(bound, input);
+    }
+  } catch (const Stopped&) { // in the midst of a step
   }
   if (is_cut_short(history, motion, s.forces.status)) s.forces.status = Status::not_converged;
   return s;
@@ -154,7 +172,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
 
 ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& contact, const ExactMotion& motion,
                                                        const Progress& progress) {
-  prepare_classical(contact);
+  prepare_classical(contact, progress);
   std::vector<double> bound = normal_.pressure;
   for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
   std::vector<SolutionStep> history;
@@ -203,15 +221,19 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
 ContactSolution EllipticContactSolver::solve_sequence(const EllipticContact& contact, const ExactMotion& motion,
                                                       const Progress& progress) {
   ContactStep step = sequence_step(contact, motion);
-  ContactStepSolution s = sequence_.solve(step);
   std::vector<SolutionStep> history;
+  step.motion.progress = motion.kind == ContactMotion::transient ? within_step(motion, history, progress) : progress;
+  ContactStepSolution s = sequence_.solve(step);
   if (motion.kind == ContactMotion::transient) {
     const auto remember = [&] {
       history.push_back(step_of(s.tangential));
       return !progress || progress(double(history.size()) / motion.steps);
     };
     step.start = StepStart::previous;
-    while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
+    try {
+      while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
+    } catch (const Stopped&) { // in the midst of a step
+    }
     if (is_cut_short(history, motion, s.status)) s.status = Status::not_converged;
   }
   auto temperature = temperatures_of(step, s);
@@ -251,7 +273,7 @@ EllipticContact EllipticContactSolver::mirrored(EllipticContact contact) const {
 
 ContactSolution EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion,
                                                           const Progress& progress) {
-  prepare_second_order(contact);
+  prepare_second_order(contact, progress);
   std::optional<double> force_x = motion.force_x;
   if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
   return fitted_solution(second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance, progress),
@@ -260,17 +282,21 @@ ContactSolution EllipticContactSolver::solve_second_order(const EllipticContact&
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact, const Progress& progress) {
   constexpr double linear_tolerance = 3e-5; // of which derivatives of forces have some fifth as an error
+  const EllipticContact forward = mirrored(contact);
+  SecondOrderSolution solution;
+  SecondOrderRolling::Derivatives derivatives;
   try {
     check(contact);
     if (needs_sequence(contact))
       throw Error("the exact theory has derivatives for Coulomb friction and similar elastic bodies only");
-    prepare_second_order(contact);
+    prepare_second_order(contact, progress);
+    solution = second_order_->solve(forward, {}, {}, options_.tolerance, essential_part(progress, 0, 0.7));
+    derivatives = second_order_->differentiate(forward, solution, linear_tolerance, part(progress, 0.7, 1));
   } catch (const Error& refusal) {
-    return {.solution = invalid_solution(refusal.what())};
+    return {.solution = solution_without_result(Status::invalid_input, refusal.what())};
+  } catch (const Stopped&) {
+    return {.solution = solution_without_result(Status::not_converged, ended)};
   }
-  const EllipticContact forward = mirrored(contact);
-  const SecondOrderSolution solution = second_order_->solve(forward, {}, {}, options_.tolerance, progress);
-  const auto derivatives = second_order_->differentiate(forward, solution, linear_tolerance);
   ExactDerivatives out{.solution = fitted_solution(solution, contact)};
   add_reason(out.solution.report);
   out.products = derivatives.products;
@@ -296,7 +322,7 @@ ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, con
     check(contact);
     check(motion);
   } catch (const Error& refusal) {
-    return invalid_solution(refusal.what());
+    return solution_without_result(Status::invalid_input, refusal.what());
   }
   const bool second_order = is_second_order(contact, motion), sequence = needs_sequence(contact);
   if (!second_order) require_memory_for(sequence ? ContactProblem::coupled : ContactProblem::tangential);
@@ -306,27 +332,30 @@ ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, con
           : sequence   ? solve_sequence(contact, motion, progress)
                        : solve_classical(contact, motion, progress);
   } catch (const Error& refusal) { // of what is found out on the way: combinations, numbers that overflow
-    out = invalid_solution(refusal.what());
+    out = solution_without_result(Status::invalid_input, refusal.what());
+  } catch (const Stopped&) {
+    out = solution_without_result(Status::not_converged, ended);
   }
   add_reason(out.report);
   return out;
 }
 
-DeformedGap EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion) {
+DeformedGap EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion,
+                                                const Progress& progress) {
   check(contact);
   check(motion);
   if (needs_sequence(contact)) {
-    ContactSolution solution = solve_sequence(contact, motion, {});
+    ContactSolution solution = solve_sequence(contact, motion, progress);
     return {solution.elements.grid, std::move(solution.fields.gap)};
   }
   DeformedGap out;
   if (is_second_order(contact, motion)) {
-    prepare_second_order(contact);
+    prepare_second_order(contact, progress);
     out.grid = second_order_->contact().grid;
-    out.gap = unit_load(contact, out.grid).gap;
+    out.gap = unit_load(contact, out.grid, progress).gap;
     if (options_.direction == RollingDirection::backward) mirror(out);
   } else {
-    prepare_classical(contact);
+    prepare_classical(contact, progress);
     out = {grid_, normal_.gap};
   }
   for (double& distance : out.gap) distance *= contact.normal_force;

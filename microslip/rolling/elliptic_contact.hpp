@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace microslip {
@@ -73,28 +74,30 @@ public:
 
   const ExactOptions& options() const { return options_; }
 
-  /// Input out of range gives Status::invalid_input with its reason, and NaN. `progress` is told of the steps of
-  /// transient rolling, else of the Newton steps, and may end them: with status not_converged and the tractions so far.
-  /// It is not told of the Newton steps for bodies of different materials and for friction that depends on the slip.
+  /// Input out of range gives Status::invalid_input and NaN. `progress` is told of the steps of transient rolling, else
+  /// of the Newton steps, and within them, and may end them: with status not_converged and the tractions so far, in
+  /// transient rolling those of the last whole step. Where there are none yet, and for bodies of different materials
+  /// and friction that depends on the slip, with NaN.
   ContactSolution solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
   /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
-  /// `progress` is told of the Newton steps; false ends them, with status not_converged and derivatives that mean
-  /// nothing.
+  /// `progress` is told of the Newton steps and of the linear solves; false ends them, with status not_converged and
+  /// NaN.
   ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
 
   /// Deformed distance of the bodies h - delta + u_n [m] at the elements of the solution, zero in contact: the normal
-  /// problem on their grid. Throws Error for a contact out of range.
-  DeformedGap deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {});
+  /// problem on their grid. Throws Error for a contact out of range, and Stopped if `progress` returns false.
+  DeformedGap deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {},
+                           const Progress& progress = {});
 
 private:
   bool is_second_order(const EllipticContact& contact, const ExactMotion& motion) const;
   bool needs_sequence(const EllipticContact& contact) const;
   void require_memory_for(ContactProblem problem) const;
-  void prepare_classical(const EllipticContact& contact);
-  void prepare_second_order(const EllipticContact& contact);
+  void prepare_classical(const EllipticContact& contact, const Progress& progress);
+  void prepare_second_order(const EllipticContact& contact, const Progress& progress);
   bool is_prepared_for(const EllipticContact& contact, bool second_order);
   ContactSolution solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,

@@ -143,7 +143,7 @@ void Fastrip::solve(std::span<const EllipticContact> contacts, std::span<Contact
 
 ContactSolution Fastrip::fields(const EllipticContact& contact) {
   if (contact.friction.kind() != FrictionLaw::Kind::coulomb)
-    return invalid_solution("friction: must be Coulomb's for FaStrip");
+    return solution_without_result(Status::invalid_input, "friction: must be Coulomb's for FaStrip");
   ContactSolution out = fastsim_.fields(contact);
   const double friction = contact.friction.static_coefficient();
   if (out.report.status != Status::ok || !(friction > 0)) return out;

@@ -284,7 +284,7 @@ ContactSolution RowSolver::fields(const EllipticContact& contact) {
   try {
     check_simplified(contact);
   } catch (const Error& refusal) {
-    return invalid_solution(refusal.what());
+    return solution_without_result(Status::invalid_input, refusal.what());
   }
   return workspace_->fields(contact);
 }

@@ -25,8 +25,10 @@ ContactSolution solve(Solver& self, const EllipticContact& contact, ContactMotio
 }
 
 py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMotion motion) {
-  const auto found =
-      self.run([&, contact](EllipticContactSolver& solver) { return solver.deformed_gap(contact, {.kind = motion}); });
+  const auto found = self.run([&, contact](EllipticContactSolver& solver) {
+    SignalCheck signals;
+    return solver.deformed_gap(contact, {.kind = motion}, signals.progress());
+  });
   py::array_t<double> out({found.grid.my, found.grid.mx});
   std::copy(found.gap.begin(), found.gap.end(), out.mutable_data());
   return out;

@@ -43,15 +43,19 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
     throw Error("dissimilarity", material.dissimilarity, "-",
                 "0: rolling of patches is for elastically similar bodies");
   require_memory(ContactProblem::tangential, grid);
-  bool stopped = false;
-  normal_ = NormalProblem(material, grid).solve(gap, load, normal_tolerance, [&](double fraction) {
-    stopped = progress && !progress(fraction);
-    return !stopped;
-  });
-  if (stopped || normal_.contact_elements == 0) return;
-  rolling_.emplace(material, direction == RollingDirection::forward
-                                 ? fit_contact(grid, normal_.pressure)
-                                 : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)));
+  try {
+    const Progress essential = essential_part(progress, 0, 1);
+    normal_ = NormalProblem(material, grid, essential).solve(gap, load, normal_tolerance, essential);
+    if (normal_.contact_elements == 0) return;
+    rolling_.emplace(material,
+                     direction == RollingDirection::forward
+                         ? fit_contact(grid, normal_.pressure)
+                         : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)),
+                     essential);
+  } catch (const Stopped&) {
+    normal_ = {};
+    normal_.status = Status::not_converged;
+  }
 }
 
 ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
@@ -59,7 +63,7 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   if (!rolling_) {
     ContactSolution nothing;
     nothing.creepage = motion.creepage;
-    nothing.report.status = normal_.contact_elements == 0 ? Status::no_contact : normal_.status;
+    nothing.report.status = normal_.status == Status::ok ? Status::no_contact : normal_.status;
     add_reason(nothing.report);
     return nothing;
   }

@@ -32,8 +32,8 @@ struct PatchRollingMotion {
 class PatchRolling {
 public:
   /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, for dissimilar bodies,
-  /// with columns to spare on the side that particles come from. `progress` is told of the normal problem; false ends
-  /// it, and solve() gives not_converged.
+  /// with columns to spare on the side that particles come from. `progress` is told of the normal problem and of what
+  /// prepares for the tangential one; false ends them, and solve() gives not_converged.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,
                const Progress& progress = {});
