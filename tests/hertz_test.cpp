@@ -384,7 +384,6 @@ TEST(GapCurvatures, RefusesRadiiThatGiveNoEllipse) {
 }
 
 TEST(Hertz, SaysWhichContactsAreImplausible) {
-  const double infinity = std::numeric_limits<double>::infinity();
   const PrincipalRadii radii{0.46, infinity, infinity, 0.3};
   const auto of_modulus = [&](double young) {
     const Material material = Material::from_young(young, 0.28);
