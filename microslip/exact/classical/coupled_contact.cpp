@@ -34,18 +34,18 @@ double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
 
 CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid)
     : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)),
-      displacement_(CoupledResponse::displacement(bodies, grid)), normal_(bodies.material, grid) {}
+      displacement_(CoupledOperator::displacement(bodies, grid)), normal_(bodies.material, grid) {}
 
-CoupledResponse& CoupledContact::slip_response(const TangentialInput& motion, double step) {
+CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
   if (motion.motion == ContactMotion::shift) return displacement_;
   if (motion_ != motion.motion || step_ != step) {
-    slip_response_ = std::make_unique<CoupledResponse>(
-        motion.motion == ContactMotion::steady ? CoupledResponse::growth(bodies_, grid_, step)
-                                               : CoupledResponse::displacement(bodies_, grid_, {}, std::abs(step)));
+    coupled_operator_ = std::make_unique<CoupledOperator>(
+        motion.motion == ContactMotion::steady ? CoupledOperator::difference(bodies_, grid_, step)
+                                               : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step)));
     motion_ = motion.motion;
     step_ = step;
   }
-  return *slip_response_;
+  return *coupled_operator_;
 }
 
 /// What a particle loses of its previous displacement, over the way.
@@ -57,7 +57,7 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
-  CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step))
+  CoupledOperator::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step))
       .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
              std::array{std::span(ux), std::span(uy)});
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
@@ -92,7 +92,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
     return out;
   }
   const bool starts = !start.px.empty() && !start.pressure.empty();
-  const CoupledFrictionProblem problem{slip_response(step.motion, way),
+  const CoupledFrictionProblem problem{coupled_operator(step.motion, way),
                                        gap,
                                        step.load,
                                        friction,
@@ -102,16 +102,16 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
                                        step.force_x,
                                        step.force_y};
   // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
-  CoupledNewton::Options options{.tolerance = step.motion.tolerance, .most_steps = 30};
-  CoupledFrictionSolution s = newton_.solve(
-      problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
+  const double tolerance = step.motion.tolerance;
+  CoupledFrictionSolution s =
+      newton_.solve(problem, {.tolerance = tolerance, .most_steps = 30},
+                    {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
   if (s.friction.status != Status::ok) { // tractions that go with a pressure are a better start
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const TangentialState& better = with_pressure.tangential.tractions;
     const long before = s.friction.products + with_pressure.tangential.products;
-    options.most_steps = 100;
-    s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
+    s = newton_.solve(problem, {.tolerance = tolerance}, {better.px, better.py, alone.pressure});
     s.friction.products += before;
   }
 
@@ -141,7 +141,7 @@ void CoupledContact::find_tangential(const ContactStep& step, std::span<const do
   const double way = signed_step(step.motion, grid_);
   const Field none(n);
   Field extra_x(n), extra_y(n), bound(n);
-  slip_response(step.motion, way).apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
+  coupled_operator(step.motion, way).apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
   add_previous(step.motion, way, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
   double force = 0;
   for (std::size_t k = 0; k < n; ++k) {

@@ -41,24 +41,24 @@ TangentialState HertzianRolling::from_fastsim2(const EllipticContact& contact, s
   return start;
 }
 
-/// By how much FASTSIM2's tractions, `start`, grow with the longitudinal (0) or lateral (1) creepage. Nothing near full
-/// sliding, where they hardly do: such numbers would mislead.
-TangentialState HertzianRolling::growth(const EllipticContact& contact, int direction, std::span<const double> bound,
-                                        const TangentialState& start) const {
+/// The derivative of FASTSIM2's tractions, `start`, with respect to the longitudinal (0) or lateral (1) creepage.
+/// Nothing near full sliding, where it nearly vanishes: such numbers would mislead.
+TangentialState HertzianRolling::derivative(const EllipticContact& contact, int direction,
+                                            std::span<const double> bound, const TangentialState& start) const {
   const double stiffness = contact.shear_modulus * contact.a * contact.b; // dF/dxi in adhesion over Kalker's C11
   const double unit = 1e-3 * contact.friction.static_coefficient() * contact.normal_force / stiffness;
   EllipticContact moved = contact;
   (direction == 0 ? moved.creepage.longitudinal : moved.creepage.lateral) += unit;
-  TangentialState growth = from_fastsim2(moved, bound);
+  TangentialState derivative = from_fastsim2(moved, bound);
   const FittedContact& fitted = this->contact();
   double slope = 0;
   for (std::size_t k = 0; k < bound.size(); ++k) {
-    growth.px[k] = (growth.px[k] - start.px[k]) / unit;
-    growth.py[k] = (growth.py[k] - start.py[k]) / unit;
-    slope += (direction == 0 ? growth.px[k] : growth.py[k]) * fitted.elements[k].width() * fitted.grid.dy;
+    derivative.px[k] = (derivative.px[k] - start.px[k]) / unit;
+    derivative.py[k] = (derivative.py[k] - start.py[k]) / unit;
+    slope += (direction == 0 ? derivative.px[k] : derivative.py[k]) * fitted.elements[k].width() * fitted.grid.dy;
   }
   if (std::abs(slope) < 0.02 * stiffness) return {};
-  return growth;
+  return derivative;
 }
 
 SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::optional<double> force_x,
@@ -89,9 +89,9 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
   if (!force_given) return rolling_.solve(bound, input);
 
   const TangentialState fastsim2 = from_fastsim2(at_start, bound);
-  const std::array growths = {growth(at_start, 0, bound, fastsim2), growth(at_start, 1, bound, fastsim2)};
-  input.start.growth = {FrictionNewton::Tractions{growths[0].px, growths[0].py},
-                        FrictionNewton::Tractions{growths[1].px, growths[1].py}};
+  const std::array derivatives = {derivative(at_start, 0, bound, fastsim2), derivative(at_start, 1, bound, fastsim2)};
+  input.start.by_constants = {TractionsView{derivatives[0].px, derivatives[0].py},
+                              TractionsView{derivatives[1].px, derivatives[1].py}};
   return rolling_.solve(bound, input);
 }
 

@@ -30,8 +30,8 @@ public:
 
 private:
   TangentialState from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const;
-  TangentialState growth(const EllipticContact& contact, int direction, std::span<const double> bound,
-                         const TangentialState& start) const;
+  TangentialState derivative(const EllipticContact& contact, int direction, std::span<const double> bound,
+                             const TangentialState& start) const;
 
   SecondOrderRolling rolling_;
   std::unique_ptr<HertzianRolling> coarser_;

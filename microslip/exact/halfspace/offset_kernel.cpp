@@ -122,7 +122,7 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
   return kernel;
 }
 
-SlipRate growth_over(double step) {
+SlipRate difference_over(double step) {
   return {.shift = {}, .length = std::abs(step), .before = Vec2{step, 0}};
 }
 
@@ -149,15 +149,15 @@ TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const Elem
                                                 double length) {
   return tangential_kernel(bodies, grid, {.shift = shift, .length = length});
 }
-TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
-  return tangential_kernel(bodies, grid, growth_over(step));
+TangentialKernel TangentialKernel::difference(const Bodies& bodies, const ElementGrid& grid, double step) {
+  return tangential_kernel(bodies, grid, difference_over(step));
 }
 
 CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length) {
   return coupled_kernel(bodies, grid, {.shift = shift, .length = length});
 }
-CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
-  return coupled_kernel(bodies, grid, growth_over(step));
+CoupledKernel CoupledKernel::difference(const Bodies& bodies, const ElementGrid& grid, double step) {
+  return coupled_kernel(bodies, grid, difference_over(step));
 }
 
 } // namespace microslip

@@ -15,7 +15,6 @@ namespace microslip {
 struct NewtonLimits {
   double goal; ///< of |F|
   int most_steps;
-  int most_inner;         ///< products in the linear solver of one step
   Progress progress = {}; ///< is told after each step; false ends the iteration
 };
 
@@ -27,8 +26,7 @@ struct NewtonState {
 };
 
 /// The equations F'(x) v = right of a linearised problem F(x) = 0, solved by GMRES. `Problem` has a type Real,
-/// size(), precondition(v), respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp
-/// are documented.
+/// size(), precondition(v), respond(v, response) and derivative(v, response, damping, out), as in FrictionEquations.
 template <class Problem> class LinearisedProblem {
 public:
   using Real = typename Problem::Real;
@@ -37,14 +35,14 @@ public:
   LinearisedProblem(Problem& problem, Gmres<Real>& gmres, std::size_t responses)
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
-  /// v and, unless `growth` is empty, its response, which costs no product more: it is summed of those that the
+  /// v and, unless `response_of_v` is empty, its response, which costs no product more: it is summed of those that the
   /// products had. Returns |F' v - right|.
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
-               std::span<Real> growth) {
+               std::span<Real> response_of_v) {
     std::size_t count = 0;
     const auto product = [&](std::span<const Real> in, std::span<Real> out) {
-      if (growths_.size() <= count) growths_.emplace_back();
-      Field& response = growths_[growth.empty() ? 0 : count++];
+      if (responses_of_products_.size() <= count) responses_of_products_.emplace_back();
+      Field& response = responses_of_products_[response_of_v.empty() ? 0 : count++];
       response.resize(responses_);
       std::copy(in.begin(), in.end(), change_.begin());
       problem_.precondition(change_);
@@ -53,7 +51,7 @@ public:
     };
     const auto result = gmres_.solve(product, right, v, tolerance, most);
     problem_.precondition(v);
-    if (!growth.empty()) combine(result.weights, growths_, growth);
+    if (!response_of_v.empty()) combine(result.weights, responses_of_products_, response_of_v);
     return result.residual;
   }
 
@@ -62,7 +60,7 @@ private:
   Gmres<Real>& gmres_;
   Field change_;
   std::size_t responses_;
-  std::vector<Field> growths_; ///< of the products' vectors
+  std::vector<Field> responses_of_products_; ///< of the products' vectors
 };
 
 /// Takes semi-smooth Newton steps for F(x) = 0 until a limit is reached, and leaves the best iterate in `x` and
@@ -81,8 +79,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
   constexpr double roughest = 0.3; // of the linear equations' residual
   constexpr int most_halvings = 12;
   const std::size_t n = problem.size();
-  Field f(n), right(n), step(n), growth(response.size()), trial(n), trial_response(response.size()), trial_f(n), best_x,
-      best_response;
+  Field f(n), right(n), step(n), response_change(response.size()), trial(n), trial_response(response.size()),
+      trial_f(n), best_x, best_response;
   LinearisedProblem<Problem> linearised(problem, gmres, response.size());
   double& norm = state.norm = problem.evaluate(x, response, f);
   double best_norm = norm, misfit = roughest;
@@ -93,12 +91,13 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
     const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
     const double least = std::min(0.8 * limits.goal / norm, roughest);
     const double accuracy = std::clamp(misfit, least, roughest);
-    const double linear_norm = linearised.solve(right, damping, accuracy, limits.most_inner, step, growth);
+    const double linear_norm = linearised.solve(right, damping, accuracy, most_gmres_products, step, response_change);
 
     double length = 1, trial_norm = norm;
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
       for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
-      for (std::size_t k = 0; k < growth.size(); ++k) trial_response[k] = response[k] + length * growth[k];
+      for (std::size_t k = 0; k < response_change.size(); ++k)
+        trial_response[k] = response[k] + length * response_change[k];
       trial_norm = problem.evaluate(trial, trial_response, trial_f);
       if (trial_norm < (1 - 1e-4 * length) * norm) break;
     }
