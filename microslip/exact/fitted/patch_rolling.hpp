@@ -1,6 +1,7 @@
 #pragma once
 
-#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/contact/normal_load.hpp"
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 

@@ -1,4 +1,4 @@
-#include "microslip/exact/classical/fastsim2_start.hpp"
+#include "microslip/simplified/fastsim2_start.hpp"
 
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/vec2.hpp"
@@ -28,8 +28,8 @@ Vec2 interpolate(const ContactFields& f, int j, double x) {
 
 } // namespace
 
-TangentialState start_from_fastsim2(const EllipticContact& contact, const ElementGrid& grid,
-                                    std::span<const double> bound, RollingDirection direction) {
+VectorField start_from_fastsim2(const EllipticContact& contact, const ElementGrid& grid, std::span<const double> bound,
+                                RollingDirection direction) {
   SimplifiedOptions options;
   options.mx = std::clamp(static_cast<int>(std::lround(2 * contact.a / grid.dx)), 1, 10000);
   options.my = std::clamp(static_cast<int>(std::lround(2 * contact.b / grid.dy)), 1, 10000);
@@ -38,7 +38,7 @@ TangentialState start_from_fastsim2(const EllipticContact& contact, const Elemen
   options.direction = direction;
   const ContactFields f = Fastsim2(options).fields(contact);
 
-  TangentialState start{std::vector<double>(grid.count()), std::vector<double>(grid.count())};
+  VectorField start(grid.count());
   if (f.mx == 0) return start;
   for (int j = 0; j < grid.my; ++j) {
     const double row = (grid.y(j) / contact.b + 1) / 2 * f.my - 0.5; // rows are cut as the elements are
@@ -46,8 +46,8 @@ TangentialState start_from_fastsim2(const EllipticContact& contact, const Elemen
     for (int i = 0; i < grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
       const Vec2 p = interpolate(f, nearest, grid.x(i));
-      start.px[k] = bound[k] * p.x;
-      start.py[k] = bound[k] * p.y;
+      start.x[k] = bound[k] * p.x;
+      start.y[k] = bound[k] * p.y;
     }
   }
   return start;
