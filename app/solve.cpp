@@ -65,7 +65,7 @@ std::string describe_exact(const RollingCase& input, int mx, int my) {
 
 void print_simplified(const RollingCase& input, const RollingContactResult& result) {
   const auto& simplified = *result.simplified;
-  const auto& forces = simplified.fields.forces;
+  const ContactForces forces = simplified.solution.forces();
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   const auto area = forces.adhesion_area + forces.slip_area;
@@ -75,7 +75,7 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.add("spin moment mz", forces.mz, "N m", in_units_of(forces.mz, moment, "mu Fn sqrt(a b)"));
   table.add("adhesion area", forces.adhesion_area * 1e6, "mm^2", percent(forces.adhesion_area, area));
   table.add("slip area", forces.slip_area * 1e6, "mm^2", percent(forces.slip_area, area));
-  table.add("frictional power", simplified.fields.frictional_power, "W");
+  table.add("frictional power", simplified.solution.totals.frictional_power, "W");
   table.add("discretisation error of fx", simplified.grid_error.fx, "mu Fn");
   table.add("discretisation error of fy", simplified.grid_error.fy, "mu Fn");
   table.add("discretisation error of mz", simplified.grid_error.mz, "mu Fn sqrt(a b)");
@@ -90,9 +90,9 @@ public:
 
   /// `value` takes a quantity from the fields and the grid error of a theory.
   template <class Value> void add(const std::string& name, const std::string& unit, const Value& value) {
-    std::vector<double> values = {value(result_.exact->contact.fields, result_.exact->grid_error)};
+    std::vector<double> values = {value(result_.exact->contact.totals, result_.exact->grid_error)};
     if (const auto& simplified = result_.simplified)
-      values.push_back(value(simplified->fields, simplified->grid_error));
+      values.push_back(value(simplified->solution.totals, simplified->grid_error));
     table_.add(name, values, unit);
   }
 
@@ -105,18 +105,18 @@ void add_totals(QuantityTable& table, const RollingContactResult& result, bool s
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   SideBySide rows(table, result);
-  using Fields = const ContactFields&;
+  using Fields = const Totals&;
   using Error = const GridError&;
-  rows.add("longitudinal force fx", "N", [](Fields f, Error) { return f.forces.fx; });
-  rows.add("lateral force fy", "N", [](Fields f, Error) { return f.forces.fy; });
-  rows.add("spin moment mz", "N m", [](Fields f, Error) { return f.forces.mz; });
+  rows.add("longitudinal force fx", "N", [](Fields f, Error) { return f.fx; });
+  rows.add("lateral force fy", "N", [](Fields f, Error) { return f.fy; });
+  rows.add("spin moment mz", "N m", [](Fields f, Error) { return f.mz; });
   if (limit > 0) {
-    rows.add("fx", "mu Fn", [&](Fields f, Error) { return f.forces.fx / limit; });
-    rows.add("fy", "mu Fn", [&](Fields f, Error) { return f.forces.fy / limit; });
-    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f, Error) { return f.forces.mz / moment; });
+    rows.add("fx", "mu Fn", [&](Fields f, Error) { return f.fx / limit; });
+    rows.add("fy", "mu Fn", [&](Fields f, Error) { return f.fy / limit; });
+    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f, Error) { return f.mz / moment; });
   }
-  rows.add("adhesion area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.adhesion_area; });
-  rows.add("slip area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.slip_area; });
+  rows.add("adhesion area", "mm^2", [](Fields f, Error) { return 1e6 * f.adhesion_area; });
+  rows.add("slip area", "mm^2", [](Fields f, Error) { return 1e6 * f.slip_area; });
   rows.add(shift ? "frictional work" : "frictional power", shift ? "J" : "W",
            [](Fields f, Error) { return f.frictional_power; });
   rows.add("discretisation error of fx", "mu Fn", [](Fields, Error e) { return e.fx; });
@@ -136,10 +136,10 @@ void add_limit(QuantityTable& table, const AccurateContact& limit, const Rolling
 void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto& contact = result.exact->contact;
   const bool shift = input.motion.kind == ContactMotion::shift;
-  std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.fields.forces.status))};
+  std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.report.status))};
   if (result.simplified) {
     heads.push_back(simplified_name(input));
-    status.emplace_back(to_string(result.simplified->fields.forces.status));
+    status.emplace_back(to_string(result.simplified->solution.report.status));
   }
   const auto& limit = result.exact->limit;
   const auto [mx, my] =
@@ -152,16 +152,16 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
               shift ? "m" : "-");
   if (input.motion.force_y)
     table.add(shift ? "lateral shift, found" : "lateral creepage, found", contact.creepage.lateral, shift ? "m" : "-");
-  table.add("frictional power by creepages", contact.power_by_creepage, shift ? "J" : "W");
-  table.add("elastic energy of the tractions", contact.elastic_energy, "J");
-  table.add("peak pressure", 1e-6 * contact.peak_pressure, "MPa");
-  table.add("peak traction", 1e-6 * contact.peak_traction, "MPa");
-  if (!contact.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
-  table.add("residual", contact.residual, "-",
-            fmt::format("{} Newton steps, {} products", contact.newton_steps, contact.products));
-  if (contact.friction_rounds > 0)
-    table.add("last change of the slip", contact.friction_residual, "-",
-              fmt::format("{} rounds of friction, from {}", contact.friction_rounds,
+  table.add("frictional power by creepages", contact.totals.power_by_creepage, shift ? "J" : "W");
+  table.add("elastic energy of the tractions", contact.totals.elastic_energy, "J");
+  table.add("peak pressure", 1e-6 * contact.totals.peak_pressure, "MPa");
+  table.add("peak traction", 1e-6 * contact.totals.peak_traction, "MPa");
+  if (!contact.fields.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
+  table.add("residual", contact.report.residual, "-",
+            fmt::format("{} Newton steps, {} products", contact.report.newton_steps, contact.report.products));
+  if (contact.report.friction_iterations > 0)
+    table.add("last change of the slip", contact.report.friction_residual, "-",
+              fmt::format("{} rounds of friction, from {}", contact.report.friction_iterations,
                           input.slip_start == SlipStart::above ? "full sliding" : "rest"));
   table.add("status", status);
   table.print();
@@ -186,11 +186,12 @@ std::string explain(const RollingCase& input, const RollingContactResult& result
   if (result.status == Status::not_converged && result.exact && result.exact->limit)
     return fmt::format("the accuracy is not reached: estimated error {:.2g}", result.exact->limit->error);
   if (result.status == Status::not_converged && result.exact &&
-      result.exact->contact.friction_residual > friction_tolerance)
+      result.exact->contact.report.friction_residual > friction_tolerance)
     return fmt::format("friction and slip do not go together after {} rounds: the slip changes by {:.2g} of itself",
-                       result.exact->contact.friction_rounds, result.exact->contact.friction_residual);
-  if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
-    return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.residual,
+                       result.exact->contact.report.friction_iterations,
+                       result.exact->contact.report.friction_residual);
+  if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.report.residual))
+    return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.report.residual,
                        input.tolerance);
   return "the numbers are too large or too small to compute with";
 }

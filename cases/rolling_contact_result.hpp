@@ -20,15 +20,14 @@ struct GridError {
 
 /// What the simplified theory makes of a case.
 struct SimplifiedResult {
-  ContactFields fields;
+  ContactSolution solution;
   GridError grid_error; ///< to the grid with twice the cells in each direction
   CreepCurve curve;
 };
 
 /// What the exact theory makes of a case.
 struct ExactResult {
-  ExactContact contact;
-  std::vector<double> gap;              ///< deformed distance of the bodies at the cells of its fields [m]
+  ContactSolution contact;
   GridError grid_error;                 ///< to the grid with half the elements in each direction
   std::optional<AccurateContact> limit; ///< if an accuracy is asked for; `contact` is its finest then
   std::vector<InteriorState> interior;  ///< at the case's points inside the bodies

@@ -2,6 +2,7 @@
 
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -13,9 +14,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr int most_steps = 1000000;
-constexpr std::size_t most_interior_points = 2000000;
 
 constexpr std::string_view thermal_keys[] = {"bulk_temperature", "conductivity", "density", "heat_capacity"};
 
@@ -253,7 +251,7 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   solution.allow({"theory", "grid", "accuracy", "discretisation", "elements", "tolerance", "coupling", "slip_start",
                   "bound", "flexibility", "coefficients", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
-  solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
+  solution.counts("grid", 1, most_field_cells, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
   input.elements = solution.option("elements", input.elements);
   if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/theory.hpp"
+#include "microslip/rolling/theory.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -48,9 +48,6 @@ struct RollingCase {
   InteriorGrid interior = {};          ///< points inside the bodies, with the exact theory; none: no interior field
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
-
-/// Largest number of cells along either side of a grid whose fields are kept.
-inline constexpr int largest_field_grid = 2000;
 
 /// Reads a case from TOML text; `name` is the file's name for messages. Unknown keys, missing keys, wrong types and
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown

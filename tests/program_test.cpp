@@ -119,18 +119,18 @@ TEST(Program, WritesWhatTheLibraryComputes) {
   EXPECT_EQ(reader.text("inputs/bound"), "parabolic");
   EXPECT_EQ(scalar("hertz/a"), hertz.a);
   EXPECT_EQ(scalar("hertz/peak_pressure"), hertz.peak_pressure);
-  EXPECT_EQ(scalar("fastsim2/fx"), expected.forces.fx);
-  EXPECT_EQ(scalar("fastsim2/mz"), expected.forces.mz);
+  EXPECT_EQ(scalar("fastsim2/fx"), expected.totals.fx);
+  EXPECT_EQ(scalar("fastsim2/mz"), expected.totals.mz);
   const auto exact = EllipticContactSolver(exact_options(input)).solve(elliptic_contact(input, hertz));
-  EXPECT_EQ(scalar("exact/fx"), exact.fields.forces.fx);
-  EXPECT_EQ(scalar("exact/products"), static_cast<double>(exact.products));
-  EXPECT_EQ(reader.values<double>("exact/fields/px", H5T_NATIVE_DOUBLE), exact.fields.px);
-  EXPECT_EQ(reader.values<double>("exact/fields/gap", H5T_NATIVE_DOUBLE).size(), exact.pressure.size());
+  EXPECT_EQ(scalar("exact/fx"), exact.totals.fx);
+  EXPECT_EQ(scalar("exact/products"), static_cast<double>(exact.report.products));
+  EXPECT_EQ(reader.values<double>("exact/fields/px", H5T_NATIVE_DOUBLE), exact.fields.traction.x);
+  EXPECT_EQ(reader.values<double>("exact/fields/gap", H5T_NATIVE_DOUBLE).size(), exact.fields.pressure.size());
   EXPECT_EQ(reader.text("exact/status"), "ok");
   EXPECT_GT(scalar("tolerances/exact/grid_fx"), 0);
   EXPECT_LT(scalar("tolerances/exact/grid_fx"), 0.02);
   EXPECT_EQ(reader.text("fastsim2/status"), "ok");
-  EXPECT_EQ(reader.values<double>("fastsim2/fields/px", H5T_NATIVE_DOUBLE), expected.px);
+  EXPECT_EQ(reader.values<double>("fastsim2/fields/px", H5T_NATIVE_DOUBLE), expected.fields.traction.x);
   EXPECT_EQ(reader.shape("fastsim2/fields/state"), (std::vector<hsize_t>{40, 40}));
   EXPECT_GT(scalar("tolerances/fastsim2/grid_fx"), 0);
   EXPECT_LT(scalar("tolerances/fastsim2/grid_fx"), 1e-3);
@@ -407,13 +407,73 @@ TEST(Program, BatchByTheExactTheory) {
     EXPECT_EQ(row.at(14), i == 10 ? "invalid_input" : "ok");
     if (i == 10) continue;
     const auto expected = solver.solve(contact_of(row));
-    EXPECT_EQ(std::stod(row.at(9)), expected.fields.forces.fx);
-    EXPECT_EQ(std::stod(row.at(11)), expected.fields.forces.mz);
-    EXPECT_EQ(std::stod(row.at(15)), expected.residual);
-    EXPECT_LE(expected.residual, 1e-6);
-    EXPECT_EQ(row.at(16), std::to_string(expected.newton_steps));
+    EXPECT_EQ(std::stod(row.at(9)), expected.totals.fx);
+    EXPECT_EQ(std::stod(row.at(11)), expected.totals.mz);
+    EXPECT_EQ(std::stod(row.at(15)), expected.report.residual);
+    EXPECT_LE(expected.report.residual, 1e-6);
+    EXPECT_EQ(row.at(16), std::to_string(expected.report.newton_steps));
   }
   EXPECT_NE(run_program(folder, "batch in.csv -o x.csv --theory exact --grid 0x12").exit_code, 0);
+}
+
+TEST(Program, BatchOfDissimilarBodies) {
+  const TemporaryFolder folder;
+  const std::vector<double> dissimilarities = {0, 0.1, 0.1, -0.1, 0};
+  std::string rows = "dissimilarity," + header;
+  for (const double k : dissimilarities)
+    rows += std::to_string(k) + ",0.006,0.005,82e9,0.28,0.3,80e3,0.001,0.0005,0.2\n";
+  save(folder / "in.csv", rows);
+  ASSERT_EQ(run_program(folder, "batch in.csv -o out.csv --theory exact --grid 8x8").exit_code, 0);
+  const auto table = rows_of(folder / "out.csv");
+  ASSERT_EQ(table.size(), dissimilarities.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    ExactOptions options = {.mx = 8, .my = 8};
+    if (dissimilarities[i] != 0) options.bodies = CombinedMaterial{82e9, 0.28, dissimilarities[i]};
+    const Names without_k(table[i].begin() + 1, table[i].end());
+    const auto expected = EllipticContactSolver(options).solve(contact_of(without_k));
+    EXPECT_EQ(std::stod(table[i].at(10)), expected.fields.forces.fx);
+    EXPECT_EQ(std::stod(table[i].at(11)), expected.fields.forces.fy);
+  }
+  EXPECT_NE(table[1].at(10), table[0].at(10));
+  EXPECT_NE(table[1].at(10), table[3].at(10));
+  const std::string column = "in.csv:3: column dissimilarity = 0.1 [-]: must be 0 ";
+  expect_refused(folder, "batch in.csv -o x.csv", column + "unless --theory is exact");
+  expect_refused(folder, "batch in.csv -o x.csv --theory exact --discretisation second_order",
+                 column + "with --discretisation second_order");
+}
+
+TEST(Program, BatchTakesTheOptionsOfTheExactTheory) {
+  const TemporaryFolder folder;
+  const std::string row = "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0.0005,0.9\n";
+  save(folder / "in.csv", header + row);
+  const auto solved = [&](const std::string& options) {
+    const auto outcome = run_program(folder, "batch in.csv -o out.csv --grid 8x8 " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return rows_of(folder / "out.csv").at(0);
+  };
+  const auto expect = [&](const Names& found, const ExactOptions& options) {
+    const auto expected = EllipticContactSolver(options).solve(contact_of(found));
+    EXPECT_EQ(std::stod(found.at(9)), expected.fields.forces.fx);
+    EXPECT_EQ(std::stod(found.at(15)), expected.residual);
+  };
+  expect(solved("--theory exact --tolerance 1e-9"), {.mx = 8, .my = 8, .tolerance = 1e-9});
+  expect(solved("--theory exact --direction backward"), {.mx = 8, .my = 8, .direction = RollingDirection::backward});
+  expect(solved("--theory exact --discretisation classical --elements bilinear"),
+         {.mx = 8, .my = 8, .discretisation = Discretisation::classical, .elements = ElementShape::bilinear});
+  const auto backward = solved("--direction backward");
+  Fastsim2 fastsim2({.mx = 8, .my = 8, .direction = RollingDirection::backward});
+  EXPECT_EQ(std::stod(backward.at(9)), fastsim2.solve(contact_of(backward)).fx);
+  const auto refused = [&](const std::string& options, const std::string& message) {
+    expect_refused(folder, "batch in.csv -o x.csv " + options, message);
+  };
+  refused("--tolerance 1e-9", "--tolerance: needs --theory exact");
+  refused("--elements bilinear", "--elements: needs --theory exact");
+  refused("--discretisation classical", "--discretisation: needs --theory exact");
+  refused("--theory exact --bound elliptic", "--bound: needs the simplified theory");
+  refused("--theory exact --flexibility one", "--flexibility: needs the simplified theory");
+  refused("--theory exact --coefficients computed", "--coefficients: needs the simplified theory");
+  refused("--theory exact --elements bilinear", "--elements: bilinear ones need --discretisation classical");
+  refused("--theory exact --tolerance 1", "--tolerance = 1 [-]: must be in [1e-14, 0.1]");
 }
 
 TEST(Program, MarksWhatCannotBeComputed) {

@@ -59,7 +59,7 @@ TEST(Progress, OfHertzianContacts) {
       EllipticContact moved = contact();
       if (kind == ContactMotion::shift) moved.creepage = {5e-6, 3e-6, 0};
       expect_heard([&](const Progress& progress) {
-        return solver.solve(moved, {.kind = kind, .steps = 5}, progress).fields.forces.status;
+        return solver.solve(moved, {.kind = kind, .steps = 5}, progress).report.status;
       });
     }
   }
@@ -71,16 +71,16 @@ TEST(Progress, TransientRollingKeepsTheStepsSoFar) {
   const auto whole = solver.solve(contact(), motion);
   Listener listener(4);
   const auto part = solver.solve(contact(), motion, listener.progress());
-  EXPECT_EQ(part.fields.forces.status, Status::not_converged);
+  EXPECT_EQ(part.report.status, Status::not_converged);
   EXPECT_EQ(listener.told, (std::vector<double>{1.0 / 6, 2.0 / 6, 3.0 / 6, 4.0 / 6}));
   ASSERT_EQ(part.history.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(part.history[i].forces.fx, whole.history[i].forces.fx);
-    EXPECT_EQ(part.history[i].forces.status, Status::ok);
+    EXPECT_EQ(part.history[i].totals.fx, whole.history[i].totals.fx);
+    EXPECT_EQ(part.history[i].report.status, Status::ok);
   }
-  EXPECT_EQ(part.fields.forces.fx, whole.history[3].forces.fx);
+  EXPECT_EQ(part.totals.fx, whole.history[3].totals.fx);
   Listener last(6); // all steps are done
-  EXPECT_EQ(solver.solve(contact(), motion, last.progress()).fields.forces.status, Status::ok);
+  EXPECT_EQ(solver.solve(contact(), motion, last.progress()).report.status, Status::ok);
 }
 
 TEST(Progress, TransientRollingWithFallingFriction) {
@@ -90,13 +90,13 @@ TEST(Progress, TransientRollingWithFallingFriction) {
   options.friction_memory = {1e-3, 1e-3};
   EllipticContactSolver solver(options);
   const ExactMotion motion{.kind = ContactMotion::transient, .steps = 4};
-  expect_heard([&](const Progress& progress) { return solver.solve(falling, motion, progress).fields.forces.status; });
+  expect_heard([&](const Progress& progress) { return solver.solve(falling, motion, progress).report.status; });
 }
 
 TEST(Progress, OfDerivatives) {
   EllipticContactSolver solver({.mx = 16, .my = 16});
   expect_heard(
-      [&](const Progress& progress) { return solver.differentiate(contact(), progress).contact.fields.forces.status; });
+      [&](const Progress& progress) { return solver.differentiate(contact(), progress).solution.report.status; });
 }
 
 /// The contact above on a grid.
@@ -135,10 +135,10 @@ TEST(Progress, OfPatches) {
   std::optional<PatchRolling> rolling;
   expect_heard([&](const Progress& progress) {
     rolling.emplace(on.material, on.grid, on.gap, on.load, RollingDirection::forward, progress);
-    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage}).forces.status;
+    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage}).report.status;
   });
   expect_heard([&](const Progress& progress) {
-    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage, .progress = progress}).forces.status;
+    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage, .progress = progress}).report.status;
   });
 }
 

@@ -168,8 +168,8 @@ typedef enum microslip_motion {
   MICROSLIP_SHIFT = 2      /* the creepages are a rigid shift [m] and a rotation [rad] */
 } microslip_motion;
 
-/* Fields over the cells of a grid: my rows, y ascending, of mx cells from the leading to the trailing edge; cell i of
- * row j has the index j mx + i. */
+/* Fields over the elements of a grid: my rows, y ascending, of mx elements, x ascending whatever the rolling direction;
+ * element i of row j has the index j mx + i. */
 typedef enum microslip_field {
   MICROSLIP_FIELD_X = 0,        /* cell centres [m] */
   MICROSLIP_FIELD_Y = 1,        /* [m] */

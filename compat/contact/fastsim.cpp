@@ -81,6 +81,14 @@ std::vector<Run> runs_of(const ElementGrid& grid, const std::vector<double>& pre
   return runs;
 }
 
+/// What a run's elements have, in the order of the particles' way.
+struct RunFields {
+  explicit RunFields(std::size_t n) : x(n), bound(n), px(n), py(n), sx(n), sy(n), state(n) {}
+
+  std::vector<double> x, bound, px, py, sx, sy;
+  std::vector<CellState> state;
+};
+
 /// Displacements that the particles of the elements had before the step [m]; empty: none.
 struct Springs {
   std::vector<double> x = {}, y = {};
@@ -180,10 +188,10 @@ private:
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * grid_.mx + i; }
 
   /// FASTSIM's step from element to element, u' + s dq = u + w dq: in steady rolling u' is that of the element before.
-  ContactFields solve(const Run& run) {
+  RunFields solve(const Run& run) {
     const Flexibilities& l = flexibilities_;
     const double friction = friction_of(run.row), length = std::abs(way_);
-    ContactFields f(static_cast<int>(run.columns.size()), 1);
+    RunFields f(run.columns.size());
     Vec2 u;
     for (std::size_t n = 0; n < run.columns.size(); ++n) {
       const int i = run.columns[n];
@@ -224,7 +232,7 @@ private:
     return f;
   }
 
-  void take_strips(ContactFields& f, StripRow row, int j) const {
+  void take_strips(RunFields& f, StripRow row, int j) const {
     const bool first_form = case_.digits.mater >= 6;
     const EllipticContact& ellipse = first_form ? hertz_ : of_elements_;
     if (first_form) row.half_length = ellipse.a * std::sqrt(std::max(0.0, 1 - std::pow(grid_.y(j) / ellipse.b, 2)));
@@ -240,7 +248,7 @@ private:
     }
   }
 
-  void put(const Run& run, const ContactFields& f, TangentialSolution& s) const {
+  void put(const Run& run, const RunFields& f, TangentialSolution& s) const {
     for (std::size_t n = 0; n < run.columns.size(); ++n) {
       const auto k = static_cast<std::size_t>(run.row) * grid_.mx + run.columns[n];
       s.tractions.px[k] = f.px[n];

@@ -1,12 +1,14 @@
 #include "compat/contact/geometry.hpp"
 
+#include "microslip/contact/limits.hpp"
+
 #include <algorithm>
 #include <string>
 
 namespace microslip {
 namespace {
 
-constexpr int most_elements_along = 10000, most_points = 9999, most_heights = 10000, most_patches = 100;
+constexpr int most_points = 9999, most_heights = 10000, most_patches = 100;
 constexpr int any_element = 999999; ///< indices of points may lie beyond the grid, which cuts them off
 
 /// Names of the numbers behind MX and MY.
@@ -155,8 +157,8 @@ PotentialContact read_potential_contact(ContactWords& words) {
   p.kind = words.integer("IPOTCN", -6, 4);
   if (p.kind == 0) words.fail("IPOTCN", 0, "must be in -6 to -1 or 1 to 4");
   words.end_record();
-  p.mx = words.integer("MX", 1, most_elements_along);
-  p.my = words.integer("MY", 1, most_elements_along);
+  p.mx = words.integer("MX", 1, most_cells);
+  p.my = words.integer("MY", 1, most_cells);
   if (p.is_hertzian())
     read_hertzian(words, p);
   else

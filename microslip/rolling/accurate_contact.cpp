@@ -12,10 +12,10 @@ namespace {
 constexpr int coarsest = 4, finest = 512;
 
 /// The largest difference of two results, as a fraction of mu Fn.
-double difference(const EllipticContact& contact, const ExactContact& a, const ExactContact& b) {
+double difference(const EllipticContact& contact, const ContactSolution& a, const ContactSolution& b) {
   const double full = contact.friction.static_coefficient() * contact.normal_force;
   if (!(full > 0)) return 0;
-  const ContactForces &f = a.fields.forces, &g = b.fields.forces;
+  const ContactForces f = a.forces(), g = b.forces();
   const auto c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
   const double stiffness = contact.shear_modulus * contact.a * contact.b;
   return std::max({std::abs(f.fx - g.fx), std::abs(f.fy - g.fy),
@@ -25,9 +25,9 @@ double difference(const EllipticContact& contact, const ExactContact& a, const E
          full;
 }
 
-AccurateContact extrapolate(const ExactContact& coarse, ExactContact fine) {
+AccurateContact extrapolate(const ContactSolution& coarse, ContactSolution fine) {
   AccurateContact out;
-  const ContactForces &f = coarse.fields.forces, &g = fine.fields.forces;
+  const ContactForces f = coarse.forces(), g = fine.forces();
   out.coarser = f;
   out.forces = g;
   out.forces.fx = limit_of_second_order(f.fx, g.fx);
@@ -52,7 +52,8 @@ AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions
   options_.tolerance = std::min(options_.tolerance, accuracy / 100);
 }
 
-ExactContact AccurateContactSolver::solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion) {
+ContactSolution AccurateContactSolver::solve_on(int elements, const EllipticContact& contact,
+                                                const ExactMotion& motion) {
   ExactOptions options = options_;
   options.mx = options.my = elements;
   return solvers_.try_emplace(elements, options).first->second.solve(contact, motion);
@@ -63,20 +64,20 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
   if (motion.kind != ContactMotion::steady || motion.step != 0)
     throw Error("motion: must be steady rolling without a step of its own to be extrapolated");
   AccurateContact out;
-  const ExactContact first = solve_on(coarsest, contact, motion);
-  ExactContact coarse = solve_on(2 * coarsest, contact, motion);
+  const ContactSolution first = solve_on(coarsest, contact, motion);
+  ContactSolution coarse = solve_on(2 * coarsest, contact, motion);
   double last_change = difference(contact, first, coarse);
-  long products = first.products + coarse.products;
+  long products = first.report.products + coarse.report.products;
   for (int elements = 4 * coarsest;; elements *= 2) {
-    ExactContact fine = solve_on(elements, contact, motion);
-    products += fine.products;
+    ContactSolution fine = solve_on(elements, contact, motion);
+    products += fine.report.products;
     const double change = difference(contact, coarse, fine), error = std::max(change, last_change / 4);
     last_change = change;
     out = extrapolate(coarse, fine);
     out.error = error;
     out.elements = elements;
     out.products = products;
-    const bool solved = coarse.fields.forces.status == Status::ok && fine.fields.forces.status == Status::ok;
+    const bool solved = coarse.report.status == Status::ok && fine.report.status == Status::ok;
     if (!solved || error <= accuracy_) return out;
     const bool go_on = !progress || progress(std::min(1.0, accuracy_ / error)); // the error falls to the accuracy
     if (elements == finest || !go_on) {

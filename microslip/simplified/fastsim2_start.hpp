@@ -3,7 +3,7 @@
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/contact/vector_field.hpp"
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 
 #include <span>
 

@@ -124,25 +124,17 @@ void bind_theories(py::module_& module) {
   add_text(error, {"fx", "fy", "mz"});
 
   py::class_<SimplifiedResult>(module, "SimplifiedResult", "What the simplified theory makes of a case.")
-      .def_readonly("fields", &SimplifiedResult::fields, "Tractions, slip and states, as ContactFields.")
+      .def_readonly("solution", &SimplifiedResult::solution, "The ContactSolution.")
       .def_property_readonly(
-          "forces", [](const SimplifiedResult& self) -> const ContactForces& { return self.fields.forces; },
+          "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
       .def_readonly("grid_error", &SimplifiedResult::grid_error, "To the grid with twice the cells [-].")
       .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
 
   py::class_<ExactResult>(module, "ExactResult", "What the exact theory makes of a case.")
-      .def_readonly("contact", &ExactResult::contact, "The solution, as ExactContact.")
+      .def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
       .def_property_readonly(
-          "forces", [](const ExactResult& self) -> const ContactForces& { return self.contact.fields.forces; },
-          "The totals, as ContactForces.")
-      .def_property_readonly(
-          "gap",
-          [](const py::object& self) {
-            const auto& exact = self.cast<const ExactResult&>();
-            return view(exact.gap, {exact.contact.fields.my, exact.contact.fields.mx}, self);
-          },
-          "Deformed distance of the bodies, shape (my, mx) [m].")
+          "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
       .def_readonly("grid_error", &ExactResult::grid_error, "To the grid with half the elements [-].")
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
       .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/contact/motion.hpp"
+#include "microslip/contact/surface_fields.hpp"
 #include "microslip/exact/halfspace/leading_edge.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
-#include "microslip/simplified/contact.hpp"
 #include "microslip/simplified/options.hpp"
 
 #include <memory>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/exact/fitted/centred_slip.hpp"
 #include "microslip/exact/fitted/fitted_operator.hpp"
 #include "microslip/exact/fitted/rolling_derivative.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
-#include "microslip/simplified/contact.hpp"
 
 #include <array>
 #include <optional>
