@@ -51,7 +51,7 @@ EllipticContact papers_test() {
 /// Seconds for one product with the matrix of a grid: the shortest of some.
 double product_time(const EllipticContact& contact, int n) {
   const FittedContact fitted = fit_ellipse(contact.a, contact.b, n, n);
-  FittedResponse response({contact.shear_modulus, contact.poisson_ratio, 0}, fitted);
+  FittedOperator response({contact.shear_modulus, contact.poisson_ratio, 0}, fitted);
   std::vector<double> px(fitted.elements.size(), 1), py(px), sx(px), sy(px);
   double shortest = 1e9;
   for (int i = 0; i < 7; ++i) {

@@ -6,8 +6,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS microslip EXPORT microslip_cxx COMPONENT libraries)
 install(TARGETS microslip_c EXPORT microslip_c
   LIBRARY COMPONENT libraries NAMELINK_COMPONENT libraries PUBLIC_HEADER COMPONENT libraries)
-install(DIRECTORY microslip DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT libraries
-  FILES_MATCHING PATTERN "*.hpp" PATTERN kernel EXCLUDE)
+install(CODE "set(include_folder ${CMAKE_INSTALL_INCLUDEDIR})" COMPONENT libraries)
+install(SCRIPT cmake/install_headers.cmake COMPONENT libraries)
 install(FILES c/fortran/microslip.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/fortran COMPONENT libraries)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/microslip)

@@ -3,7 +3,7 @@
 #include "expect_error.hpp"
 #include "friction_cases.hpp"
 #include "friction_conditions.hpp"
-#include "tests/oracles/direct_response.hpp"
+#include "tests/oracles/direct_operator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 TEST(ActiveSetTangential, FindsWhatNewtonFinds) {
   for (const FrictionCase& c : friction_cases(9)) {
     SCOPED_TRACE(c.name);
-    DirectResponse response(c.kernel());
+    DirectOperator response(c.kernel());
     const PlaneFields free = c.free_slip();
     const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});
     ASSERT_EQ(s.status, Status::ok) << s.residual;
@@ -35,7 +35,7 @@ TEST(ActiveSetTangential, LeadingEdgeCorrected) {
   c.input.step = 2.5 * c.grid.dx;
   c.input.leading_edge = LeadingEdge{};
   const auto entering = entering_elements(c.grid, c.bound, c.input.step, *c.input.leading_edge);
-  LeadingEdgeResponse response(c.material, c.grid, c.input.step, entering);
+  LeadingEdgeOperator response(c.material, c.grid, c.input.step, entering);
   PlaneFields free = c.free_slip();
   for (const EnteringElement& e : entering) free.x[e.element] *= e.share, free.y[e.element] *= e.share;
   const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});
@@ -52,7 +52,7 @@ TEST(ActiveSetTangential, LeadingEdgeCorrected) {
 TEST(ActiveSetTangential, FullAdhesionIsOneDivision) {
   FrictionCase c = elliptic_case("", 7, 1, rolling(6e-4, 5e-4, 0.2));
   for (double& g : c.bound) g *= 1e3;
-  DirectResponse response(c.kernel());
+  DirectOperator response(c.kernel());
   const PlaneFields free = c.free_slip();
   const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-4});
   EXPECT_EQ(s.status, Status::ok);
@@ -63,7 +63,7 @@ TEST(ActiveSetTangential, FullAdhesionIsOneDivision) {
 
 TEST(ActiveSetTangential, ASolutionIsItsOwnDivision) {
   const FrictionCase c = elliptic_case("", 9, 1, rolling(6e-4, 5e-4, 0.2));
-  DirectResponse response(c.kernel());
+  DirectOperator response(c.kernel());
   const PlaneFields free = c.free_slip();
   const FrictionProblem problem = c.problem(response, free);
   const TangSolution s = solve_tang(problem, {.tolerance = 1e-10});
@@ -76,7 +76,7 @@ TEST(ActiveSetTangential, ASolutionIsItsOwnDivision) {
 
 TEST(ActiveSetTangential, NothingMovesAndNoContact) {
   FrictionCase c = elliptic_case("", 6, 1, rolling(0, 0, 0));
-  DirectResponse response(c.kernel());
+  DirectOperator response(c.kernel());
   PlaneFields free = c.free_slip();
   const TangSolution still = solve_tang(c.problem(response, free), {});
   EXPECT_EQ(still.status, Status::ok);
@@ -92,7 +92,7 @@ TEST(ActiveSetTangential, NothingMovesAndNoContact) {
 /// The residual is that of the tractions, which obey the bound.
 TEST(ActiveSetTangential, NotConvergedIsAStatus) {
   const FrictionCase c = elliptic_case("", 9, 1, rolling(6e-4, 5e-4, 0.2));
-  DirectResponse response(c.kernel());
+  DirectOperator response(c.kernel());
   const PlaneFields free = c.free_slip();
   for (const int divisions : {1, 2}) {
     const TangSolution s = solve_tang(c.problem(response, free), {.most_divisions = divisions});
@@ -107,7 +107,7 @@ TEST(ActiveSetTangential, NotConvergedIsAStatus) {
 
 TEST(ActiveSetTangential, RefusesOptionsOutOfRange) {
   const FrictionCase c = elliptic_case("", 4, 1, rolling(1e-3, 0, 0));
-  DirectResponse response(c.kernel());
+  DirectOperator response(c.kernel());
   const PlaneFields free = c.free_slip();
   expect_error([&] { solve_tang(c.problem(response, free), {.tolerance = 0}); }, "tolerance", "[-]: must be positive");
   expect_error([&] { solve_tang(c.problem(response, free), {.most_divisions = 0}); }, "most_divisions", "must be");

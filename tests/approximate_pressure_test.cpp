@@ -86,7 +86,7 @@ TEST(ApproximatePressure, KikAndPiotrowskisReachesTheApproach) {
   const ElementGrid grid = grid_of(7e-3, 12e-3, 41);
   const Field gap = gap_of(grid, head), p = kik_piotrowski_pressure(steel, grid, gap, approach);
   Field u(grid.count());
-  NormalResponse(steel, grid).apply(p, u);
+  NormalOperator(steel, grid).apply(p, u);
   EXPECT_NEAR(u[20 * 41 + 20], approach, 1e-9 * approach);
 }
 

@@ -3,7 +3,7 @@
 #include "expect_error.hpp"
 #include "friction_cases.hpp"
 #include "friction_conditions.hpp"
-#include "tests/oracles/direct_response.hpp"
+#include "tests/oracles/direct_operator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 GaussSeidelSolution sweep(const FrictionCase& c, const GaussSeidelOptions& options) {
   const TangentialKernel kernel = c.kernel();
-  DirectResponse response(kernel);
+  DirectOperator response(kernel);
   const PlaneFields free = c.free_slip();
   return solve_convex_gauss_seidel(c.problem(response, free), kernel, options);
 }
@@ -111,7 +111,7 @@ TEST(ConvexGaussSeidel, NotConvergedIsAStatus) {
 TEST(ConvexGaussSeidel, ASolutionTakesOneSweep) {
   const FrictionCase c = elliptic_case("", 9, 1, rolling(6e-4, 5e-4, 0.2));
   const TangentialKernel kernel = c.kernel();
-  DirectResponse response(kernel);
+  DirectOperator response(kernel);
   const PlaneFields free = c.free_slip();
   const FrictionProblem problem = c.problem(response, free);
   const GaussSeidelSolution s = solve_convex_gauss_seidel(problem, kernel, {.tolerance = 1e-10});

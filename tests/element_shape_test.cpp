@@ -31,7 +31,7 @@ TEST(ElementShape, TransformsSumTentsPairByPair) {
       const auto place = static_cast<double>(k);
       px[k] = std::sin(3 * place), py[k] = std::cos(1.7 * place);
     }
-    TangentialResponse::displacement(steel, grid).apply(px, py, ux, uy);
+    TangentialOperator::displacement(steel, grid).apply(px, py, ux, uy);
     const PlaneFields u = dense_displacement(steel, grid, px, py);
     const double unit = grid.dx / steel.shear_modulus;
     for (std::size_t k = 0; k < px.size(); ++k) {

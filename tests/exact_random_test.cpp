@@ -182,7 +182,7 @@ TEST(ExactRandom, ReferenceSolversAgree) {
   int by_sweeps = 0, by_tang = 0, cases = 0;
   for_random_cases(8, 15, [&](const FrictionCase& c, const TangentialSolution& s) {
     ASSERT_EQ(s.forces.status, Status::ok);
-    TangentialResponse response = c.response();
+    TangentialOperator response = c.response();
     const PlaneFields free = c.free_slip();
     const FrictionProblem problem = c.problem(response, free);
     ++cases;

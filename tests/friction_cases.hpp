@@ -34,12 +34,12 @@ struct FrictionCase {
   double step() const { return input.direction == RollingDirection::forward ? length() : -length(); }
 
   TangentialKernel kernel() const {
-    return input.motion == ContactMotion::steady ? TangentialKernel::growth(material, grid, step())
+    return input.motion == ContactMotion::steady ? TangentialKernel::difference(material, grid, step())
                                                  : TangentialKernel::displacement(material, grid, {}, length());
   }
-  TangentialResponse response() const {
-    return input.motion == ContactMotion::steady ? TangentialResponse::growth(material, grid, step())
-                                                 : TangentialResponse::displacement(material, grid, {}, length());
+  TangentialOperator response() const {
+    return input.motion == ContactMotion::steady ? TangentialOperator::difference(material, grid, step())
+                                                 : TangentialOperator::displacement(material, grid, {}, length());
   }
 
   PlaneFields free_slip() const {
@@ -59,7 +59,7 @@ struct FrictionCase {
   }
 
   /// With c = free_slip().
-  FrictionProblem problem(SlipResponse& d, const PlaneFields& c) const {
+  FrictionProblem problem(SlipOperator& d, const PlaneFields& c) const {
     return {d, bound, c.x, c.y, grid.element_area(), input.force_x, input.force_y};
   }
   double capacity() const { return std::accumulate(bound.begin(), bound.end(), 0.0) * grid.element_area(); }

@@ -4,7 +4,7 @@
 #include "interior_states.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 #include "validation/hertzian_stress.hpp"
 
 #include <gtest/gtest.h>
@@ -154,8 +154,8 @@ TEST(InteriorField, SurfaceDisplacementsAreThoseOfTheContactProblem) {
     Load load = random_load(grid, 6);
     std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
     const CombinedMaterial combined = combine(steel, steel);
-    TangentialResponse::displacement(combined, grid).apply(load.px, load.py, ux, uy);
-    NormalResponse(combined, grid).apply(load.pn, uz);
+    TangentialOperator::displacement(combined, grid).apply(load.px, load.py, ux, uy);
+    NormalOperator(combined, grid).apply(load.pn, uz);
     const auto of = [&](Body body, const SurfaceTractions& t) {
       return InteriorLayers(InteriorField(steel, body, grid, t)).at_depth(0);
     };
@@ -287,7 +287,7 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
         const Load load = random_load(grid, 11);
         const Bodies bodies = viscoelastic(steel, slow, brass, creep2, velocity);
         std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
-        CoupledResponse::displacement(bodies, grid)
+        CoupledOperator::displacement(bodies, grid)
             .apply({load.px, load.py, load.pn}, std::array{std::span(ux), std::span(uy), std::span(uz)});
         const auto of = [&](const Material& material, Body body, const Creep& creep) {
           return InteriorLayers(InteriorField(material, body, grid, load.tractions(), delay_of(creep, velocity)))

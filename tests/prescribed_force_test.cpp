@@ -15,7 +15,7 @@ using Field = std::vector<double>;
 constexpr double area = 0.3, flexibility = 2;
 
 /// Elements that do not feel each other.
-class Springs : public SlipResponse {
+class Springs : public SlipOperator {
 public:
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override {

@@ -14,7 +14,7 @@ namespace {
 /// Frictionless rolling of equal bodies whose deformation grows by `ratio` within `time`; negative speed: along -x.
 ContactSolution roll(double ratio, double time, double speed) {
   const Material rubber{1e6, 0.5};
-  ExactOptions options{.mx = 24, .totals.my = 24, .discretisation = Discretisation::classical};
+  ExactOptions options{.mx = 24, .my = 24, .discretisation = Discretisation::classical};
   options.direction = speed > 0 ? RollingDirection::forward : RollingDirection::backward;
   options.bodies = viscoelastic(rubber, {ratio, time}, rubber, {ratio, time}, speed);
   const auto pair = combine(rubber, rubber);
@@ -58,7 +58,7 @@ TEST(RollingMoment, IsThatOfTheFields) {
 TEST(RollingMoment, OfElasticBodiesVanishes) {
   for (const auto discretisation : {Discretisation::second_order, Discretisation::classical}) {
     const auto elliptic = steel_contact(5e-3, 6e-3, 0.4, -0.5, 0.3);
-    const auto solved = EllipticContactSolver({.mx = 16, .totals.my = 16, .discretisation = discretisation}).solve(elliptic);
+    const auto solved = EllipticContactSolver({.mx = 16, .my = 16, .discretisation = discretisation}).solve(elliptic);
     EXPECT_LT(std::abs(solved.totals.my), 1e-2 * elliptic.normal_force * elliptic.a);
   }
 }

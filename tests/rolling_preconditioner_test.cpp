@@ -1,9 +1,12 @@
-#include "microslip/exact/fitted/rolling_preconditioner.hpp"
+#include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 
-#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/fitted/fitted_operator.hpp"
+#include "microslip/exact/halfspace/rolling_operator.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 #include "microslip/numerics/fftw.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -73,7 +76,7 @@ TEST(RollingPreconditioner, FiltersWavesAndSumsFromTheLeadingEdgeOn) {
     const ElementGrid& grid = contact.grid;
     Field px(n), py(n), qx(n), qy(n);
     for (std::size_t k = 0; k < n; ++k) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
-    RollingPreconditioner<double> preconditioner(contact);
+    RollingPreconditioner<double> preconditioner = rolling_preconditioner<double>(contact);
     preconditioner.apply(px, py, qx, qy);
     for (const auto& [p, q] : {std::pair{&px, &qx}, {&py, &qy}}) {
       Field on_grid(grid.count());
@@ -102,7 +105,7 @@ TEST(RollingPreconditioner, OfAGridIsThatOfItsElementsInContact) {
     grid_px[cell] = px[k] = some_traction(k);
     grid_py[cell] = py[k] = some_traction(k + 1000);
   }
-  RollingPreconditioner<double>(contact).apply(px, py, qx, qy);
+  rolling_preconditioner<double>(contact).apply(px, py, qx, qy);
   RollingPreconditioner<double>(contact.grid, bound, RollingDirection::forward)
       .apply(grid_px, grid_py, grid_qx, grid_qy);
   for (std::size_t k = 0; k < n; ++k) {
@@ -138,15 +141,45 @@ TEST(RollingPreconditioner, SinglePrecisionIsNearDouble) {
   const std::size_t n = contact.elements.size();
   Field px(n), py(n), qx(n), qy(n);
   for (std::size_t k = 0; k < n; ++k) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
-  RollingPreconditioner<double>(contact).apply(px, py, qx, qy);
+  rolling_preconditioner<double>(contact).apply(px, py, qx, qy);
   const std::vector<float> single_px(px.begin(), px.end()), single_py(py.begin(), py.end());
   std::vector<float> single_qx(n), single_qy(n);
-  RollingPreconditioner<float>(contact).apply(single_px, single_py, single_qx, single_qy);
+  rolling_preconditioner<float>(contact).apply(single_px, single_py, single_qx, single_qy);
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_NEAR(single_qx[k], qx[k], 1e-5);
     EXPECT_NEAR(single_qy[k], qy[k], 1e-5);
   }
 }
+
+/// M^-1 p is what `apply` gives and p.
+TEST(RollingPreconditioner, PreconditionsByTheWholeMap) {
+  const FittedContact contact = fit_ellipse(6e-3, 4e-3, 9, 7);
+  const std::size_t n = contact.elements.size();
+  Field px(n), py(n), qx(n), qy(n), whole_x(n), whole_y(n);
+  for (std::size_t k = 0; k < n; ++k) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
+  RollingPreconditioner<double> preconditioner = rolling_preconditioner<double>(contact);
+  preconditioner.apply(px, py, qx, qy);
+  preconditioner.precondition(px, py, whole_x, whole_y);
+  for (std::size_t k = 0; k < n; ++k) {
+    EXPECT_EQ(whole_x[k], qx[k] + px[k]);
+    EXPECT_EQ(whole_y[k], qy[k] + py[k]);
+  }
+}
+
+/// The same map without its preconditioner.
+class Unpreconditioned : public SlipOperator {
+public:
+  explicit Unpreconditioned(SlipOperator& whole) : whole_(whole) {}
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+             std::span<double> sy) override {
+    whole_.apply(px, py, sx, sy);
+  }
+  double diagonal() const override { return whole_.diagonal(); }
+  long products() const override { return whole_.products(); }
+
+private:
+  SlipOperator& whole_;
+};
 
 /// Partial slip with all three creepages.
 TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
@@ -155,8 +188,8 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
     const FittedContact contact = fit_ellipse(6e-3, 6e-3 / ratio, 48, 48);
     const std::size_t n = contact.elements.size();
     const double spin = 3e-4 / (6e-3 / std::min(ratio, 1.0));
-    FittedResponse response(steel, contact);
-    RollingPreconditioner<double> preconditioner(contact);
+    FittedOperator fitted(steel, contact);
+    Unpreconditioned plain_operator(fitted);
     Field bound(n), cx(n), cy(n);
     for (std::size_t k = 0; k < n; ++k) {
       const FittedElement& e = contact.elements[k];
@@ -164,12 +197,10 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
       cx[k] = 4e-4 - spin * contact.grid.y(e.row);
       cy[k] = 2e-4 + spin * e.centre();
     }
-    FrictionProblem problem{
-        .response = response, .bound = bound, .cx = cx, .cy = cy, .element_area = contact.grid.element_area()};
+    const double area = contact.grid.element_area();
     FrictionNewton newton;
-    const FrictionSolution plain = newton.solve(problem, {.tolerance = 1e-9});
-    problem.preconditioner = &preconditioner;
-    const FrictionSolution fast = newton.solve(problem, {.tolerance = 1e-9});
+    const FrictionSolution plain = newton.solve({plain_operator, bound, cx, cy, area}, {.tolerance = 1e-9});
+    const FrictionSolution fast = newton.solve({fitted, bound, cx, cy, area}, {.tolerance = 1e-9});
     ASSERT_EQ(plain.status, Status::ok);
     ASSERT_EQ(fast.status, Status::ok);
     plain_products += plain.products;
@@ -180,6 +211,38 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
     }
   }
   EXPECT_LT(double(fast_products), 0.5 * double(plain_products));
+}
+
+/// On a regular grid: the operator's own map and M^-1 of the elements in contact.
+TEST(RollingOperator, IsTheMapWithItsPreconditioner) {
+  const ElementGrid grid = ElementGrid::across_ellipse(6e-3, 4e-3, 12, 10, 1);
+  const std::size_t count = grid.count();
+  Field bound(count), px(count), py(count), sx(count), sy(count), qx(count), qy(count), rolling_x(count),
+      rolling_y(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = grid.x(static_cast<int>(k % grid.mx)) / 6e-3, y = grid.y(static_cast<int>(k / grid.mx)) / 4e-3;
+    bound[k] = std::max(0.0, 1 - x * x - y * y);
+    if (bound[k] > 0) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
+  }
+  for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward}) {
+    const double step = direction == RollingDirection::forward ? grid.dx : -grid.dx;
+    TangentialOperator plain = TangentialOperator::difference(steel, grid, step);
+    RollingOperator rolling(plain, grid, bound, direction);
+    plain.apply(px, py, sx, sy);
+    rolling.apply(px, py, rolling_x, rolling_y);
+    EXPECT_EQ(rolling_x, sx);
+    EXPECT_EQ(rolling_y, sy);
+    EXPECT_EQ(rolling.diagonal(), plain.diagonal());
+    EXPECT_EQ(rolling.products(), 2);
+    EXPECT_FALSE(plain.precondition(px, py, qx, qy));
+    ASSERT_TRUE(rolling.precondition(px, py, rolling_x, rolling_y));
+    RollingPreconditioner<double>(grid, bound, direction).precondition(px, py, qx, qy);
+    for (std::size_t k = 0; k < count; ++k)
+      if (bound[k] > 0) {
+        EXPECT_EQ(rolling_x[k], qx[k]);
+        EXPECT_EQ(rolling_y[k], qy[k]);
+      }
+  }
 }
 
 } // namespace

@@ -88,11 +88,11 @@ inline PlaneFields dense_slip(const Problem& p, const TangentialInput& input, co
 }
 
 inline double diagonal(const Problem& p, const TangentialInput& input) {
-  if (input.motion == ContactMotion::shift) return TangentialResponse::displacement(p.material, p.grid).diagonal();
+  if (input.motion == ContactMotion::shift) return TangentialOperator::displacement(p.material, p.grid).diagonal();
   const double step = signed_step(p, input);
   return input.motion == ContactMotion::steady
-             ? TangentialResponse::growth(p.material, p.grid, step).diagonal()
-             : TangentialResponse::displacement(p.material, p.grid, {}, std::abs(step)).diagonal();
+             ? TangentialOperator::difference(p.material, p.grid, step).diagonal()
+             : TangentialOperator::displacement(p.material, p.grid, {}, std::abs(step)).diagonal();
 }
 
 /// All contact conditions, and the totals by their definitions.

@@ -82,7 +82,7 @@ ClosedFormCheck check_closed_form(int n) {
       r[k] = std::hypot(grid.x(i), grid.y(j));
       px[k] = -cattaneo_traction(r[k], peak);
     }
-  TangentialResponse::displacement(material, grid).apply(px, py, ux, uy);
+  TangentialOperator::displacement(material, grid).apply(px, py, ux, uy);
   double sum = 0, inside = 0;
   for (std::size_t k = 0; k < r.size(); ++k)
     if (r[k] < adhesion_radius) sum -= ux[k], ++inside;

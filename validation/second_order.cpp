@@ -31,8 +31,8 @@ constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 
 constexpr std::array order_grids = {8, 12, 16, 24, 32, 48, 64, 96};
 
-/// A line contact of the half-width 1 with a leading element fitted to the edge; slip as in FittedResponse, dense.
-class FittedLine : public SlipResponse {
+/// A line contact of the half-width 1 with a leading element fitted to the edge; slip as in FittedOperator, dense.
+class FittedLine : public SlipOperator {
 public:
   explicit FittedLine(int n) : h_(2.0 / n) {
     // A whole element from the edge is within the range of distances for every n.
@@ -95,7 +95,8 @@ double carter_error(int n, double alpha) {
   // Carter's tractions, whose bound is sqrt(1 - x^2) here, make displacements grow at this rate where they adhere.
   const double creepage = 2 * (1 - steel.poisson_ratio) / steel.shear_modulus * (1 - alpha);
   const Field cx(line.size(), creepage), cy(line.size(), 0.0);
-  const FrictionProblem problem{.response = line, .bound = bound, .cx = cx, .cy = cy, .element_area = line.element()};
+  const FrictionProblem problem{
+      .slip_operator = line, .bound = bound, .cx = cx, .cy = cy, .element_area = line.element()};
   FrictionNewton newton;
   const FrictionSolution s = newton.solve(problem, {.tolerance = 1e-10});
   if (s.status != Status::ok) throw Error("Carter's problem: not converged");

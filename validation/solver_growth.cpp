@@ -1,7 +1,7 @@
 #include "validation/solver_growth.hpp"
 
 #include "tests/oracles/convex_gauss_seidel.hpp"
-#include "tests/oracles/direct_response.hpp"
+#include "tests/oracles/direct_operator.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 
@@ -62,8 +62,8 @@ Cost measure(int across, int threads) {
   const double to_force = grid.element_area() / (friction * normal_force);
   const std::vector<double> cx(grid.count(), creepage), cy(grid.count(), 0.0);
   const auto sweep = [&](int most_sweeps, int with_threads) {
-    const auto kernel = TangentialKernel::growth(steel, grid, grid.dx);
-    DirectResponse response(kernel, with_threads);
+    const auto kernel = TangentialKernel::difference(steel, grid, grid.dx);
+    DirectOperator response(kernel, with_threads);
     return solve_convex_gauss_seidel({response, bound, cx, cy, grid.element_area()}, kernel,
                                      {.most_sweeps = most_sweeps, .threads = with_threads});
   };

@@ -6,6 +6,9 @@
 
 namespace microslip {
 
+/// That Newton's methods allow for one linear system: how long a basis grows.
+inline constexpr int most_gmres_products = 300;
+
 /// The generalised minimal residual method (Saad & Schultz 1986) for A x = b with any square matrix, given by its
 /// product. The object keeps the memory of its basis, which grows as needed and is used again. In double or in single
 /// precision, the small least squares problem always in double.

@@ -4,9 +4,9 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
-#include "microslip/exact/classical/fastsim2_start.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/simplified/fastsim2_start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,7 +149,8 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   TangentialState state;
   const bool creepages_given = !motion.force_x && !motion.force_y;
   if (motion.kind == ContactMotion::steady && creepages_given) {
-    state = start_from_fastsim2(contact, grid_, bound, options_.direction);
+    VectorField start = start_from_fastsim2(contact, grid_, bound, options_.direction);
+    state = {.px = std::move(start.x), .py = std::move(start.y)};
     input.start = &state;
   }
   TangentialSolution s = tangential_->solve(bound, input);

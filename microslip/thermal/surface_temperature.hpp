@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip/contact/element_grid.hpp"
-#include "microslip/simplified/options.hpp"
+#include "microslip/contact/motion.hpp"
 
 #include <span>
 #include <vector>

@@ -20,7 +20,7 @@ class Tang {
 public:
   Tang(const FrictionProblem& problem, double tolerance, std::span<const double> start_px,
        std::span<const double> start_py)
-      : problem_(problem), tolerance_(tolerance * bound_norm(problem)), rho_(1 / problem.response.diagonal()),
+      : problem_(problem), tolerance_(tolerance * bound_norm(problem)), rho_(1 / problem.slip_operator.diagonal()),
         wide_x_(problem.bound.size()), wide_y_(wide_x_), wide_sx_(wide_x_), wide_sy_(wide_x_) {
     for (std::size_t k = 0; k < problem.bound.size(); ++k)
       if (problem.bound[k] > 0) elements_.push_back(k);
@@ -63,7 +63,7 @@ private:
       wide_x_[elements_[k]] = in[k];
       wide_y_[elements_[k]] = in[n_ + k];
     }
-    problem_.response.apply(wide_x_, wide_y_, wide_sx_, wide_sy_);
+    problem_.slip_operator.apply(wide_x_, wide_y_, wide_sx_, wide_sy_);
     for (std::size_t k = 0; k < n_; ++k) {
       out[k] = wide_sx_[elements_[k]];
       out[n_ + k] = wide_sy_[elements_[k]];
@@ -187,7 +187,7 @@ TangSolution solve_tang(const FrictionProblem& problem, const TangOptions& optio
                         std::span<const double> start_py) {
   require_positive("tolerance", options.tolerance, "-");
   require_count("most_divisions", options.most_divisions, 1, 1000000);
-  const long products_before = problem.response.products();
+  const long products_before = problem.slip_operator.products();
   TangSolution solution;
   int newton_steps = 0;
   static_cast<FrictionSolution&>(solution) = solve_prescribed_force(
@@ -201,7 +201,7 @@ TangSolution solve_tang(const FrictionProblem& problem, const TangOptions& optio
       },
       start_px, start_py);
   solution.newton_steps = newton_steps;
-  solution.products = problem.response.products() - products_before;
+  solution.products = problem.slip_operator.products() - products_before;
   return solution;
 }
 

@@ -1,7 +1,7 @@
 #include "tests/oracles/convex_gauss_seidel.hpp"
 
 #include "microslip/error.hpp"
-#include "tests/oracles/direct_response.hpp"
+#include "tests/oracles/direct_operator.hpp"
 #include "tests/oracles/friction_residual.hpp"
 #include "tests/oracles/prescribed_force.hpp"
 
@@ -175,7 +175,7 @@ GaussSeidelSolution solve_convex_gauss_seidel(const FrictionProblem& problem, co
   if (options.relaxation)
     for (const double omega : {options.relaxation->adhesion, options.relaxation->slip})
       if (!(omega > 0 && omega < 2)) throw Error("relaxation", omega, "-", "above 0 and below 2");
-  const long products_before = problem.response.products();
+  const long products_before = problem.slip_operator.products();
   GaussSeidelSolution solution;
   static_cast<FrictionSolution&>(solution) = solve_prescribed_force(
       problem, options.tolerance,
@@ -185,7 +185,7 @@ GaussSeidelSolution solve_convex_gauss_seidel(const FrictionProblem& problem, co
         return iterate(given, kernel, inner, px, py, solution.sweeps);
       },
       start_px, start_py);
-  solution.products = problem.response.products() - products_before;
+  solution.products = problem.slip_operator.products() - products_before;
   return solution;
 }
 

@@ -40,8 +40,9 @@ struct GaussSeidelSolution : FrictionSolution {
 /// are made by `threads` threads, which meet after each row; the result does not depend on how many. More threads than
 /// idle cores make it much slower.
 ///
-/// `kernel` is that of problem.response. `start` is where it begins; empty spans mean zero tractions. Where a force is
-/// given, solve_prescribed_force calls this method, and `sweeps` counts all. Throws Error for options out of range.
+/// `kernel` is that of problem.slip_operator. `start` is where it begins; empty spans mean zero tractions. Where a
+/// force is given, solve_prescribed_force calls this method, and `sweeps` counts all. Throws Error for options out of
+/// range.
 GaussSeidelSolution solve_convex_gauss_seidel(const FrictionProblem& problem, const TangentialKernel& kernel,
                                               const GaussSeidelOptions& options, std::span<const double> start_px = {},
                                               std::span<const double> start_py = {});

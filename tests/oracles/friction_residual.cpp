@@ -15,8 +15,8 @@ void find_residual(const FrictionProblem& problem, FrictionSolution& s) {
   s.sx.assign(count, 0.0);
   s.sy.assign(count, 0.0);
   s.sliding.assign(count, 0);
-  problem.response.apply(s.px, s.py, s.sx, s.sy);
-  const double rho = 1 / problem.response.diagonal();
+  problem.slip_operator.apply(s.px, s.py, s.sx, s.sy);
+  const double rho = 1 / problem.slip_operator.diagonal();
   double sum = 0, total_x = 0, total_y = 0;
   std::size_t elements = 0;
   for (std::size_t k = 0; k < count; ++k) {

@@ -31,7 +31,7 @@ public:
       cx_[k] = problem_.cx[k] + share * constants.x;
       cy_[k] = problem_.cy[k] + share * constants.y;
     }
-    const FrictionProblem given{problem_.response, problem_.bound, cx_, cy_, problem_.element_area};
+    const FrictionProblem given{problem_.slip_operator, problem_.bound, cx_, cy_, problem_.element_area};
     FrictionSolution s = solve_(given, tolerance_, start_px, start_py);
     s.constant_x = constants.x;
     s.constant_y = constants.y;
@@ -77,7 +77,7 @@ FrictionSolution solve_prescribed_force(const FrictionProblem& problem, double t
   FrictionSolution s = search.solve({0, 0}, start_px, start_py);
   // Small against the slip that an element's own traction makes.
   const double least =
-      1e-4 * problem.response.diagonal() * *std::max_element(problem.bound.begin(), problem.bound.end());
+      1e-4 * problem.slip_operator.diagonal() * *std::max_element(problem.bound.begin(), problem.bound.end());
   double small = least;
   for (int k = 0; k < most_steps && s.residual > tolerance; ++k) {
     const Vec2 step = search.newton_step(s, small);

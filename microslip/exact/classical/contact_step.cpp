@@ -48,7 +48,7 @@ NormalSolution given_normal(const ContactStep& step) {
   s.displacement = step.given->displacement;
   if (s.displacement.empty()) {
     s.displacement.resize(step.grid.count());
-    NormalResponse(step.bodies.material, step.grid, step.motion.progress).apply(s.pressure, s.displacement);
+    NormalOperator(step.bodies.material, step.grid, step.motion.progress).apply(s.pressure, s.displacement);
   }
   find_totals(step.grid, step.gap, s);
   if (s.status == Status::ok && s.contact_elements == 0) s.status = Status::no_contact;

@@ -34,20 +34,20 @@ double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
 
 CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, const Progress& progress)
     : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)),
-      displacement_(CoupledResponse::displacement(bodies, grid, {}, 1, progress)),
+      displacement_(CoupledOperator::displacement(bodies, grid, {}, 1, progress)),
       normal_(bodies.material, grid, progress) {}
 
-CoupledResponse& CoupledContact::slip_response(const TangentialInput& motion, double step) {
+CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
   if (motion.motion == ContactMotion::shift) return displacement_;
   if (motion_ != motion.motion || step_ != step) {
-    slip_response_ = std::make_unique<CoupledResponse>(
+    coupled_operator_ = std::make_unique<CoupledOperator>(
         motion.motion == ContactMotion::steady
-            ? CoupledResponse::growth(bodies_, grid_, step, motion.progress)
-            : CoupledResponse::displacement(bodies_, grid_, {}, std::abs(step), motion.progress));
+            ? CoupledOperator::difference(bodies_, grid_, step, motion.progress)
+            : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step), motion.progress));
     motion_ = motion.motion;
     step_ = step;
   }
-  return *slip_response_;
+  return *coupled_operator_;
 }
 
 /// What a particle loses of its previous displacement, over the way.
@@ -59,7 +59,7 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
-  CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step),
+  CoupledOperator::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step),
                                 motion.progress)
       .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
              std::array{std::span(ux), std::span(uy)});
@@ -95,7 +95,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
     return out;
   }
   const bool starts = !start.px.empty() && !start.pressure.empty();
-  const CoupledFrictionProblem problem{slip_response(step.motion, way),
+  const CoupledFrictionProblem problem{coupled_operator(step.motion, way),
                                        gap,
                                        step.load,
                                        friction,
@@ -145,7 +145,7 @@ void CoupledContact::find_tangential(const ContactStep& step, std::span<const do
   const double way = signed_step(step.motion, grid_);
   const Field none(n);
   Field extra_x(n), extra_y(n), bound(n);
-  slip_response(step.motion, way).apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
+  coupled_operator(step.motion, way).apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
   add_previous(step.motion, way, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
   double force = 0;
   for (std::size_t k = 0; k < n; ++k) {

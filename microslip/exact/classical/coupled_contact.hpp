@@ -27,7 +27,7 @@ public:
 private:
   using Field = std::vector<double>;
 
-  CoupledResponse& slip_response(const TangentialInput& motion, double step);
+  CoupledOperator& coupled_operator(const TangentialInput& motion, double step);
   void add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx, Field& cy);
   ContactStepSolution solve_newton(const ContactStep& step, std::span<const double> friction,
                                    const TangentialState& previous, const TangentialState& start);
@@ -39,10 +39,10 @@ private:
 
   Bodies bodies_;
   ElementGrid grid_;
-  CoupledResponse displacement_;
-  NormalProblem normal_;                           ///< of the bodies as if they were similar and elastic
-  std::unique_ptr<TangentialProblem> tangential_;  ///< with the pressure given
-  std::unique_ptr<CoupledResponse> slip_response_; ///< kept for the next problem of the same motion and step
+  CoupledOperator displacement_;
+  NormalProblem normal_;                              ///< of the bodies as if they were similar and elastic
+  std::unique_ptr<TangentialProblem> tangential_;     ///< with the pressure given
+  std::unique_ptr<CoupledOperator> coupled_operator_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   double step_ = 0;
   CoupledNewton newton_;

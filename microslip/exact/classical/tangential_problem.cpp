@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/halfspace/rolling_operator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   require_between("tolerance", input.tolerance, "-", 1e-14, 1);
 }
 
-FrictionNewton::Tractions tractions_of(const TangentialState* state) {
+TractionsView tractions_of(const TangentialState* state) {
   if (!state) return {};
   return {state->px, state->py};
 }
@@ -60,23 +61,23 @@ bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
 
 TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid, const Progress& progress)
     : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)),
-      displacement_(TangentialResponse::displacement(bodies, grid, {}, 1, progress)) {}
+      displacement_(TangentialOperator::displacement(bodies, grid, {}, 1, progress)) {}
 
-SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, double step,
+SlipOperator& TangentialProblem::slip_operator(const TangentialInput& input, double step,
                                                const std::vector<EnteringElement>& entering) {
   if (input.motion == ContactMotion::shift) return displacement_;
   if (input.motion == ContactMotion::steady && input.leading_edge) {
-    slip_response_ = std::make_unique<LeadingEdgeResponse>(bodies_.material, grid_, step, entering);
+    slip_operator_ = std::make_unique<LeadingEdgeOperator>(bodies_.material, grid_, step, entering);
     step_ = 0; // not for the next problem: the elements that are entered change with the contact
   } else if (motion_ != input.motion || step_ != step) {
-    slip_response_ = std::make_unique<TangentialResponse>(
+    slip_operator_ = std::make_unique<TangentialOperator>(
         input.motion == ContactMotion::steady
-            ? TangentialResponse::growth(bodies_, grid_, step, input.progress)
-            : TangentialResponse::displacement(bodies_, grid_, {}, std::abs(step), input.progress));
+            ? TangentialOperator::difference(bodies_, grid_, step, input.progress)
+            : TangentialOperator::displacement(bodies_, grid_, {}, std::abs(step), input.progress));
     step_ = step;
   }
   motion_ = input.motion;
-  return *slip_response_;
+  return *slip_operator_;
 }
 
 /// Slip without tractions: rigid slip, and what a particle loses of its previous displacement.
@@ -90,7 +91,7 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   const double length = shift ? 1 : std::abs(step);
   Field ux(cx.size()), uy(cx.size());
   const Vec2 way = way_of(input, shift ? 0 : step);
-  TangentialResponse::displacement(bodies_, grid_, way, length, input.progress).apply(before.px, before.py, ux, uy);
+  TangentialOperator::displacement(bodies_, grid_, way, length, input.progress).apply(before.px, before.py, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
     displacement_.apply(before.px, before.py, here_x, here_y);
@@ -128,8 +129,6 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   find_free_slip(input, out.creepage, step, entering, cx, cy);
 
   const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
-  FrictionProblem problem{
-      slip_response(input, step, entering), bound, cx, cy, area, input.force_x, input.force_y, share};
   const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
   FrictionSolution s;
   if (wanted >= capacity && wanted > 0) {
@@ -145,15 +144,15 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   } else {
     // A shift or a step of rolling changes what was there before, so that is where to begin.
     const bool steady = input.motion == ContactMotion::steady;
-    const FrictionNewton::Tractions before = tractions_of(steady ? nullptr : input.previous);
-    const FrictionNewton::Tractions start = input.start ? tractions_of(input.start) : before;
+    const TractionsView before = tractions_of(steady ? nullptr : input.previous);
+    const TractionsView start = input.start ? tractions_of(input.start) : before;
     FrictionNewton::Options options{.tolerance = input.tolerance, .progress = input.progress};
-    std::optional<RollingPreconditioner<double>> preconditioner;
-    if (steady)
-      problem.preconditioner = &preconditioner.emplace(grid_, bound, input.direction);
-    else
-      options.before = before;
-    s = newton_.solve(problem, options, {.px = start.px, .py = start.py});
+    if (!steady) options.before = before;
+    SlipOperator* slip = &slip_operator(input, step, entering);
+    std::optional<RollingOperator> preconditioned;
+    if (steady) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
+    s = newton_.solve({*slip, bound, cx, cy, area, input.force_x, input.force_y, share}, options,
+                      {.px = start.px, .py = start.py});
   }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;

@@ -86,15 +86,15 @@ public:
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
 private:
-  SlipResponse& slip_response(const TangentialInput& input, double step, const std::vector<EnteringElement>& entering);
+  SlipOperator& slip_operator(const TangentialInput& input, double step, const std::vector<EnteringElement>& entering);
 
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 
   Bodies bodies_;
   ElementGrid grid_;
-  TangentialResponse displacement_;
-  std::unique_ptr<SlipResponse> slip_response_; ///< kept for the next problem of the same motion and step
+  TangentialOperator displacement_;
+  std::unique_ptr<SlipOperator> slip_operator_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   double step_ = 0; ///< with its sign
   FrictionNewton newton_;

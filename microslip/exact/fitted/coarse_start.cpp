@@ -53,16 +53,16 @@ private:
 
 } // namespace
 
-TangentialState start_from_coarser(const FittedContact& coarse, std::span<const double> coarse_bound,
-                                   const FrictionSolution& solution, const FittedContact& fine,
-                                   std::span<const double> bound) {
+VectorField start_from_coarser(const FittedContact& coarse, std::span<const double> coarse_bound,
+                               const FrictionSolution& solution, const FittedContact& fine,
+                               std::span<const double> bound) {
   const RelativeTractions relative(coarse, coarse_bound, solution);
-  TangentialState start;
+  VectorField start;
   for (std::size_t k = 0; k < fine.elements.size(); ++k) {
     const FittedElement& e = fine.elements[k];
     const Vec2 p = relative.at(e.centre(), fine.grid.y(e.row));
-    start.px.push_back(bound[k] * p.x);
-    start.py.push_back(bound[k] * p.y);
+    start.x.push_back(bound[k] * p.x);
+    start.y.push_back(bound[k] * p.y);
   }
   return start;
 }

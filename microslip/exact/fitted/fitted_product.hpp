@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// The product that FittedResponse makes, in double or in single precision: from what it found, slip from tractions.
+/// The product that FittedOperator makes, in double or in single precision: from what it found, slip from tractions.
 template <class Real> class FittedProduct {
 public:
   static constexpr int most_nodes = 6;

@@ -1,8 +1,8 @@
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
 
-#include "microslip/exact/classical/fastsim2_start.hpp"
 #include "microslip/exact/fitted/coarse_start.hpp"
 #include "microslip/simplified/fastsim2_creepage.hpp"
+#include "microslip/simplified/fastsim2_start.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,37 +30,37 @@ std::vector<double> HertzianRolling::bound(const EllipticContact& contact) const
   return bound;
 }
 
-TangentialState HertzianRolling::from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const {
+VectorField HertzianRolling::from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const {
   const FittedContact& fitted = this->contact();
   std::vector<double> grid_bound(fitted.grid.count());
   for (std::size_t k = 0; k < bound.size(); ++k) grid_bound[fitted.elements[k].cell] = bound[k];
-  const TangentialState on_grid = start_from_fastsim2(contact, fitted.grid, grid_bound, RollingDirection::forward);
-  TangentialState start;
+  const VectorField on_grid = start_from_fastsim2(contact, fitted.grid, grid_bound, RollingDirection::forward);
+  VectorField start;
   for (const FittedElement& e : fitted.elements) {
-    start.px.push_back(on_grid.px[e.cell]);
-    start.py.push_back(on_grid.py[e.cell]);
+    start.x.push_back(on_grid.x[e.cell]);
+    start.y.push_back(on_grid.y[e.cell]);
   }
   return start;
 }
 
-/// By how much FASTSIM2's tractions, `start`, grow with the longitudinal (0) or lateral (1) creepage. Nothing near full
-/// sliding, where they hardly do: such numbers would mislead.
-TangentialState HertzianRolling::growth(const EllipticContact& contact, int direction, std::span<const double> bound,
-                                        const TangentialState& start) const {
+/// The derivative of FASTSIM2's tractions, `start`, with respect to the longitudinal (0) or lateral (1) creepage.
+/// Nothing near full sliding, where it nearly vanishes: such numbers would mislead.
+VectorField HertzianRolling::derivative(const EllipticContact& contact, int direction, std::span<const double> bound,
+                                        const VectorField& start) const {
   const double stiffness = contact.shear_modulus * contact.a * contact.b; // dF/dxi in adhesion over Kalker's C11
   const double unit = 1e-3 * contact.friction.static_coefficient() * contact.normal_force / stiffness;
   EllipticContact moved = contact;
   (direction == 0 ? moved.creepage.longitudinal : moved.creepage.lateral) += unit;
-  TangentialState growth = from_fastsim2(moved, bound);
+  VectorField derivative = from_fastsim2(moved, bound);
   const FittedContact& fitted = this->contact();
   double slope = 0;
   for (std::size_t k = 0; k < bound.size(); ++k) {
-    growth.px[k] = (growth.px[k] - start.px[k]) / unit;
-    growth.py[k] = (growth.py[k] - start.py[k]) / unit;
-    slope += (direction == 0 ? growth.px[k] : growth.py[k]) * fitted.elements[k].width() * fitted.grid.dy;
+    derivative.x[k] = (derivative.x[k] - start.x[k]) / unit;
+    derivative.y[k] = (derivative.y[k] - start.y[k]) / unit;
+    slope += (direction == 0 ? derivative.x[k] : derivative.y[k]) * fitted.elements[k].width() * fitted.grid.dy;
   }
   if (std::abs(slope) < 0.02 * stiffness) return {};
-  return growth;
+  return derivative;
 }
 
 SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::optional<double> force_x,
@@ -74,7 +74,7 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
                          .progress = part(progress, coarser_ ? share_of_coarser : 0, 1),
                          .tolerance = tolerance};
   EllipticContact at_start = contact; // with creepages near those of the solution
-  TangentialState start;
+  VectorField start;
   SecondOrderSolution coarse;
   if (coarser_)
     coarse = coarser_->solve(contact, force_x, force_y, std::max(tolerance_of_coarser, tolerance),
@@ -89,13 +89,13 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
     start = from_fastsim2(at_start, bound);
   }
   input.start = {
-      .px = start.px, .py = start.py, .constants = Vec2{at_start.creepage.longitudinal, at_start.creepage.lateral}};
+      .px = start.x, .py = start.y, .constants = Vec2{at_start.creepage.longitudinal, at_start.creepage.lateral}};
   if (!force_given) return rolling_.solve(bound, input);
 
-  const TangentialState fastsim2 = from_fastsim2(at_start, bound);
-  const std::array growths = {growth(at_start, 0, bound, fastsim2), growth(at_start, 1, bound, fastsim2)};
-  input.start.growth = {FrictionNewton::Tractions{growths[0].px, growths[0].py},
-                        FrictionNewton::Tractions{growths[1].px, growths[1].py}};
+  const VectorField fastsim2 = from_fastsim2(at_start, bound);
+  const std::array derivatives = {derivative(at_start, 0, bound, fastsim2), derivative(at_start, 1, bound, fastsim2)};
+  input.start.by_constants = {TractionsView{derivatives[0].x, derivatives[0].y},
+                              TractionsView{derivatives[1].x, derivatives[1].y}};
   return rolling_.solve(bound, input);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/contact/vector_field.hpp"
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 
 #include <memory>
@@ -31,9 +31,9 @@ public:
   }
 
 private:
-  TangentialState from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const;
-  TangentialState growth(const EllipticContact& contact, int direction, std::span<const double> bound,
-                         const TangentialState& start) const;
+  VectorField from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const;
+  VectorField derivative(const EllipticContact& contact, int direction, std::span<const double> bound,
+                         const VectorField& start) const;
 
   SecondOrderRolling rolling_;
   std::unique_ptr<HertzianRolling> coarser_;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
-#include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/contact/normal_load.hpp"
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 

@@ -1,6 +1,5 @@
 #include "microslip/exact/fitted/rolling_derivative.hpp"
 
-#include "microslip/exact/fitted/rolling_preconditioner.hpp"
 #include "microslip/exact/newton/linearised_friction.hpp"
 #include "microslip/exact/newton/semismooth_newton.hpp"
 #include "microslip/numerics/precision.hpp"
@@ -39,9 +38,10 @@ class RollingDerivative::Equations {
 public:
   using Real = float;
 
-  Equations(const FittedResponse& response, const FittedContact& contact)
-      : rho_(1 / response.diagonal()), n_(contact.elements.size()), product_(response.product(), rho_),
-        preconditioner_(contact), friction_(n_), free_(2 * n_), undone_(2 * n_), mapped_(2 * n_) {}
+  Equations(const FittedOperator& fitted_operator, const FittedContact& contact)
+      : rho_(1 / fitted_operator.diagonal()), n_(contact.elements.size()), product_(fitted_operator.product(), rho_),
+        preconditioner_(rolling_preconditioner<float>(contact)), friction_(n_), free_(2 * n_), undone_(2 * n_),
+        mapped_(2 * n_) {}
 
   std::size_t size() const { return 2 * n_; }
   double rho() const { return rho_; }
@@ -82,8 +82,8 @@ private:
 };
 
 struct RollingDerivative::Solver {
-  Solver(const FittedResponse& response, const FittedContact& contact)
-      : equations(response, contact), linearised(equations, gmres, equations.size()), change(equations.size()),
+  Solver(const FittedOperator& fitted_operator, const FittedContact& contact)
+      : equations(fitted_operator, contact), linearised(equations, gmres, equations.size()), change(equations.size()),
         slip(change), right(change) {}
 
   Equations equations;
@@ -92,8 +92,8 @@ struct RollingDerivative::Solver {
   Vector change, slip, right;
 };
 
-RollingDerivative::RollingDerivative(const FittedResponse& response, const FittedContact& contact)
-    : solver_(std::make_unique<Solver>(response, contact)) {}
+RollingDerivative::RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact)
+    : solver_(std::make_unique<Solver>(fitted_operator, contact)) {}
 RollingDerivative::RollingDerivative(RollingDerivative&&) noexcept = default;
 RollingDerivative& RollingDerivative::operator=(RollingDerivative&&) noexcept = default;
 RollingDerivative::~RollingDerivative() = default;

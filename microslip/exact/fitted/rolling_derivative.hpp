@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip/exact/fitted/centred_slip.hpp"
-#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/fitted/fitted_operator.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace microslip {
 /// less time and whose rounding is far below what derivatives of forces are wanted to.
 class RollingDerivative {
 public:
-  RollingDerivative(const FittedResponse& response, const FittedContact& contact);
+  RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact);
   RollingDerivative(RollingDerivative&&) noexcept;
   RollingDerivative& operator=(RollingDerivative&&) noexcept;
   ~RollingDerivative();

@@ -1,5 +1,7 @@
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 
+#include "microslip/exact/fitted/centred_operator.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,7 +19,7 @@ using Field = std::vector<double>;
 
 SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedContact contact,
                                        const Progress& progress)
-    : contact_(std::move(contact)), response_(material, contact_, progress), preconditioner_(contact_) {
+    : contact_(std::move(contact)), operator_(material, contact_, progress) {
   for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
 }
 
@@ -48,31 +50,33 @@ void SecondOrderRolling::solve_twice(std::span<const double> bound, const Second
                                      SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);
   rigid_slip(out.creepage, cx, cy);
-  FrictionProblem problem{.response = response_,
-                          .bound = bound,
-                          .cx = cx,
-                          .cy = cy,
-                          .element_area = contact_.grid.element_area(),
-                          .force_x = input.force_x,
-                          .force_y = input.force_y,
-                          .constant_share = {},
-                          .area_share = area_share_,
-                          .preconditioner = &preconditioner_};
+  const auto problem = [&](SlipOperator& slip_operator) {
+    return FrictionProblem{.slip_operator = slip_operator,
+                           .bound = bound,
+                           .cx = cx,
+                           .cy = cy,
+                           .element_area = contact_.grid.element_area(),
+                           .force_x = input.force_x,
+                           .force_y = input.force_y,
+                           .constant_share = {},
+                           .area_share = area_share_};
+  };
   FrictionSolution& s = out.friction;
   const double tolerance = std::max(tolerance_of_first, input.tolerance);
-  s = newton_.solve(problem, {.tolerance = tolerance, .progress = part(input.progress, 0, 0.3)}, input.start);
+  s = newton_.solve(problem(operator_), {.tolerance = tolerance, .progress = part(input.progress, 0, 0.3)},
+                    input.start);
   if (s.status != Status::ok) return;
   out.centred = s.sliding;
   CentredSlip<double> at_centres(contact_, out.centred);
   at_centres.move(cx);
   at_centres.move(cy);
-  problem.centred = &at_centres;
+  CentredOperator centred(operator_, std::move(at_centres));
   const FrictionSolution first = std::move(s);
-  s = newton_.solve(problem, {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)},
+  s = newton_.solve(problem(centred), {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)},
                     {.px = first.px,
                      .py = first.py,
                      .constants = Vec2{first.constant_x, first.constant_y},
-                     .growth = input.start.growth});
+                     .by_constants = input.start.by_constants});
   s.newton_steps += first.newton_steps;
   s.products += first.products;
 }
@@ -94,16 +98,16 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
   Field sx(bound.size()), sy(sx);
-  response_.apply(s.px, s.py, sx, sy);
-  out.ux.assign(response_.ux().begin(), response_.ux().end());
-  out.uy.assign(response_.uy().begin(), response_.uy().end());
+  operator_.apply(s.px, s.py, sx, sy);
+  out.ux.assign(operator_.ux().begin(), operator_.ux().end());
+  out.uy.assign(operator_.uy().begin(), operator_.uy().end());
   return out;
 }
 
 SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<const double> bound,
                                                                   const SecondOrderSolution& solution, double tolerance,
                                                                   const Progress& progress) {
-  if (!derivative_) derivative_.emplace(response_, contact_);
+  if (!derivative_) derivative_.emplace(operator_, contact_);
   derivative_->linearise(bound, solution.friction, CentredSlip<float>(contact_, solution.centred));
   CentredSlip<double> at_centres(contact_, solution.centred);
   Field dcx(contact_.elements.size()), dcy(dcx);

@@ -2,7 +2,7 @@
 
 #include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/exact/fitted/centred_slip.hpp"
-#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/fitted/fitted_operator.hpp"
 #include "microslip/exact/fitted/rolling_derivative.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 
@@ -16,7 +16,7 @@ namespace microslip {
 struct SecondOrderInput {
   Creepage creepage;
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
-  FrictionNewton::Start start;            ///< for each element; the constants are the creepages where a force is given
+  FrictionStart start;                    ///< for each element; the constants are the creepages where a force is given
   Progress progress = {};  ///< is told of the Newton steps; false ends the iteration, with status not_converged
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
 };
@@ -32,8 +32,8 @@ struct SecondOrderSolution {
 /// elements fitted to the edge (FittedContact), the traction bound averaged over each element's area, and slip taken
 /// where the traction is. Slip is computed over the way between the centres of two elements and belongs to its middle;
 /// at the centre of a sliding element it is interpolated (CentredSlip). Which elements slide is found roughly with the
-/// slip as it is; then the problem is solved with the slip of those at their centres. Would this follow the elements
-/// that come to slide or to adhere on the way, Newton's method would stall now and then.
+/// slip as it is; then the problem is solved with the slip of those at their centres. If this set were updated during
+/// the iteration, Newton's method would occasionally stall.
 class SecondOrderRolling {
 public:
   /// Throws Stopped if `progress` returns false.
@@ -60,8 +60,7 @@ private:
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
 
   FittedContact contact_;
-  FittedResponse response_;
-  RollingPreconditioner<double> preconditioner_;
+  FittedOperator operator_;
   FrictionNewton newton_;
   std::vector<double> area_share_;
   std::optional<RollingDerivative> derivative_; ///< made when it is first needed

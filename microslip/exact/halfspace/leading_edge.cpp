@@ -48,15 +48,15 @@ std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::spa
   return entering;
 }
 
-LeadingEdgeResponse::LeadingEdgeResponse(const CombinedMaterial& material, const ElementGrid& grid, double step,
+LeadingEdgeOperator::LeadingEdgeOperator(const CombinedMaterial& material, const ElementGrid& grid, double step,
                                          std::vector<EnteringElement> entering)
-    : length_(std::abs(step)), growth_(TangentialResponse::growth(material, grid, step)),
-      displacement_(TangentialResponse::displacement(material, grid)), entering_(std::move(entering)),
+    : length_(std::abs(step)), difference_(TangentialOperator::difference(material, grid, step)),
+      displacement_(TangentialOperator::displacement(material, grid)), entering_(std::move(entering)),
       ux_(grid.count()), uy_(grid.count()) {}
 
-void LeadingEdgeResponse::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+void LeadingEdgeOperator::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
                                 std::span<double> sy) {
-  growth_.apply(px, py, sx, sy);
+  difference_.apply(px, py, sx, sy);
   displacement_.apply(px, py, ux_, uy_);
   for (const EnteringElement& e : entering_) {
     const auto since_edge = [&](const std::vector<double>& u) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 
 #include <optional>
 #include <span>
@@ -35,19 +35,19 @@ std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::spa
 
 /// Steady rolling with the leading edge's correction: D p = (u(x) - u(x + step))/|step|, and (u(x) - u0)/|step| for the
 /// elements that particles have just entered. Two products with half-space matrices each.
-class LeadingEdgeResponse : public SlipResponse {
+class LeadingEdgeOperator : public SlipOperator {
 public:
-  LeadingEdgeResponse(const CombinedMaterial& material, const ElementGrid& grid, double step,
+  LeadingEdgeOperator(const CombinedMaterial& material, const ElementGrid& grid, double step,
                       std::vector<EnteringElement> entering);
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override;
-  double diagonal() const override { return growth_.diagonal(); }
-  long products() const override { return growth_.products() + displacement_.products(); }
+  double diagonal() const override { return difference_.diagonal(); }
+  long products() const override { return difference_.products() + displacement_.products(); }
 
 private:
   double length_;
-  TangentialResponse growth_, displacement_;
+  TangentialOperator difference_, displacement_;
   std::vector<EnteringElement> entering_;
   std::vector<double> ux_, uy_;
 };

@@ -1,7 +1,7 @@
 #include "microslip/exact/halfspace/memory_need.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/newton/friction_newton.hpp"
+#include "microslip/numerics/gmres.hpp"
 #include "microslip/numerics/toeplitz.hpp"
 
 #include <algorithm>
@@ -40,9 +40,8 @@ double memory_need(ContactProblem problem, const ElementGrid& grid) {
   if (problem == ContactProblem::second_order)
     return 4.0 / 3 * (4 * transform + 64 * real * elements + 100 * 2 * real * elements);
   if (problem == ContactProblem::coupled)
-    return 33 * transform + 17 * table + 88 * real * elements +
-           3 * real * elements * (FrictionNewton::Options().most_inner + 1);
-  const double basis = 2 * real * elements * (FrictionNewton::Options().most_inner + 1);
+    return 33 * transform + 17 * table + 88 * real * elements + 3 * real * elements * (most_gmres_products + 1);
+  const double basis = 2 * real * elements * (most_gmres_products + 1);
   return 18 * transform + 4 * table + 50 * real * elements + basis;
 }
 

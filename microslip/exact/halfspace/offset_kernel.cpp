@@ -126,7 +126,7 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
   return kernel;
 }
 
-SlipRate growth_over(double step) {
+SlipRate difference_over(double step) {
   return {.shift = {}, .length = std::abs(step), .before = Vec2{step, 0}};
 }
 
@@ -153,18 +153,18 @@ TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const Elem
                                                 double length, const Progress& progress) {
   return tangential_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
 }
-TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                          const Progress& progress) {
-  return tangential_kernel(bodies, grid, growth_over(step), progress);
+TangentialKernel TangentialKernel::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                              const Progress& progress) {
+  return tangential_kernel(bodies, grid, difference_over(step), progress);
 }
 
 CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
                                           const Progress& progress) {
   return coupled_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
 }
-CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                    const Progress& progress) {
-  return coupled_kernel(bodies, grid, growth_over(step), progress);
+CoupledKernel CoupledKernel::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                        const Progress& progress) {
+  return coupled_kernel(bodies, grid, difference_over(step), progress);
 }
 
 } // namespace microslip

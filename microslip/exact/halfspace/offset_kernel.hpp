@@ -50,31 +50,31 @@ OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& g
 /// Its entry for the element i columns and j rows further, which may lie beyond the grid.
 double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j);
 
-/// The map D from tractions to slip that TangentialResponse applies by transforms, element by element.
+/// The map D from tractions to slip that TangentialOperator applies by transforms, element by element.
 struct TangentialKernel {
   OffsetTable xx, xy, yy; ///< D_yx = D_xy
 
-  /// As SlipResponse::diagonal.
+  /// As SlipOperator::diagonal.
   double diagonal() const { return (xx.at(0, 0) + yy.at(0, 0)) / 2; }
 
-  /// As TangentialResponse::displacement and TangentialResponse::growth.
+  /// As TangentialOperator::displacement and TangentialOperator::difference.
   static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                        double length = 1, const Progress& progress = {});
-  static TangentialKernel growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                 const Progress& progress = {});
+  static TangentialKernel difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                     const Progress& progress = {});
 };
 
-/// The map from tractions and pressure to slip and normal displacement that CoupledResponse applies.
+/// The map from tractions and pressure to slip and normal displacement that CoupledOperator applies.
 struct CoupledKernel {
   TangentialKernel slip;
   OffsetTable xz, yz;     ///< slip from the pressure
   OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
 
-  /// As CoupledResponse::displacement and CoupledResponse::growth.
+  /// As CoupledOperator::displacement and CoupledOperator::growth.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
                                     const Progress& progress = {});
-  static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                              const Progress& progress = {});
+  static CoupledKernel difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                  const Progress& progress = {});
 };
 
 } // namespace microslip

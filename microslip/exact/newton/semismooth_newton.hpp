@@ -15,7 +15,6 @@ namespace microslip {
 struct NewtonLimits {
   double goal; ///< of |F|
   int most_steps;
-  int most_inner;         ///< products in the linear solver of one step
   Progress progress = {}; ///< is told after each step and before each product; false ends the iteration
 };
 
@@ -30,8 +29,7 @@ struct NewtonState {
 };
 
 /// The equations F'(x) v = right of a linearised problem F(x) = 0, solved by GMRES. `Problem` has a type Real,
-/// size(), precondition(v), respond(v, growth) and derivative(v, growth, damping, out), as those in friction_newton.cpp
-/// are documented.
+/// size(), precondition(v), respond(v, response) and derivative(v, response, damping, out), as in FrictionEquations.
 template <class Problem> class LinearisedProblem {
 public:
   using Real = typename Problem::Real;
@@ -40,16 +38,16 @@ public:
   LinearisedProblem(Problem& problem, Gmres<Real>& gmres, std::size_t responses)
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
-  /// v and, unless `growth` is empty, its response, which costs no product more: it is summed of those that the
+  /// v and, unless `response_of_v` is empty, its response, which costs no product more: it is summed of those that the
   /// products had. `before_product` is called before each of them. Returns |F' v - right|.
   template <class BeforeProduct>
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
-               std::span<Real> growth, const BeforeProduct& before_product) {
+               std::span<Real> response_of_v, const BeforeProduct& before_product) {
     std::size_t count = 0;
     const auto product = [&](std::span<const Real> in, std::span<Real> out) {
       before_product();
-      if (growths_.size() <= count) growths_.emplace_back();
-      Field& response = growths_[growth.empty() ? 0 : count++];
+      if (responses_of_products_.size() <= count) responses_of_products_.emplace_back();
+      Field& response = responses_of_products_[response_of_v.empty() ? 0 : count++];
       response.resize(responses_);
       std::copy(in.begin(), in.end(), change_.begin());
       problem_.precondition(change_);
@@ -58,7 +56,7 @@ public:
     };
     const auto result = gmres_.solve(product, right, v, tolerance, most);
     problem_.precondition(v);
-    if (!growth.empty()) combine(result.weights, growths_, growth);
+    if (!response_of_v.empty()) combine(result.weights, responses_of_products_, response_of_v);
     return result.residual;
   }
 
@@ -67,7 +65,7 @@ private:
   Gmres<Real>& gmres_;
   Field change_;
   std::size_t responses_;
-  std::vector<Field> growths_; ///< of the products' vectors
+  std::vector<Field> responses_of_products_; ///< of the products' vectors
 };
 
 /// Takes semi-smooth Newton steps for F(x) = 0 until a limit is reached, and leaves the best iterate in `x` and
@@ -86,8 +84,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
   constexpr double roughest = 0.3; // of the linear equations' residual
   constexpr int most_halvings = 12;
   const std::size_t n = problem.size();
-  Field f(n), right(n), step(n), growth(response.size()), trial(n), trial_response(response.size()), trial_f(n), best_x,
-      best_response;
+  Field f(n), right(n), step(n), response_change(response.size()), trial(n), trial_response(response.size()),
+      trial_f(n), best_x, best_response;
   LinearisedProblem<Problem> linearised(problem, gmres, response.size());
   double& norm = state.norm = problem.evaluate(x, response, f);
   double best_norm = norm, misfit = roughest;
@@ -104,7 +102,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
     const double accuracy = std::clamp(misfit, least, roughest);
     double linear_norm = 0;
     try {
-      linear_norm = linearised.solve(right, damping, accuracy, limits.most_inner, step, growth, before_product);
+      linear_norm =
+          linearised.solve(right, damping, accuracy, most_gmres_products, step, response_change, before_product);
     } catch (const LinearSolveStopped&) {
       state.stopped = true;
       break;
@@ -113,7 +112,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
     double length = 1, trial_norm = norm;
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
       for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
-      for (std::size_t k = 0; k < growth.size(); ++k) trial_response[k] = response[k] + length * growth[k];
+      for (std::size_t k = 0; k < response_change.size(); ++k)
+        trial_response[k] = response[k] + length * response_change[k];
       trial_norm = problem.evaluate(trial, trial_response, trial_f);
       if (trial_norm < (1 - 1e-4 * length) * norm) break;
     }

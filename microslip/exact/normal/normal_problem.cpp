@@ -29,11 +29,12 @@ double dot(const Field& a, const Field& b) {
 /// One solve; members are the fields of the iteration.
 class Iteration {
 public:
-  Iteration(NormalResponse& response, const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load)
-      : response_(response), grid_(grid), gap_(gap), by_force_(load.given == NormalLoad::Given::force),
-        value_(load.value), products_before_(response.products()), pressure_(grid.count()), displacement_(grid.count()),
-        distance_(grid.count()), direction_(grid.count()), trial_(grid.count()), step_(grid.count()),
-        response_of_step_(grid.count()), free_(grid.count()) {}
+  Iteration(NormalOperator& normal_operator, const ElementGrid& grid, std::span<const double> gap,
+            const NormalLoad& load)
+      : operator_(normal_operator), grid_(grid), gap_(gap), by_force_(load.given == NormalLoad::Given::force),
+        value_(load.value), products_before_(normal_operator.products()), pressure_(grid.count()),
+        displacement_(grid.count()), distance_(grid.count()), direction_(grid.count()), trial_(grid.count()),
+        step_(grid.count()), response_of_step_(grid.count()), free_(grid.count()) {}
 
   /// `start` is a pressure of which the shape counts; if it is empty or no use, the bodies' overlap.
   NormalSolution run(Field start, double tolerance, const Progress& progress) {
@@ -71,7 +72,7 @@ private:
   bool begin(Field start) {
     pressure_ = std::move(start);
     if (by_force_) scale_to_force(pressure_);
-    response_.apply(pressure_, displacement_);
+    operator_.apply(pressure_, displacement_);
     return by_force_ || scale_to_least_energy();
   }
 
@@ -146,7 +147,7 @@ private:
   void find_direction() {
     const bool conjugate = !find_free() && at_least_;
     find_gradient(trial_);
-    response_.apply_near_inverse(trial_, direction_);
+    operator_.apply_near_inverse(trial_, direction_);
     project(direction_);
     const double ratio = conjugate ? -dot(direction_, response_of_step_) / dot(step_, response_of_step_) : 0;
     if (!(slope(direction_) + ratio * slope(step_) > 0)) return;
@@ -181,10 +182,10 @@ private:
     bool clipped = find_trial(length_);
     if (!(slope(step_) > 0)) {
       find_gradient(direction_);
-      clipped = find_trial(1 / response_.diagonal());
+      clipped = find_trial(1 / operator_.diagonal());
     }
     const double downhill = slope(step_);
-    response_.apply(trial_, response_of_step_);
+    operator_.apply(trial_, response_of_step_);
     for (std::size_t k = 0; k < step_.size(); ++k) response_of_step_[k] -= displacement_[k];
     const double curvature = dot(step_, response_of_step_);
     if (!(downhill > 0 && curvature > 0)) return false;
@@ -208,13 +209,13 @@ private:
     s.displacement = std::move(displacement_);
     s.residual = residual_;
     s.iterations = iterations;
-    s.products = response_.products() - products_before_;
+    s.products = operator_.products() - products_before_;
     s.status = status;
     find_totals(grid_, gap_, s);
     return s;
   }
 
-  NormalResponse& response_;
+  NormalOperator& operator_;
   const ElementGrid& grid_;
   std::span<const double> gap_;
   bool by_force_;
@@ -229,7 +230,7 @@ private:
 } // namespace
 
 NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
-    : grid_(require_memory(ContactProblem::normal, grid)), response_(material, grid, progress) {
+    : grid_(require_memory(ContactProblem::normal, grid)), operator_(material, grid, progress) {
   if (std::max(grid.mx, grid.my) > largest_coarsest)
     coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress);
 }
@@ -257,7 +258,7 @@ NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoa
 NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
                                            const Progress& progress, double& coarser_products) {
   Field start;
-  Iteration iteration(response_, grid_, gap, load);
+  Iteration iteration(operator_, grid_, gap, load);
   if (coarser_) {
     bool stopped = false;
     const Progress on_coarser = [&](double) { return !(stopped = progress && !progress(0)); };

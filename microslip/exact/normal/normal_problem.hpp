@@ -1,7 +1,8 @@
 #pragma once
 
 #include "microslip/contact/element_grid.hpp"
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/contact/normal_load.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 #include "microslip/progress.hpp"
 #include "microslip/status.hpp"
 
@@ -10,13 +11,6 @@
 #include <vector>
 
 namespace microslip {
-
-/// What is given about the normal direction.
-struct NormalLoad {
-  enum class Given { approach, force };
-  Given given = Given::force;
-  double value = 0; ///< approach delta [m] or normal force Fn [N]
-};
 
 /// Sides of the grid.
 struct BorderSides {
@@ -68,7 +62,7 @@ private:
                               const Progress& progress, double& coarser_products);
 
   ElementGrid grid_;
-  NormalResponse response_;
+  NormalOperator operator_;
   std::unique_ptr<NormalProblem> coarser_; ///< null for few elements
 };
 

@@ -2,6 +2,7 @@
 
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
 #include "microslip/progress.hpp"
@@ -17,16 +18,16 @@ struct TangentialKernel;
 
 /// Normal displacement difference u_z = A_zz p_n on a grid of elements, for elastically similar
 /// bodies.
-class NormalResponse {
+class NormalOperator {
 public:
   /// Throws Stopped if `progress`, which is told of the rows of coefficients, returns false; as the others do.
-  NormalResponse(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {});
+  NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {});
   void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }
   /// A symmetric positive map near the inverse of A_zz, also of its part on any area: a preconditioner.
   void apply_near_inverse(std::span<const double> displacement, std::span<double> pressure) {
     zz_.apply_circulant_inverse(displacement, pressure);
   }
-  /// What an element does to itself.
+  /// Diagonal entry [m/Pa].
   double diagonal() const { return diagonal_; }
   /// Of both kinds, which cost the same.
   long products() const { return zz_.products(); }
@@ -36,34 +37,17 @@ private:
   double diagonal_;
 };
 
-/// A linear map D from tractions to slip on a grid of elements.
-class SlipResponse {
-public:
-  virtual ~SlipResponse() = default;
-  virtual void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
-                     std::span<double> sy) = 0;
-  /// What an element in the midst of the contact does to itself: the mean of D_xx and D_yy.
-  virtual double diagonal() const = 0;
-  virtual long products() const = 0;
-
-protected:
-  SlipResponse() = default;
-  SlipResponse(const SlipResponse&) = default;
-  SlipResponse(SlipResponse&&) = default;
-  SlipResponse& operator=(const SlipResponse&) = default;
-  SlipResponse& operator=(SlipResponse&&) = default;
-};
-
 /// What the tangential displacement difference u = A p on a grid of elements contributes to the
 /// slip, D p.
-class TangentialResponse : public SlipResponse {
+class TangentialOperator : public SlipOperator {
 public:
-  /// u at the points `shift` [m] further, over the way `length` [m]: D = A(x + shift)/length.
-  static TangentialResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
+  /// u at the points `shift` [m] further, over the distance `length` [m]: D = A(x + shift)/length.
+  static TangentialOperator displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                          double length = 1, const Progress& progress = {});
-  /// Growth of u for particles that come from x + step, over the way |step| [m]: D = (A(x) - A(x + step))/|step|.
-  static TangentialResponse growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                   const Progress& progress = {});
+  /// Difference of u along the rolling direction, for particles that come from x + step, over the distance |step| [m]:
+  /// D = (A(x) - A(x + step))/|step|.
+  static TangentialOperator difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                       const Progress& progress = {});
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
              std::span<double> uy) override;
@@ -71,7 +55,7 @@ public:
   long products() const override { return transform_.products(); }
 
 private:
-  explicit TangentialResponse(const TangentialKernel& kernel);
+  explicit TangentialOperator(const TangentialKernel& kernel);
 
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yy_;
@@ -80,25 +64,26 @@ private:
 
 /// What tractions and pressure on a grid of elements make of slip and of the normal displacement
 /// difference. For any two bodies.
-class CoupledResponse {
+class CoupledOperator {
 public:
-  /// Slip: u at the points `shift` [m] further, over the way `length` [m].
-  static CoupledResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
+  /// Slip: u at the points `shift` [m] further, over the distance `length` [m].
+  static CoupledOperator displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
                                       const Progress& progress = {});
-  /// Slip: growth of u for particles that come from x + step, over the way |step| [m].
-  static CoupledResponse growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                const Progress& progress = {});
+  /// Slip: difference of u along the rolling direction, for particles that come from x + step, over the distance |step|
+  /// [m].
+  static CoupledOperator difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                    const Progress& progress = {});
 
   /// p = (px, py, p_n) [Pa]; out = (sx, sy, u_n) or its first two.
   using Fields = std::array<std::span<const double>, 3>;
   void apply(const Fields& p, std::span<const std::span<double>> out);
-  /// What an element in the midst of the contact does to itself: the mean of D_xx and D_yy; A_zz [m/Pa].
+  /// Diagonal entries of an interior element: the mean of D_xx and D_yy; A_zz [m/Pa].
   double slip_diagonal() const { return slip_diagonal_; }
   double normal_diagonal() const { return normal_diagonal_; }
   long products() const { return transform_.products(); }
 
 private:
-  explicit CoupledResponse(const CoupledKernel& kernel);
+  explicit CoupledOperator(const CoupledKernel& kernel);
 
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yy_, xz_, yz_, zx_, zy_, zz_;

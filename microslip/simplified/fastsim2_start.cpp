@@ -1,4 +1,4 @@
-#include "microslip/exact/classical/fastsim2_start.hpp"
+#include "microslip/simplified/fastsim2_start.hpp"
 
 #include "microslip/contact/limits.hpp"
 #include "microslip/simplified/fastsim2.hpp"
@@ -32,8 +32,8 @@ Vec2 interpolate(const ContactSolution& simplified, int j, double x) {
 
 } // namespace
 
-TangentialState start_from_fastsim2(const EllipticContact& contact, const ElementGrid& grid,
-                                    std::span<const double> bound, RollingDirection direction) {
+VectorField start_from_fastsim2(const EllipticContact& contact, const ElementGrid& grid, std::span<const double> bound,
+                                RollingDirection direction) {
   SimplifiedOptions options;
   options.mx = std::clamp(static_cast<int>(std::lround(2 * contact.a / grid.dx)), 1, most_cells);
   options.my = std::clamp(static_cast<int>(std::lround(2 * contact.b / grid.dy)), 1, most_cells);
@@ -43,7 +43,7 @@ TangentialState start_from_fastsim2(const EllipticContact& contact, const Elemen
   const ContactSolution simplified = Fastsim2(options).fields(contact);
   const int rows = simplified.elements.my();
 
-  TangentialState start{std::vector<double>(grid.count()), std::vector<double>(grid.count())};
+  VectorField start(grid.count());
   if (rows == 0) return start;
   for (int j = 0; j < grid.my; ++j) {
     const double row = (grid.y(j) / contact.b + 1) / 2 * rows - 0.5; // rows are cut as the elements are
@@ -51,8 +51,8 @@ TangentialState start_from_fastsim2(const EllipticContact& contact, const Elemen
     for (int i = 0; i < grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
       const Vec2 p = interpolate(simplified, nearest, grid.x(i));
-      start.px[k] = bound[k] * p.x;
-      start.py[k] = bound[k] * p.y;
+      start.x[k] = bound[k] * p.x;
+      start.y[k] = bound[k] * p.y;
     }
   }
   return start;

@@ -1,4 +1,4 @@
-#include "tests/oracles/direct_response.hpp"
+#include "tests/oracles/direct_operator.hpp"
 
 #include "microslip/error.hpp"
 
@@ -28,11 +28,11 @@ void add_slip(const TangentialKernel& kernel, const RowPart& from, std::span<con
   }
 }
 
-DirectResponse::DirectResponse(TangentialKernel kernel, int threads) : kernel_(std::move(kernel)), threads_(threads) {
+DirectOperator::DirectOperator(TangentialKernel kernel, int threads) : kernel_(std::move(kernel)), threads_(threads) {
   require_count("threads", threads, 1, 1024);
 }
 
-void DirectResponse::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+void DirectOperator::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
                            std::span<double> sy) {
   const int mx = kernel_.xx.mx(), my = kernel_.xx.my();
   std::fill(sx.begin(), sx.end(), 0.0);

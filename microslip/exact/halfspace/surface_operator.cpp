@@ -1,4 +1,4 @@
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 
@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-NormalResponse::NormalResponse(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
+NormalOperator::NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
     : zz_((check(grid), grid.mx), grid.my,
           [&](int i, int j) {
             if (i == 0) go_on(progress, 0);
@@ -14,28 +14,28 @@ NormalResponse::NormalResponse(const CombinedMaterial& material, const ElementGr
           }),
       diagonal_(normal_coefficient(material, grid, 0, 0)) {}
 
-TangentialResponse::TangentialResponse(const TangentialKernel& kernel)
+TangentialOperator::TangentialOperator(const TangentialKernel& kernel)
     : transform_(kernel.xx.mx(), kernel.xx.my(), 2), xx_(transform_.kernel_spectrum(kernel.xx.values())),
       xy_(transform_.kernel_spectrum(kernel.xy.values())), yy_(transform_.kernel_spectrum(kernel.yy.values())),
       diagonal_(kernel.diagonal()) {}
 
-TangentialResponse TangentialResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
+TangentialOperator TangentialOperator::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
                                                     double length, const Progress& progress) {
-  return TangentialResponse(TangentialKernel::displacement(bodies, grid, shift, length, progress));
+  return TangentialOperator(TangentialKernel::displacement(bodies, grid, shift, length, progress));
 }
 
-TangentialResponse TangentialResponse::growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                              const Progress& progress) {
-  return TangentialResponse(TangentialKernel::growth(bodies, grid, step, progress));
+TangentialOperator TangentialOperator::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                                  const Progress& progress) {
+  return TangentialOperator(TangentialKernel::difference(bodies, grid, step, progress));
 }
 
-void TangentialResponse::apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+void TangentialOperator::apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                std::span<double> uy) {
   transform_.load(std::array{px, py});
   transform_.apply(std::array<const ToeplitzTransform::Spectrum*, 4>{&xx_, &xy_, &xy_, &yy_}, std::array{ux, uy});
 }
 
-CoupledResponse::CoupledResponse(const CoupledKernel& kernel)
+CoupledOperator::CoupledOperator(const CoupledKernel& kernel)
     : transform_(kernel.zz.mx(), kernel.zz.my(), 3), xx_(transform_.kernel_spectrum(kernel.slip.xx.values())),
       xy_(transform_.kernel_spectrum(kernel.slip.xy.values())),
       yy_(transform_.kernel_spectrum(kernel.slip.yy.values())), xz_(transform_.kernel_spectrum(kernel.xz.values())),
@@ -43,17 +43,17 @@ CoupledResponse::CoupledResponse(const CoupledKernel& kernel)
       zy_(transform_.kernel_spectrum(kernel.zy.values())), zz_(transform_.kernel_spectrum(kernel.zz.values())),
       slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)) {}
 
-CoupledResponse CoupledResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
+CoupledOperator CoupledOperator::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
                                               const Progress& progress) {
-  return CoupledResponse(CoupledKernel::displacement(bodies, grid, shift, length, progress));
+  return CoupledOperator(CoupledKernel::displacement(bodies, grid, shift, length, progress));
 }
 
-CoupledResponse CoupledResponse::growth(const Bodies& bodies, const ElementGrid& grid, double step,
-                                        const Progress& progress) {
-  return CoupledResponse(CoupledKernel::growth(bodies, grid, step, progress));
+CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+                                            const Progress& progress) {
+  return CoupledOperator(CoupledKernel::difference(bodies, grid, step, progress));
 }
 
-void CoupledResponse::apply(const Fields& p, std::span<const std::span<double>> out) {
+void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> out) {
   transform_.load(p);
   const std::array<const ToeplitzTransform::Spectrum*, 9> kernels = {&xx_, &xy_, &xz_, &xy_, &yy_,
                                                                      &yz_, &zx_, &zy_, &zz_};

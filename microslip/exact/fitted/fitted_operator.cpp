@@ -1,4 +1,4 @@
-#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/fitted/fitted_operator.hpp"
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 
@@ -28,9 +28,9 @@ template <class Weights> void interpolate(double t, int count, Weights& weights)
 
 /// The displacements that an element of the grid makes at the centres of others. xx and yy are even in both components
 /// of the offset, xy is odd, so a quarter of the offsets is enough.
-class QuarterKernel {
+class EvenKernel {
 public:
-  QuarterKernel(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
+  EvenKernel(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
       : mx_(grid.mx), xx_(grid.count()), xy_(grid.count()), yy_(grid.count()) {
     for (std::size_t k = 0; k < grid.count(); ++k) {
       const auto i = static_cast<int>(k % grid.mx), j = static_cast<int>(k / grid.mx);
@@ -42,7 +42,7 @@ public:
 
   SymmetricToeplitz<double> transform(const ElementGrid& grid) const { return {grid.mx, grid.my, {xx_, xy_, yy_}}; }
 
-  /// The mean of D_xx and D_yy of an element in the midst of the contact.
+  /// The mean of D_xx and D_yy of an interior element.
   double diagonal(double dx) const { return (xx_[0] - xx_[1] + yy_[0] - yy_[1]) / (2 * dx); }
 
   Influence at(int i, int j) const {
@@ -57,12 +57,12 @@ private:
 
 namespace {
 
-/// Finds what FittedProduct needs.
-class TableFinder {
+/// Builds the tables of a FittedProduct: stencils, moments and corrections.
+class TableBuilder {
 public:
   /// `stride`: of rows in the transforms' field.
-  TableFinder(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
-              std::size_t stride, const Progress& progress)
+  TableBuilder(const CombinedMaterial& material, const FittedContact& contact, const EvenKernel& kernel,
+               std::size_t stride, const Progress& progress)
       : material_(material), grid_(contact.grid), elements_(contact.elements), kernel_(kernel), stride_(stride),
         progress_(progress) {
     find_rows();
@@ -92,7 +92,7 @@ private:
   const CombinedMaterial& material_;
   const ElementGrid& grid_;
   const std::vector<FittedElement>& elements_;
-  const QuarterKernel& kernel_;
+  const EvenKernel& kernel_;
   std::size_t stride_;
   const Progress& progress_;
   std::vector<std::size_t> first_of_row_; ///< elements, and behind them the number of all
@@ -104,7 +104,7 @@ private:
   Product::Tables tables_;
 };
 
-void TableFinder::place_points() {
+void TableBuilder::place_points() {
   tables_.nodes = std::min(Product::most_nodes, grid_.mx);
   const auto add = [&](double x, const FittedElement& e, bool is_cell_centre) {
     const std::size_t point = point_x_.size();
@@ -132,7 +132,7 @@ void TableFinder::place_points() {
 }
 
 /// The three neighbours of the grid that have the force, its moment and its second moment along x.
-void TableFinder::find_moments() {
+void TableBuilder::find_moments() {
   moments_of_.assign(elements_.size(), none);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const FittedElement& e = elements_[k];
@@ -147,7 +147,7 @@ void TableFinder::find_moments() {
 }
 
 /// What the transforms make of an element's influence on a point.
-Influence TableFinder::by_transforms(std::size_t point, std::size_t element) const {
+Influence TableBuilder::by_transforms(std::size_t point, std::size_t element) const {
   Influence sum{};
   const FittedElement& e = elements_[element];
   const auto add = [&](std::size_t to, std::size_t from, double weight) {
@@ -171,7 +171,7 @@ Influence TableFinder::by_transforms(std::size_t point, std::size_t element) con
   return sum;
 }
 
-void TableFinder::correct(Product::Corrections& by, std::size_t point, std::size_t element) const {
+void TableBuilder::correct(Product::Corrections& by, std::size_t point, std::size_t element) const {
   const FittedElement& e = elements_[element];
   const double x = point_x_[point] - e.centre(), y = (point_row_[point] - e.row) * grid_.dy;
   const Influence exact = element_influence(material_, grid_, e.width(), x, y), fast = by_transforms(point, element);
@@ -181,7 +181,7 @@ void TableFinder::correct(Product::Corrections& by, std::size_t point, std::size
 }
 
 /// Makes the last run as long as whole sets of lanes.
-void TableFinder::fill_lanes(Product::Corrections& by) {
+void TableBuilder::fill_lanes(Product::Corrections& by) {
   const std::size_t lacking = (Product::lanes - by.xx.size() % Product::lanes) % Product::lanes;
   if (lacking == 0) return;
   by.runs.back().count += lacking;
@@ -189,7 +189,7 @@ void TableFinder::fill_lanes(Product::Corrections& by) {
 }
 
 /// Calls `add` with the elements of each row nearby whose centres are near x.
-template <class Add> void TableFinder::each_row(int row, double x, const Add& add) const {
+template <class Add> void TableBuilder::each_row(int row, double x, const Add& add) const {
   const int rows = static_cast<int>(std::min(near * grid_.dx / grid_.dy + 1, double(grid_.my)));
   for (int other = std::max(row - rows, 0); other < std::min(row + rows + 1, grid_.my); ++other) {
     const auto end = elements_.begin() + static_cast<std::ptrdiff_t>(first_of_row_[other + 1]);
@@ -201,7 +201,7 @@ template <class Add> void TableFinder::each_row(int row, double x, const Add& ad
 }
 
 /// A point that is none of the grid's, from all elements nearby.
-void TableFinder::correct_point(std::size_t point) {
+void TableBuilder::correct_point(std::size_t point) {
   each_row(point_row_[point], point_x_[point], [&](std::size_t from, std::size_t to) {
     tables_.at_points.runs.push_back({point, from, to - from});
     for (std::size_t element = from; element < to; ++element) correct(tables_.at_points, point, element);
@@ -210,7 +210,7 @@ void TableFinder::correct_point(std::size_t point) {
 }
 
 /// The grid's points nearby, from a fitted element.
-void TableFinder::correct_element(const Product::Moments& moments) {
+void TableBuilder::correct_element(const Product::Moments& moments) {
   const FittedElement& e = elements_[moments.element];
   auto& runs = tables_.of_elements.runs;
   each_row(e.row, e.centre(), [&](std::size_t from, std::size_t to) {
@@ -228,7 +228,7 @@ void TableFinder::correct_element(const Product::Moments& moments) {
 }
 
 /// The difference between what an element does to a point and what the transforms make of it.
-void TableFinder::find_corrections() {
+void TableBuilder::find_corrections() {
   for (const Product::Stencil& s : tables_.stencils) {
     go_on(progress_, 0);
     correct_point(s.point);
@@ -239,27 +239,37 @@ void TableFinder::find_corrections() {
   }
 }
 
-void TableFinder::find_rows() {
+void TableBuilder::find_rows() {
   first_of_row_.assign(grid_.my + 1, elements_.size());
   for (std::size_t k = elements_.size(); k-- > 0;) first_of_row_[elements_[k].row] = k;
   for (int j = grid_.my; j-- > 0;) first_of_row_[j] = std::min(first_of_row_[j], first_of_row_[j + 1]);
 }
 
-Product make_product(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
+Product make_product(const CombinedMaterial& material, const FittedContact& contact, const EvenKernel& kernel,
                      const Progress& progress) {
   SymmetricToeplitz<double> transform = kernel.transform(contact.grid);
-  TableFinder finder(material, contact, kernel, transform.stride(), progress);
-  return {finder.take(), std::move(transform)};
+  TableBuilder builder(material, contact, kernel, transform.stride(), progress);
+  return {builder.take(), std::move(transform)};
 }
 
 } // namespace
 
-FittedResponse::FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress)
-    : FittedResponse(material, contact, QuarterKernel(material, contact.grid, progress), progress) {}
+template <class Real> RollingPreconditioner<Real> rolling_preconditioner(const FittedContact& contact) {
+  std::vector<RollingElement> elements;
+  for (std::size_t k = 0; k < contact.elements.size(); ++k)
+    elements.push_back({k, contact.elements[k].cell, contact.elements[k].leads});
+  return {contact.grid, RollingDirection::forward, elements};
+}
 
-FittedResponse::FittedResponse(const CombinedMaterial& material, const FittedContact& contact,
-                               const QuarterKernel& kernel, const Progress& progress)
+template RollingPreconditioner<double> rolling_preconditioner(const FittedContact&);
+template RollingPreconditioner<float> rolling_preconditioner(const FittedContact&);
+
+FittedOperator::FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress)
+    : FittedOperator(material, contact, EvenKernel(material, contact.grid, progress), progress) {}
+
+FittedOperator::FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const EvenKernel& kernel,
+                               const Progress& progress)
     : elements_(contact.elements.size()), product_(make_product(material, contact, kernel, progress)),
-      diagonal_(kernel.diagonal(contact.grid.dx)) {}
+      preconditioner_(rolling_preconditioner<double>(contact)), diagonal_(kernel.diagonal(contact.grid.dx)) {}
 
 } // namespace microslip

@@ -1,4 +1,4 @@
-#include "microslip/exact/fitted/rolling_preconditioner.hpp"
+#include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 
 #include "microslip/numerics/fftw.hpp"
 #include "microslip/numerics/threads.hpp"
@@ -27,11 +27,11 @@ constexpr double zero = 0.75, pole = 0.25;
 
 } // namespace
 
-template <class Real> struct RollingPreconditioner<Real>::Plans {
+template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   using Complex = std::complex<Real>;
-  /// Of an element in contact.
-  struct Place {
-    std::size_t element, place; ///< its numbers, and its place in the columns
+  /// Of an element in contact: its numbers, and its index in the columns.
+  struct ColumnEntry {
+    std::size_t element, index;
     bool leads;
   };
   /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for the waves along y; each number twice, for real
@@ -49,13 +49,13 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
   int mx, my, ny;
   bool forward;
   int threads;
-  std::vector<Place> places; ///< row after row, in each from the trailing to the leading edge
+  std::vector<ColumnEntry> entries; ///< row after row, in each from the trailing to the leading edge
   Filters filters;
   /// px + i py and its transforms along y; column after column, each of length ny, a multiple of `batch` of them.
   fftw::Buffer<Complex> tractions, waves;
   fftw::Transforms<Real> to_waves, from_waves;
 
-  Plans(const ElementGrid& grid, RollingDirection direction)
+  WaveFilter(const ElementGrid& grid, RollingDirection direction)
       : mx(grid.mx), my(grid.my), ny(fftw::quick_size(my)), forward(direction == RollingDirection::forward),
         threads(count() >= smallest_threaded ? omp_get_max_threads() : 1), tractions(fftw::allocate<Complex>(count())),
         waves(fftw::allocate<Complex>(count())), to_waves(ny, batch, FFTW_FORWARD, tractions.get(), waves.get()),
@@ -68,7 +68,7 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
   }
 
   void add(std::size_t element, std::size_t cell, bool leads) {
-    places.push_back({element, cell % mx * ny + cell / mx, leads});
+    entries.push_back({element, cell % mx * ny + cell / mx, leads});
   }
 
   int batches() const { return (mx + batch - 1) / batch; }
@@ -113,38 +113,38 @@ template <class Real> struct RollingPreconditioner<Real>::Plans {
 
   void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy) {
     std::fill_n(tractions.get(), count(), Complex(0));
-    for (const Place& p : places) tractions[p.place] = {px[p.element], py[p.element]};
+    for (const ColumnEntry& e : entries) tractions[e.index] = {px[e.element], py[e.element]};
     transform(to_waves, tractions.get(), waves.get());
     share_out((ny + block - 1) / block, threads,
               [&](int b, int) { filter_both_ways(b * block, std::min((b + 1) * block, ny)); });
     transform(from_waves, waves.get(), tractions.get());
     Complex ahead = 0;
-    for (std::size_t k = places.size(); k-- > 0;) { // each row from its leading element on
-      const Place& p = places[k];
-      ahead = (p.leads ? Complex(0) : ahead) + tractions[p.place];
-      qx[p.element] = ahead.real() - px[p.element];
-      qy[p.element] = ahead.imag() - py[p.element];
+    for (std::size_t k = entries.size(); k-- > 0;) { // each row from its leading element on
+      const ColumnEntry& e = entries[k];
+      ahead = (e.leads ? Complex(0) : ahead) + tractions[e.index];
+      qx[e.element] = ahead.real() - px[e.element];
+      qy[e.element] = ahead.imag() - py[e.element];
     }
   }
 };
 
 template <class Real>
-RollingPreconditioner<Real>::RollingPreconditioner(const FittedContact& contact)
-    : plans_(std::make_unique<Plans>(contact.grid, RollingDirection::forward)) {
-  for (std::size_t k = 0; k < contact.elements.size(); ++k)
-    plans_->add(k, contact.elements[k].cell, contact.elements[k].leads);
+RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, RollingDirection direction,
+                                                   std::span<const RollingElement> elements)
+    : filter_(std::make_unique<WaveFilter>(grid, direction)) {
+  for (const RollingElement& e : elements) filter_->add(e.element, e.cell, e.leads);
 }
 
 template <class Real>
 RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound,
                                                    RollingDirection direction)
-    : plans_(std::make_unique<Plans>(grid, direction)) {
-  const int ahead = plans_->forward ? 1 : -1, trailing = plans_->forward ? 0 : grid.mx - 1;
+    : filter_(std::make_unique<WaveFilter>(grid, direction)) {
+  const int ahead = filter_->forward ? 1 : -1, trailing = filter_->forward ? 0 : grid.mx - 1;
   for (int j = 0; j < grid.my; ++j)
     for (int i = trailing; i >= 0 && i < grid.mx; i += ahead) {
       const std::size_t cell = static_cast<std::size_t>(j) * grid.mx + i;
       const bool at_end = i + ahead < 0 || i + ahead == grid.mx;
-      if (bound[cell] > 0) plans_->add(cell, cell, at_end || !(bound[cell + ahead] > 0));
+      if (bound[cell] > 0) filter_->add(cell, cell, at_end || !(bound[cell + ahead] > 0));
     }
 }
 
@@ -156,7 +156,14 @@ template <class Real> RollingPreconditioner<Real>::~RollingPreconditioner() = de
 template <class Real>
 void RollingPreconditioner<Real>::apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx,
                                         std::span<Real> qy) {
-  plans_->apply(px, py, qx, qy);
+  filter_->apply(px, py, qx, qy);
+}
+
+template <class Real>
+void RollingPreconditioner<Real>::precondition(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx,
+                                               std::span<Real> qy) {
+  filter_->apply(px, py, qx, qy);
+  for (const auto& e : filter_->entries) qx[e.element] += px[e.element], qy[e.element] += py[e.element];
 }
 
 template class RollingPreconditioner<double>;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 
 #include <span>
 
@@ -18,11 +18,11 @@ struct RowPart {
 void add_slip(const TangentialKernel& kernel, const RowPart& from, std::span<const double> px,
               std::span<const double> py, const RowPart& to, std::span<double> sx, std::span<double> sy);
 
-/// The map of TangentialResponse by direct summation, without transforms: O(N^2) operations, O(N) memory. The result
+/// The map of TangentialOperator by direct summation, without transforms: O(N^2) operations, O(N) memory. The result
 /// does not depend on the number of threads.
-class DirectResponse : public SlipResponse {
+class DirectOperator : public SlipOperator {
 public:
-  explicit DirectResponse(TangentialKernel kernel, int threads = 1);
+  explicit DirectOperator(TangentialKernel kernel, int threads = 1);
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override;

@@ -1,27 +1,38 @@
 #pragma once
 
+#include "microslip/elasticity/material.hpp"
 #include "microslip/exact/fitted/fitted_contact.hpp"
 #include "microslip/exact/fitted/fitted_product.hpp"
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/exact/halfspace/rolling_preconditioner.hpp"
+#include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/progress.hpp"
 
 namespace microslip {
 
-class QuarterKernel;
+class EvenKernel;
+
+/// RollingPreconditioner for a fitted contact, which rolls along +x.
+template <class Real> RollingPreconditioner<Real> rolling_preconditioner(const FittedContact& contact);
 
 /// What the tractions of a fitted contact contribute to the slip in steady rolling along +x, D p = (u(centre) -
 /// u(end))/(end - centre), with one number for each element. The regular grid's part goes by fast transforms: a fitted
 /// element stands there as three of the grid's with its moments of orders 0 to 2, and u between the grid's points comes
 /// from polynomials of degree 5. What that misses is corrected exactly within a few elements; beyond, it is below
-/// 1e-4 of an element's own influence. Elastically similar bodies. Memory O(N), cost one transform there and back.
-class FittedResponse : public SlipResponse {
+/// 1e-4 of an element's own influence. Elastically similar
+/// bodies. Memory O(N), cost one transform there and back. Preconditioned by RollingPreconditioner.
+class FittedOperator : public SlipOperator {
 public:
   /// Throws Stopped if `progress` returns false.
-  FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress = {});
+  FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress = {});
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override {
     product_.apply(px, py, sx, sy);
+  }
+  bool precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
+                    std::span<double> qy) override {
+    preconditioner_.precondition(px, py, qx, qy);
+    return true;
   }
   double diagonal() const override { return diagonal_; }
   long products() const override { return product_.products(); }
@@ -32,11 +43,12 @@ public:
   std::span<const double> uy() const { return product_.uy().first(elements_); }
 
 private:
-  FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
+  FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const EvenKernel& kernel,
                  const Progress& progress);
 
   std::size_t elements_;
   FittedProduct<double> product_;
+  RollingPreconditioner<double> preconditioner_;
   double diagonal_;
 };
 

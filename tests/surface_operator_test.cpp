@@ -1,4 +1,4 @@
-#include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 
 #include "dense_response.hpp"
 #include "expect_error.hpp"
@@ -61,7 +61,7 @@ void expect_same(const Field& value, const Field& exact, double scale) {
   for (std::size_t k = 0; k < value.size(); ++k) ASSERT_NEAR(value[k], exact[k], 1e-13 * scale);
 }
 
-PlaneFields apply(TangentialResponse response, const Field& px, const Field& py) {
+PlaneFields apply(TangentialOperator response, const Field& px, const Field& py) {
   PlaneFields u{Field(px.size()), Field(px.size())};
   response.apply(px, py, u.x, u.y);
   return u;
@@ -78,7 +78,7 @@ TEST(SurfaceResponse, NormalIsTheDenseSum) {
     SCOPED_TRACE(text(grid));
     const Field p = random_field(grid, 1);
     Field u(p.size());
-    NormalResponse(steel, grid).apply(p, u);
+    NormalOperator(steel, grid).apply(p, u);
     expect_same(u, dense_normal_displacement(steel, grid, p), scale_of(grid, p));
   }
 }
@@ -87,7 +87,7 @@ TEST(SurfaceResponse, TangentialIsTheDenseSum) {
   for (const ElementGrid& grid : grids()) {
     SCOPED_TRACE(text(grid));
     const Field px = random_field(grid, 1), py = random_field(grid, 2);
-    const PlaneFields u = apply(TangentialResponse::displacement(steel, grid), px, py);
+    const PlaneFields u = apply(TangentialOperator::displacement(steel, grid), px, py);
     const PlaneFields exact = dense_displacement(steel, grid, px, py);
     expect_same(u.x, exact.x, scale_of(grid, px));
     expect_same(u.y, exact.y, scale_of(grid, px));
@@ -101,7 +101,7 @@ TEST(SurfaceResponse, DisplacementAtShiftedPoints) {
       SCOPED_TRACE(text(grid) + ", shift " + std::to_string(elements));
       const double shift = elements * grid.dx, length = 3.2;
       const Field px = random_field(grid, 1), py = random_field(grid, 2);
-      PlaneFields u = apply(TangentialResponse::displacement(steel, grid, {shift, 0}, length), px, py);
+      PlaneFields u = apply(TangentialOperator::displacement(steel, grid, {shift, 0}, length), px, py);
       const PlaneFields exact = dense_displacement(steel, grid, px, py, shift);
       for (Field* field : {&u.x, &u.y})
         for (double& value : *field) value *= length;
@@ -117,17 +117,17 @@ TEST(SurfaceResponse, GrowthIsADifferenceOfDisplacements) {
       SCOPED_TRACE(text(grid) + ", step " + std::to_string(elements));
       const double step = elements * grid.dx, length = std::abs(step);
       const Field px = random_field(grid, 1), py = random_field(grid, 2);
-      PlaneFields growth = apply(TangentialResponse::growth(steel, grid, step), px, py);
+      PlaneFields difference = apply(TangentialOperator::difference(steel, grid, step), px, py);
       PlaneFields exact = dense_displacement(steel, grid, px, py);
       const PlaneFields before = dense_displacement(steel, grid, px, py, step);
       for (std::size_t k = 0; k < px.size(); ++k) {
         exact.x[k] -= before.x[k];
         exact.y[k] -= before.y[k];
-        growth.x[k] *= length;
-        growth.y[k] *= length;
+        difference.x[k] *= length;
+        difference.y[k] *= length;
       }
-      expect_same(growth.x, exact.x, scale_of(grid, px));
-      expect_same(growth.y, exact.y, scale_of(grid, px));
+      expect_same(difference.x, exact.x, scale_of(grid, px));
+      expect_same(difference.y, exact.y, scale_of(grid, px));
     }
 }
 
@@ -137,11 +137,11 @@ TEST(SurfaceResponse, DiagonalIsWhatAnElementDoesToItself) {
     const Influence here = influence(steel, grid.dx, grid.dy, 0, 0),
                     before = influence(steel, grid.dx, grid.dy, step, 0);
     const double d = (here.xx - before.xx + here.yy - before.yy) / 2 / std::abs(step);
-    EXPECT_NEAR(TangentialResponse::growth(steel, grid, step).diagonal(), d, 1e-15 * d);
+    EXPECT_NEAR(TangentialOperator::difference(steel, grid, step).diagonal(), d, 1e-15 * d);
     EXPECT_GT(d, 0);
   }
   const Influence self = influence(steel, grid.dx, grid.dy, 0, 0);
-  EXPECT_NEAR(TangentialResponse::displacement(steel, grid, {}, 2).diagonal(), (self.xx + self.yy) / 4,
+  EXPECT_NEAR(TangentialOperator::displacement(steel, grid, {}, 2).diagonal(), (self.xx + self.yy) / 4,
               1e-14 * self.xx);
 }
 
@@ -149,12 +149,12 @@ TEST(SurfaceResponse, DiagonalIsWhatAnElementDoesToItself) {
 TEST(SurfaceResponse, IsReciprocalAndPositive) {
   for (const ElementGrid& grid : grids()) {
     SCOPED_TRACE(text(grid));
-    NormalResponse normal(steel, grid);
+    NormalOperator normal(steel, grid);
     for (unsigned seed = 1; seed < 6; ++seed) {
       const Field px = random_field(grid, seed), py = random_field(grid, seed + 10);
       const Field qx = random_field(grid, seed + 20), qy = random_field(grid, seed + 30);
-      const PlaneFields u = apply(TangentialResponse::displacement(steel, grid), px, py);
-      const PlaneFields v = apply(TangentialResponse::displacement(steel, grid), qx, qy);
+      const PlaneFields u = apply(TangentialOperator::displacement(steel, grid), px, py);
+      const PlaneFields v = apply(TangentialOperator::displacement(steel, grid), qx, qy);
       const double energy = dot(px, u.x) + dot(py, u.y);
       EXPECT_GT(energy, 0);
       EXPECT_NEAR(dot(qx, u.x) + dot(qy, u.y), dot(px, v.x) + dot(py, v.y), 1e-12 * energy);
@@ -169,8 +169,8 @@ TEST(SurfaceResponse, IsReciprocalAndPositive) {
 
 double rate_of_work(const CombinedMaterial& material, const ElementGrid& grid, double step, const Field& px,
                     const Field& py) {
-  const PlaneFields growth = apply(TangentialResponse::growth(material, grid, step), px, py);
-  return dot(px, growth.x) + dot(py, growth.y);
+  const PlaneFields difference = apply(TangentialOperator::difference(material, grid, step), px, py);
+  return dot(px, difference.x) + dot(py, difference.y);
 }
 
 /// p.Dp >= 0 although D is not symmetric, for steps of whole elements: a wave of number k is multiplied by the
@@ -197,17 +197,17 @@ TEST(SurfaceResponse, GrowthIsNotPositiveForShortStepsOnLongElements) {
 TEST(SurfaceResponse, CountsItsProductsAndCanBeMoved) {
   const ElementGrid grid = rectangles(6, 4);
   const Field px = random_field(grid, 1), py = random_field(grid, 2);
-  TangentialResponse response = TangentialResponse::growth(steel, grid, grid.dx);
-  const PlaneFields exact = apply(TangentialResponse::growth(steel, grid, grid.dx), px, py);
+  TangentialOperator response = TangentialOperator::difference(steel, grid, grid.dx);
+  const PlaneFields exact = apply(TangentialOperator::difference(steel, grid, grid.dx), px, py);
   Field sx(px.size()), sy(px.size());
   for (int k = 0; k < 3; ++k) response.apply(px, py, sx, sy);
   EXPECT_EQ(response.products(), 3);
-  TangentialResponse moved(std::move(response));
+  TangentialOperator moved(std::move(response));
   moved.apply(px, py, sx, sy);
   EXPECT_EQ(moved.products(), 4);
   EXPECT_EQ(sx, exact.x);
   EXPECT_EQ(sy, exact.y);
-  NormalResponse normal(steel, grid);
+  NormalOperator normal(steel, grid);
   normal.apply(px, sx);
   EXPECT_EQ(normal.products(), 1);
 }
@@ -218,7 +218,7 @@ TEST(SurfaceResponse, DistinctObjectsInDistinctThreads) {
     for (int round = 0; round < 10; ++round) {
       const ElementGrid grid = rectangles(10 + static_cast<int>(thread), 9);
       const Field px = random_field(grid, thread), py = random_field(grid, 7);
-      u = apply(TangentialResponse::growth(steel, grid, grid.dx), px, py).x;
+      u = apply(TangentialOperator::difference(steel, grid, grid.dx), px, py).x;
     }
   };
   for (unsigned t = 0; t < 2; ++t) work(t, alone[t]);
@@ -231,14 +231,14 @@ TEST(SurfaceResponse, DistinctObjectsInDistinctThreads) {
 TEST(SurfaceResponse, RefusesGridsThatMakeNoSense) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0.0, -1e-3, nan}) {
-    EXPECT_THROW(NormalResponse(steel, rectangles(3, 3, bad)), Error);
-    EXPECT_THROW(TangentialResponse::growth(steel, rectangles(3, 3, 1e-3, bad), 1e-3), Error);
+    EXPECT_THROW(NormalOperator(steel, rectangles(3, 3, bad)), Error);
+    EXPECT_THROW(TangentialOperator::difference(steel, rectangles(3, 3, 1e-3, bad), 1e-3), Error);
   }
-  EXPECT_THROW(NormalResponse(steel, rectangles(0, 3)), Error);
-  EXPECT_THROW(TangentialResponse::displacement(steel, rectangles(3, -1)), Error);
+  EXPECT_THROW(NormalOperator(steel, rectangles(0, 3)), Error);
+  EXPECT_THROW(TangentialOperator::displacement(steel, rectangles(3, -1)), Error);
   ElementGrid rows = strips(4);
   rows.my = 2;
-  expect_error([&] { NormalResponse(steel, rows); }, "grid.my of a line contact", "[-]: must be in [1, 1]");
+  expect_error([&] { NormalOperator(steel, rows); }, "grid.my of a line contact", "[-]: must be in [1, 1]");
 }
 
 } // namespace

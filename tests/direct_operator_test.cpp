@@ -1,4 +1,4 @@
-#include "tests/oracles/direct_response.hpp"
+#include "tests/oracles/direct_operator.hpp"
 
 #include "dense_response.hpp"
 #include "expect_error.hpp"
@@ -31,7 +31,7 @@ PlaneFields random_tractions(const ElementGrid& grid) {
   return p;
 }
 
-PlaneFields apply(DirectResponse response, const PlaneFields& p) {
+PlaneFields apply(DirectOperator response, const PlaneFields& p) {
   PlaneFields s{Field(p.x.size(), 1e9), Field(p.x.size(), 1e9)}; // what was there does not matter
   response.apply(p.x, p.y, s.x, s.y);
   EXPECT_EQ(response.products(), 1);
@@ -47,45 +47,45 @@ void expect_same(const PlaneFields& s, const PlaneFields& exact) {
   }
 }
 
-TEST(DirectResponse, IsTheSumOverPairs) {
+TEST(DirectOperator, IsTheSumOverPairs) {
   for (const ElementGrid& grid : grids()) {
     const PlaneFields p = random_tractions(grid);
     const auto displaced = [&](double shift) { return dense_displacement(steel, grid, p.x, p.y, shift); };
-    expect_same(apply(DirectResponse(TangentialKernel::displacement(steel, grid)), p), displaced(0));
+    expect_same(apply(DirectOperator(TangentialKernel::displacement(steel, grid)), p), displaced(0));
     for (const double step : {grid.dx, -grid.dx, 2.7 * grid.dx}) {
       const PlaneFields here = displaced(0), there = displaced(step);
-      PlaneFields growth = here, moved = there;
+      PlaneFields difference = here, moved = there;
       for (std::size_t k = 0; k < p.x.size(); ++k) {
-        growth.x[k] = (here.x[k] - there.x[k]) / std::abs(step);
-        growth.y[k] = (here.y[k] - there.y[k]) / std::abs(step);
+        difference.x[k] = (here.x[k] - there.x[k]) / std::abs(step);
+        difference.y[k] = (here.y[k] - there.y[k]) / std::abs(step);
         moved.x[k] /= 3;
         moved.y[k] /= 3;
       }
-      expect_same(apply(DirectResponse(TangentialKernel::growth(steel, grid, step)), p), growth);
-      expect_same(apply(DirectResponse(TangentialKernel::displacement(steel, grid, {step, 0}, 3)), p), moved);
+      expect_same(apply(DirectOperator(TangentialKernel::difference(steel, grid, step)), p), difference);
+      expect_same(apply(DirectOperator(TangentialKernel::displacement(steel, grid, {step, 0}, 3)), p), moved);
     }
   }
 }
 
-TEST(DirectResponse, ThreadsDoNotChangeABit) {
+TEST(DirectOperator, ThreadsDoNotChangeABit) {
   const ElementGrid grid{17, 13, 0, 0, 1e-3, 2e-3, false};
   const PlaneFields p = random_tractions(grid);
-  const TangentialKernel kernel = TangentialKernel::growth(steel, grid, grid.dx);
-  const PlaneFields one = apply(DirectResponse(kernel), p);
+  const TangentialKernel kernel = TangentialKernel::difference(steel, grid, grid.dx);
+  const PlaneFields one = apply(DirectOperator(kernel), p);
   for (const int threads : {2, 5, 20}) {
-    const PlaneFields s = apply(DirectResponse(kernel, threads), p);
+    const PlaneFields s = apply(DirectOperator(kernel, threads), p);
     EXPECT_EQ(s.x, one.x);
     EXPECT_EQ(s.y, one.y);
   }
-  EXPECT_THROW(DirectResponse(kernel, 0), Error);
+  EXPECT_THROW(DirectOperator(kernel, 0), Error);
 }
 
 /// A row's sums may be put together from parts of other rows, for parts of the row.
-TEST(DirectResponse, SlipAddsUpOverParts) {
+TEST(DirectOperator, SlipAddsUpOverParts) {
   const ElementGrid grid{11, 4, 0, 0, 1e-3, 2e-3, false};
   const PlaneFields p = random_tractions(grid);
-  const TangentialKernel kernel = TangentialKernel::growth(steel, grid, grid.dx);
-  const PlaneFields whole = apply(DirectResponse(kernel), p);
+  const TangentialKernel kernel = TangentialKernel::difference(steel, grid, grid.dx);
+  const PlaneFields whole = apply(DirectOperator(kernel), p);
   PlaneFields parts{Field(grid.count(), 0.0), Field(grid.count(), 0.0)};
   for (int to = 0; to < grid.my; ++to)
     for (const auto& [begin, end] : {std::pair{0, 4}, std::pair{4, 5}, std::pair{5, 11}})

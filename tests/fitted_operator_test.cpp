@@ -1,4 +1,4 @@
-#include "microslip/exact/fitted/fitted_response.hpp"
+#include "microslip/exact/fitted/fitted_operator.hpp"
 
 #include "microslip/elasticity/influence.hpp"
 
@@ -59,7 +59,7 @@ struct Errors {
 /// Of each element's influence on each.
 Errors errors(const CombinedMaterial& material, const FittedContact& contact) {
   const DenseResponse dense(material, contact);
-  FittedResponse response(material, contact);
+  FittedOperator response(material, contact);
   const std::size_t n = contact.elements.size();
   const ElementGrid& grid = contact.grid;
   const Influence own = influence(material, grid.dx, grid.dy, 0, 0);
@@ -85,7 +85,7 @@ Errors errors(const CombinedMaterial& material, const FittedContact& contact) {
 /// Of the slip by tractions like those of a contact, as a 2-norm over the elements relative to the slip.
 double error_of_smooth_tractions(const FittedContact& contact) {
   const DenseResponse dense(steel, contact);
-  FittedResponse response(steel, contact);
+  FittedOperator response(steel, contact);
   const std::size_t n = contact.elements.size();
   Pair p{contact.load_share, contact.load_share}, s{Field(n), Field(n)};
   for (double& py : p[1]) py *= 0.5;
@@ -113,7 +113,7 @@ struct Shape {
 constexpr std::array ratios = {0.05, 0.2, 1.0, 5.0, 20.0};
 
 /// All elements are near each other, in rows no longer than the polynomials' nodes.
-TEST(FittedResponse, IsTheDenseProductOnTinyGrids) {
+TEST(FittedOperator, IsTheDenseProductOnTinyGrids) {
   for (const auto& [n, m] : {Shape{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 2}})
     for (const double ratio : ratios)
       for (const double poisson_ratio : {0.0, 0.28, 0.5}) {
@@ -125,7 +125,7 @@ TEST(FittedResponse, IsTheDenseProductOnTinyGrids) {
 
 /// About 1e-4 in displacements, at worst 1.11e-4 (21 x 9 elements, dx/dy = .2). Slip is a difference of two of them:
 /// where elements are short against their width its own value is less, and the error relative to it more.
-TEST(FittedResponse, IsTheDenseProductToItsAccuracy) {
+TEST(FittedOperator, IsTheDenseProductToItsAccuracy) {
   for (const auto& [n, m] : {Shape{1, 7}, {7, 1}, {3, 3}, {4, 5}, {8, 8}, {13, 12}, {21, 9}, {9, 20}})
     for (const double ratio : ratios) {
       const Errors e = errors(steel, contact_of(n, m, ratio));
@@ -135,14 +135,14 @@ TEST(FittedResponse, IsTheDenseProductToItsAccuracy) {
 }
 
 /// What is left is of changing sign, and nearly cancels in a sum.
-TEST(FittedResponse, SlipOfSmoothTractions) {
+TEST(FittedOperator, SlipOfSmoothTractions) {
   for (const int n : {8, 12, 16, 24})
     for (const double ratio : ratios)
       EXPECT_LT(error_of_smooth_tractions(contact_of(n, n, ratio)), 4e-5) << n << ", dx/dy = " << ratio;
 }
 
 /// Rows may have several runs of elements, each with an edge of its own.
-TEST(FittedResponse, TwoPatchesInTheSameRows) {
+TEST(FittedOperator, TwoPatchesInTheSameRows) {
   const FittedContact one = contact_of(7, 6, 1);
   constexpr int apart = 9;
   FittedContact two;
@@ -167,9 +167,9 @@ TEST(FittedResponse, TwoPatchesInTheSameRows) {
   EXPECT_LT(e.slip, 1e-4);
 }
 
-TEST(FittedResponse, DiagonalIsThatOfARegularElement) {
+TEST(FittedOperator, DiagonalIsThatOfARegularElement) {
   const FittedContact contact = contact_of(12, 12, 0.7);
-  const FittedResponse response(steel, contact);
+  const FittedOperator response(steel, contact);
   const DenseResponse dense(steel, contact);
   std::size_t checked = 0;
   for (std::size_t k = 0; k < contact.elements.size(); ++k)
@@ -182,10 +182,10 @@ TEST(FittedResponse, DiagonalIsThatOfARegularElement) {
 }
 
 /// What was done before leaves no trace, and products are counted.
-TEST(FittedResponse, CanBeUsedAgain) {
+TEST(FittedOperator, CanBeUsedAgain) {
   const FittedContact contact = contact_of(8, 8, 1);
   const std::size_t n = contact.elements.size();
-  FittedResponse response(steel, contact);
+  FittedOperator response(steel, contact);
   Pair first{Field(n), Field(n)}, again = first;
   response.apply(contact.load_share, contact.load_share, first[0], first[1]);
   response.apply(Field(n, 1.0), Field(n, -2.0), again[0], again[1]);
@@ -200,7 +200,7 @@ TEST(FittedProduct, SinglePrecisionIsNearDouble) {
     for (const double factor : {1.0, 3e12}) {
       const FittedContact contact = contact_of(n, m, 1.3);
       const std::size_t count = contact.elements.size();
-      FittedResponse response(steel, contact);
+      FittedOperator response(steel, contact);
       FittedProduct<float> single(response.product(), factor);
       Pair p{contact.load_share, contact.load_share}, s{Field(count), Field(count)};
       for (std::size_t k = 0; k < count; ++k) p[1][k] *= std::sin(double(k));

@@ -1,0 +1,25 @@
+# At installation: the headers that users include, as patterns below the root, and what these include.
+cmake_policy(VERSION 3.25)
+set(public_headers
+  microslip/*.hpp microslip/batch/*.hpp microslip/contact/*.hpp
+  microslip/elasticity/hertz.hpp microslip/elasticity/interface_layer.hpp microslip/elasticity/material.hpp
+  microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
+  microslip/friction/*.hpp microslip/interior/*.hpp microslip/rolling/*.hpp microslip/simplified/*.hpp
+  microslip/thermal/*.hpp)
+
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
+list(TRANSFORM public_headers PREPEND ${root}/)
+file(GLOB unread RELATIVE ${root} ${public_headers})
+set(installed "")
+while(unread)
+  list(POP_FRONT unread header)
+  if(header IN_LIST installed)
+    continue()
+  endif()
+  list(APPEND installed ${header})
+  file(STRINGS ${root}/${header} includes REGEX "^#include \"microslip/")
+  list(TRANSFORM includes REPLACE "^#include \"(.*)\".*" "\\1")
+  list(APPEND unread ${includes})
+  cmake_path(GET header PARENT_PATH folder)
+  file(INSTALL ${root}/${header} DESTINATION ${CMAKE_INSTALL_PREFIX}/${include_folder}/${folder})
+endwhile()

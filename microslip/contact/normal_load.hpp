@@ -1,0 +1,12 @@
+#pragma once
+
+namespace microslip {
+
+/// What is given about the normal direction.
+struct NormalLoad {
+  enum class Given { approach, force };
+  Given given = Given::force;
+  double value = 0; ///< approach delta [m] or normal force Fn [N]
+};
+
+} // namespace microslip

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+
+namespace microslip {
+
+/// A linear map D from tractions to slip on the elements of a contact, which brings its own preconditioner. What a
+/// friction problem needs to know of bodies, elements and motion.
+class SlipOperator {
+public:
+  virtual ~SlipOperator() = default;
+
+  /// s = D p.
+  virtual void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                     std::span<double> sy) = 0;
+
+  /// q = M^-1 p, where M is near D over its diagonal: a right preconditioner for linear systems with D. Counts for
+  /// elements in contact; p is zero elsewhere. Returns false, with q as it was, if there is none.
+  virtual bool precondition(std::span<const double> /*px*/, std::span<const double> /*py*/, std::span<double> /*qx*/,
+                            std::span<double> /*qy*/) {
+    return false;
+  }
+
+  /// Diagonal entry of an interior element, the mean of D_xx and D_yy.
+  virtual double diagonal() const = 0;
+
+  /// How often D has been applied.
+  virtual long products() const = 0;
+
+protected:
+  SlipOperator() = default;
+  SlipOperator(const SlipOperator&) = default;
+  SlipOperator(SlipOperator&&) = default;
+  SlipOperator& operator=(const SlipOperator&) = default;
+  SlipOperator& operator=(SlipOperator&&) = default;
+};
+
+} // namespace microslip

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "microslip/exact/newton/coupled_friction_problem.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The equations F(x) = 0 of a CoupledFrictionProblem as take_newton_steps has them, for all n elements:
+/// p - P_g(p - rho s) = 0 with g = mu p_n, p_n - max(0, p_n - r e) = 0 and those of the given forces, where rho and r
+/// are one over the operator's diagonal entries. Unknowns x are px and py in units of the mean friction, p_n, and then
+/// what forces determine, in units of their own: delta and the constants of cx, cy. The response of x is the slip and
+/// the deformed gap: sx, sy, e. A residual in tractions counts in units of the mean friction.
+class CoupledEquations {
+public:
+  using Real = double;
+
+  /// Units are found from a pressure [Pa] near the solution's.
+  CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure);
+
+  std::size_t size() const { return size_; }
+  std::size_t responses() const { return 3 * n_; }
+  /// The norm of the pressure, in which |F| counts.
+  double scale() const { return scale_; }
+
+  /// Unknowns and response to begin with.
+  void start(const CoupledFrictionStart& from, std::span<double> unknowns, std::span<double> response);
+  /// Slip and deformed gap. One product.
+  void find_response(std::span<const double> unknowns, std::span<double> response);
+  /// Their change for a change of the unknowns. One product.
+  void respond(std::span<const double> unknowns, std::span<double> response);
+  /// The linear systems have no preconditioner.
+  void precondition(std::span<double>) const {}
+  /// F; returns its norm.
+  double evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f) const;
+  /// Fixes contact, adhesion, slip and directions for the derivative at this point.
+  void linearise(std::span<const double> v, std::span<const double> response);
+  /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
+  double mean_alpha() const;
+  /// The derivative of F times a vector v of unknowns whose response is given. `damping` as in FrictionEquations.
+  void derivative(std::span<const double> v, std::span<const double> response, double damping,
+                  std::span<double> out) const;
+
+  /// Pressure, tractions and slip of the elements in contact, approach and constants; obeys all bounds to rounding.
+  CoupledFrictionSolution solution(std::span<const double> v, std::span<const double> response) const;
+
+private:
+  struct Point;
+  Point point(std::span<const double> v, std::span<const double> response, std::size_t k) const;
+  void choose_constants(std::span<double> unknowns, std::span<double> response) const;
+
+  CoupledFrictionProblem problem_;
+  std::size_t n_, size_ = 0;
+  double rho_, normal_rho_, scale_ = 0;
+  double unit_ = 1; ///< of tractions: the mean friction, so that they weigh as much as the pressure
+  double delta_unit_ = 1, constant_unit_ = 1, row_unit_ = 1;
+  std::optional<std::size_t> delta_;    ///< index of the unknown approach
+  std::optional<std::size_t> force_[2]; ///< and of the unknown constants
+  std::vector<char> slip_;
+  std::vector<double> alpha_, normal_x_, normal_y_;
+  std::vector<char> in_contact_, under_pressure_;
+  std::vector<double> px_, py_;
+};
+
+} // namespace microslip

@@ -1,0 +1,209 @@
+#include "microslip/exact/newton/friction_equations.hpp"
+
+#include "microslip/exact/newton/disk_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+
+FrictionEquations::FrictionEquations(const FrictionProblem& problem)
+    : problem_(problem), rho_(1 / problem.slip_operator.diagonal()), wide_px_(problem.bound.size()), wide_py_(wide_px_),
+      wide_sx_(wide_px_), wide_sy_(wide_px_) {
+  for (std::size_t k = 0; k < problem.bound.size(); ++k)
+    if (problem.bound[k] > 0) elements_.push_back(k);
+  if (problem.force_x) forces_.push_back(0);
+  if (problem.force_y) forces_.push_back(1);
+  n_ = elements_.size();
+  // With this unit a unit of the unknown constant weighs as much as a unit of all tractions together.
+  unit_.fill(1 / (rho_ * std::sqrt(double(std::max<std::size_t>(n_, 1)))));
+  g_.resize(n_);
+  for (std::size_t k = 0; k < n_; ++k) {
+    g_[k] = problem.bound[elements_[k]];
+    scale_ += g_[k] * g_[k];
+  }
+  scale_ = std::sqrt(scale_);
+  friction_ = LinearisedFriction<double>(n_);
+  change_.resize(2 * n_);
+}
+
+void FrictionEquations::start(const FrictionStart& from, std::span<double> unknowns, std::span<double> slip) {
+  std::fill(unknowns.begin(), unknowns.end(), 0.0);
+  use_derivatives(from.by_constants);
+  for (std::size_t k = 0; k < n_ && !from.px.empty(); ++k) {
+    unknowns[k] = from.px[elements_[k]];
+    unknowns[n_ + k] = from.py[elements_[k]];
+  }
+  for (std::size_t f = 0; f < forces_.size() && from.constants; ++f)
+    unknowns[2 * n_ + f] = (forces_[f] == 0 ? from.constants->x : from.constants->y) / unit_[f];
+  respond(unknowns, slip);
+  add_constants(slip);
+  if (!from.constants) choose_constants(unknowns, slip);
+}
+
+void FrictionEquations::respond(std::span<const double> unknowns, std::span<double> slip_change) {
+  spread(unknowns);
+  problem_.slip_operator.apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
+  for (std::size_t k = 0; k < n_; ++k) {
+    slip_change[k] = wide_sx_[elements_[k]];
+    slip_change[n_ + k] = wide_sy_[elements_[k]];
+  }
+  for (std::size_t f = 0; f < forces_.size(); ++f)
+    for (std::size_t k = 0; k < n_; ++k) slip_change[forces_[f] * n_ + k] += share(k) * unit_[f] * unknowns[2 * n_ + f];
+}
+
+double FrictionEquations::evaluate(std::span<const double> unknowns, std::span<const double> slip,
+                                   std::span<double> f) const {
+  double norm2 = 0;
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+    const double scale = project_on_disk(zx, zy, g_[k]).scale;
+    f[k] = unknowns[k] - scale * zx;
+    f[n_ + k] = unknowns[n_ + k] - scale * zy;
+    norm2 += f[k] * f[k] + f[n_ + k] * f[n_ + k];
+  }
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const double target = forces_[i] == 0 ? *problem_.force_x : *problem_.force_y;
+    double sum = -target / problem_.element_area;
+    for (std::size_t k = 0; k < n_; ++k) sum += area(k) * unknowns[forces_[i] * n_ + k];
+    f[2 * n_ + i] = n_ > 0 ? sum / std::sqrt(double(n_)) : 0;
+    norm2 += f[2 * n_ + i] * f[2 * n_ + i];
+  }
+  return std::sqrt(norm2);
+}
+
+void FrictionEquations::linearise(std::span<const double> unknowns, std::span<const double> slip) {
+  for (std::size_t k = 0; k < n_; ++k)
+    friction_.set(k, unknowns[k] - rho_ * slip[k], unknowns[n_ + k] - rho_ * slip[n_ + k], g_[k]);
+}
+
+void FrictionEquations::derivative(std::span<const double> v, std::span<const double> slip_change, double damping,
+                                   std::span<double> out) const {
+  friction_.derivative(v, slip_change, rho_, out);
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    out[2 * n_ + i] = mean_force(i, v.first(n_), v.subspan(n_, n_)) - damping * v[2 * n_ + i];
+}
+
+void FrictionEquations::precondition(std::span<double> unknowns) {
+  precondition_tractions(unknowns);
+  satisfy_forces(unknowns);
+}
+
+FrictionSolution FrictionEquations::solution(std::span<const double> unknowns, std::span<const double> slip) const {
+  FrictionSolution s;
+  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(problem_.bound.size(), 0.0);
+  s.sliding.assign(problem_.bound.size(), 0);
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+    const DiskProjection on_disk = project_on_disk(zx, zy, g_[k]);
+    s.px[elements_[k]] = on_disk.scale * zx;
+    s.py[elements_[k]] = on_disk.scale * zy;
+    s.sx[elements_[k]] = slip[k];
+    s.sy[elements_[k]] = slip[n_ + k];
+    s.sliding[elements_[k]] = on_disk.outside;
+  }
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    (forces_[i] == 0 ? s.constant_x : s.constant_y) = unit_[i] * unknowns[2 * n_ + i];
+  return s;
+}
+
+/// Tractions of the elements in contact as fields of all elements.
+void FrictionEquations::spread(std::span<const double> tractions) {
+  for (std::size_t k = 0; k < n_; ++k) {
+    wide_px_[elements_[k]] = tractions[k];
+    wide_py_[elements_[k]] = tractions[n_ + k];
+  }
+}
+
+void FrictionEquations::add_constants(std::span<double> slip) const {
+  for (std::size_t k = 0; k < n_; ++k) {
+    slip[k] += problem_.cx[elements_[k]];
+    slip[n_ + k] += problem_.cy[elements_[k]];
+  }
+}
+
+/// Chooses the unknown constants so that the mean slip vanishes, and adds them to the slip. Far from there everything
+/// slides, the tractions hardly depend on the constants, and a Newton step would send them to infinity.
+void FrictionEquations::choose_constants(std::span<double> unknowns, std::span<double> slip) const {
+  for (std::size_t f = 0; f < forces_.size() && n_ > 0; ++f) {
+    const std::span<double> s = slip.subspan(forces_[f] * n_, n_);
+    double sum = 0, shares = 0;
+    for (std::size_t k = 0; k < n_; ++k) sum += s[k], shares += share(k);
+    const double constant = -sum / shares;
+    for (std::size_t k = 0; k < n_; ++k) s[k] += share(k) * constant;
+    unknowns[2 * n_ + f] = constant / unit_[f];
+  }
+}
+
+/// By the operator's preconditioner, for the part of the tractions that slip can change.
+void FrictionEquations::precondition_tractions(std::span<double> unknowns) {
+  friction_.free_part(unknowns, change_);
+  spread(change_);
+  if (!problem_.slip_operator.precondition(wide_px_, wide_py_, wide_sx_, wide_sy_)) return;
+  for (std::size_t k = 0; k < n_; ++k) {
+    change_[k] = wide_sx_[elements_[k]] - change_[k];
+    change_[n_ + k] = wide_sy_[elements_[k]] - change_[n_ + k];
+  }
+  friction_.free_part(change_, change_);
+  for (std::size_t k = 0; k < 2 * n_; ++k) unknowns[k] += change_[k];
+}
+
+/// Replaces the unknown constants by what the equations of the forces want: with the tractions' derivatives with
+/// respect to them, the tractions then have these forces, and their slip hardly changes.
+void FrictionEquations::satisfy_forces(std::span<double> unknowns) const {
+  if (!derivatives_known_) return;
+  const auto lack = [&](std::size_t i) {
+    return unknowns[2 * n_ + i] - mean_force(i, unknowns.first(n_), unknowns.subspan(n_, n_));
+  };
+  const auto& m = force_slope_;
+  std::array<double, 2> constants = {};
+  if (forces_.size() == 1) {
+    constants[0] = lack(0) / m[0][0];
+  } else {
+    const double x = lack(0), y = lack(1), determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    constants = {(m[1][1] * x - m[0][1] * y) / determinant, (m[0][0] * y - m[1][0] * x) / determinant};
+  }
+  for (std::size_t f = 0; f < forces_.size(); ++f) {
+    unknowns[2 * n_ + f] = constants[f];
+    const double constant = unit_[f] * constants[f];
+    for (std::size_t k = 0; k < n_; ++k) {
+      unknowns[k] += constant * by_constants_[f].px[elements_[k]];
+      unknowns[n_ + k] += constant * by_constants_[f].py[elements_[k]];
+    }
+  }
+}
+
+/// What tractions contribute to the equation of force i.
+double FrictionEquations::mean_force(std::size_t i, std::span<const double> px, std::span<const double> py) const {
+  const std::span<const double> along = forces_[i] == 0 ? px : py;
+  double sum = 0;
+  for (std::size_t k = 0; k < n_; ++k) sum += area(k) * along[k];
+  return sum / std::sqrt(double(n_));
+}
+
+/// Also makes a unit of each constant one that changes its force's equation by one.
+void FrictionEquations::use_derivatives(const std::array<TractionsView, 2>& by_constants) {
+  constexpr double least_determinant = 0.1; // else one constant does what the other does
+  derivatives_known_ = !forces_.empty() && n_ > 0;
+  for (std::size_t f = 0; f < forces_.size() && derivatives_known_; ++f) {
+    by_constants_[f] = by_constants[forces_[f]];
+    derivatives_known_ = !by_constants_[f].px.empty();
+  }
+  if (!derivatives_known_) return;
+  std::vector<double> px(n_), py(n_);
+  std::array<double, 2> unit = {};
+  for (std::size_t f = 0; f < forces_.size(); ++f) {
+    for (std::size_t k = 0; k < n_; ++k)
+      px[k] = by_constants_[f].px[elements_[k]], py[k] = by_constants_[f].py[elements_[k]];
+    const double own = mean_force(f, px, py);
+    unit[f] = 1 / std::abs(own);
+    for (std::size_t i = 0; i < forces_.size(); ++i) force_slope_[i][f] = unit[f] * mean_force(i, px, py);
+    derivatives_known_ = derivatives_known_ && own != 0;
+  }
+  const auto& m = force_slope_;
+  if (forces_.size() == 2 && !(std::abs(m[0][0] * m[1][1] - m[0][1] * m[1][0]) > least_determinant))
+    derivatives_known_ = false;
+  if (derivatives_known_) unit_ = unit;
+}
+
+} // namespace microslip

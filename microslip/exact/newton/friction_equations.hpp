@@ -1,0 +1,79 @@
+#pragma once
+
+#include "microslip/exact/newton/friction_problem.hpp"
+#include "microslip/exact/newton/linearised_friction.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The equations F(x) = 0 of a FrictionProblem as take_newton_steps has them, for its n elements in contact:
+/// p - P_g(p - rho s) = 0, where P_g projects an element's traction on the disk of radius g and rho is one over the
+/// operator's diagonal, and, where forces are given, an equation for each. Unknowns x are px of these elements, then
+/// py, then the unknown constants of c in units of their own; the response of x is the slip c + D p, sx and then sy.
+/// The derivative is that of LinearisedFriction.
+class FrictionEquations {
+public:
+  using Real = double;
+
+  explicit FrictionEquations(const FrictionProblem& problem);
+
+  std::size_t size() const { return 2 * n_ + forces_.size(); }
+  std::size_t responses() const { return 2 * n_; }
+  /// |g|, in which |F| counts.
+  double scale() const { return scale_; }
+
+  /// Unknowns and slip to begin with. The derivatives of `from` hold until the next start.
+  void start(const FrictionStart& from, std::span<double> unknowns, std::span<double> slip);
+  /// The change D dp + constants of the slip for a change of the unknowns. One product.
+  void respond(std::span<const double> unknowns, std::span<double> slip_change);
+  /// F; returns its norm.
+  double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f) const;
+  /// Fixes adhesion, slip and directions for the derivative at this point.
+  void linearise(std::span<const double> unknowns, std::span<const double> slip);
+  /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
+  double mean_alpha() const { return friction_.mean_alpha(); }
+  /// The derivative of F times a vector v of unknowns whose change of slip is given. `damping` keeps the constants'
+  /// steps finite where everything slides: there the forces do not depend on them, and the matrix is singular.
+  void derivative(std::span<const double> v, std::span<const double> slip_change, double damping,
+                  std::span<double> out) const;
+  /// The linear systems' right preconditioner: turns a vector that GMRES works with into unknowns.
+  void precondition(std::span<double> unknowns);
+
+  /// Tractions P_g(p - rho s), which differ from p by the residual and obey the bound to rounding, slip, states and
+  /// constants.
+  FrictionSolution solution(std::span<const double> unknowns, std::span<const double> slip) const;
+
+private:
+  void spread(std::span<const double> tractions);
+  void add_constants(std::span<double> slip) const;
+  void choose_constants(std::span<double> unknowns, std::span<double> slip) const;
+  void precondition_tractions(std::span<double> unknowns);
+  void satisfy_forces(std::span<double> unknowns) const;
+  double mean_force(std::size_t i, std::span<const double> px, std::span<const double> py) const;
+  void use_derivatives(const std::array<TractionsView, 2>& by_constants);
+
+  double share(std::size_t k) const {
+    return problem_.constant_share.empty() ? 1 : problem_.constant_share[elements_[k]];
+  }
+  double area(std::size_t k) const { return problem_.area_share.empty() ? 1 : problem_.area_share[elements_[k]]; }
+
+  FrictionProblem problem_;
+  double rho_, scale_ = 0;
+  std::array<double, 2> unit_ = {}; ///< of the unknown constants
+  std::size_t n_ = 0;
+  std::vector<std::size_t> elements_;                     ///< in contact
+  std::vector<std::size_t> forces_;                       ///< directions in which the force is given
+  std::array<TractionsView, 2> by_constants_ = {};        ///< derivatives of the tractions, one for each given force
+  bool derivatives_known_ = false;                        ///< all of them
+  std::array<std::array<double, 2>, 2> force_slope_ = {}; ///< of each force's equation with each constant
+  std::vector<double> g_;
+  LinearisedFriction<double> friction_{0};
+  std::vector<double> change_;                                ///< of the tractions
+  std::vector<double> wide_px_, wide_py_, wide_sx_, wide_sy_; ///< of all elements
+};
+
+} // namespace microslip

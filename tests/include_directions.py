@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Checks that folders include one another only as the table says, and that the table has no circles."""
+import pathlib
+import re
+import sys
+
+EVERYWHERE = "microslip"  # error, progress, status, vec2, version: every folder may include them
+EXACT = "microslip/exact/"
+
+# A folder and what it may include, besides itself.
+ALLOWED = {
+    "microslip": [],
+    "microslip/numerics": [],
+    "microslip/elasticity": ["microslip/numerics"],
+    "microslip/friction": ["microslip/numerics"],
+    "microslip/contact": ["microslip/elasticity", "microslip/friction"],
+    # simplified/kernel is the part of simplified/ that is compiled for several instruction sets
+    "microslip/simplified": ["microslip/contact", "microslip/friction", "microslip/numerics"],
+    "microslip/thermal": ["microslip/contact"],
+    EXACT + "halfspace": ["microslip/contact", "microslip/elasticity", "microslip/numerics"],
+    EXACT + "normal": ["microslip/contact", "microslip/elasticity", EXACT + "halfspace"],
+    EXACT + "newton": ["microslip/contact", "microslip/numerics", EXACT + "halfspace"],
+    EXACT + "fitted": ["microslip/contact", "microslip/elasticity", "microslip/numerics", "microslip/simplified",
+                       EXACT + "halfspace", EXACT + "normal", EXACT + "newton"],
+    EXACT + "classical": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/numerics",
+                          "microslip/simplified", "microslip/thermal", EXACT + "halfspace", EXACT + "normal",
+                          EXACT + "newton"],
+    "microslip/interior": ["microslip/contact", "microslip/elasticity", "microslip/numerics", EXACT + "halfspace"],
+    "microslip/rolling": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/interior",
+                          "microslip/simplified", "microslip/thermal", EXACT + "classical", EXACT + "fitted",
+                          EXACT + "halfspace", EXACT + "normal"],
+    "microslip/batch": ["microslip/contact", "microslip/rolling", "microslip/simplified"],
+}
+
+
+def room(path):
+    """The table's folder of a file."""
+    folder = path.parent.as_posix()
+    return "microslip/simplified" if folder == "microslip/simplified/kernel" else folder
+
+
+def arrows(source):
+    """(folder, included folder) -> the includes, as text."""
+    found = {}
+    for file in sorted((source / "microslip").rglob("*.[hc]pp")):
+        here = file.relative_to(source)
+        for line, text in enumerate(file.read_text().splitlines(), 1):
+            include = re.match(r'\s*#include "(.*)"', text)
+            if include and "/" in include[1] and room(here) != room(pathlib.PurePosixPath(include[1])):
+                pair = room(here), room(pathlib.PurePosixPath(include[1]))
+                found.setdefault(pair, []).append(f"{here}:{line}: includes {include[1]}")
+    return found
+
+
+def circle(allowed):
+    """Folders that the table lets include one another in a circle, or nothing."""
+    left = {folder: set(lower) for folder, lower in allowed.items()}
+    while left:
+        lowest = [folder for folder, lower in left.items() if not lower & left.keys()]
+        if not lowest:
+            return sorted(left)
+        for folder in lowest:
+            del left[folder]
+    return []
+
+
+def complaints(found, allowed):
+    """What is wrong, one line each."""
+    lines = [f"the table has a circle among {', '.join(circle(allowed))}"] if circle(allowed) else []
+    for (folder, other), includes in sorted(found.items()):
+        if folder not in allowed:
+            lines.append(f"{folder}: not in the table")
+        elif other != EVERYWHERE and other not in allowed[folder]:
+            lines += [f"{include}; {folder} may not include {other}" for include in includes]
+    return lines
+
+
+def main():
+    found = arrows(pathlib.Path(sys.argv[1]))
+    between_rooms = sum(other != EVERYWHERE for _, other in found)
+    wrong = complaints(found, ALLOWED)
+    print("\n".join(wrong) or f"{between_rooms} arrows between folders, no circles")
+    # The check itself: an upward include, an unknown folder and a circle are found.
+    assert complaints({("microslip/numerics", "microslip/rolling"): ["x"]}, ALLOWED)
+    assert complaints({("microslip/unknown", "microslip/numerics"): ["x"]}, ALLOWED)
+    assert circle({"a": ["b"], "b": ["a"]}) and not circle({"a": ["b"], "b": []})
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
