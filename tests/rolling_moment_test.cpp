@@ -58,7 +58,8 @@ TEST(RollingMoment, IsThatOfTheFields) {
 TEST(RollingMoment, OfElasticBodiesVanishes) {
   for (const auto discretisation : {Discretisation::second_order, Discretisation::classical}) {
     const auto elliptic = steel_contact(5e-3, 6e-3, 0.4, -0.5, 0.3);
-    const auto solved = EllipticContactSolver({.mx = 16, .totals.my = 16, .discretisation = discretisation}).solve(elliptic);
+    const auto solved =
+        EllipticContactSolver({.mx = 16, .totals.my = 16, .discretisation = discretisation}).solve(elliptic);
     EXPECT_LT(std::abs(solved.totals.my), 1e-2 * elliptic.normal_force * elliptic.a);
   }
 }
