@@ -1,10 +1,10 @@
 #pragma once
 
-#include "microslip/rolling/theory.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/theory.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "microslip/rolling/theory.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/theory.hpp"
 
 #include <span>
 #include <string_view>

@@ -1,7 +1,7 @@
 // What the simplified theory does with extreme contacts, and with those that make no sense.
 
-#include "microslip/simplified/fastsim.hpp"
 #include "microslip/batch/solve_parallel.hpp"
+#include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/expect_error.hpp"
 #include "tests/test_cases.hpp"

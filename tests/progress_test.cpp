@@ -144,7 +144,8 @@ TEST(Progress, OfCoarserGridsAndGivenForces) {
   EllipticContactSolver solver(options);
   solver.solve(contact(), {}, {});
   const auto solved = solver.solve(contact(), {}, once.progress());
-  EXPECT_GT(once.told.size(), static_cast<std::size_t>(solved.report.products) + 10); // those of the coarser grid as well
+  EXPECT_GT(once.told.size(),
+            static_cast<std::size_t>(solved.report.products) + 10); // those of the coarser grid as well
   EXPECT_TRUE(std::is_sorted(once.told.begin(), once.told.end()));
   expect_ended_anywhere(200, [&](const Progress& progress) {
     return EllipticContactSolver(options).solve(contact(), {.force_x = 5e3}, progress).report.status;

@@ -1,8 +1,8 @@
 #include "microslip/simplified/row_solver.hpp"
 
+#include "microslip/batch/solve_parallel.hpp"
 #include "microslip/error.hpp"
 #include "microslip/simplified/fastsim.hpp"
-#include "microslip/batch/solve_parallel.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/expect_error.hpp"
 #include "tests/plain_fastsim.hpp"

@@ -1,0 +1,316 @@
+"""Calls the Python module with random options, shapes, arrays and values, in range and out of it, in pairs that nobody chose:
+
+    api_fuzz.py [--seed S] [--calls N] [--call I]
+
+Every call gives finite results whose forces keep within friction, or says in its status that it does not, or raises
+microslip.Error (TypeError for an argument of a wrong kind). After numbers out of all range it may also give NaN. Calls run in a process of their own, so that a crash is told
+as well. Each has a seed of its own: `--seed S --call I` makes call I again and nothing else.
+"""
+
+import argparse
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import microslip
+
+ODD_NUMBERS = (0.0, -1.0, 1e-300, 1e-30, 1e30, 1e300, math.inf, -math.inf, math.nan)
+
+
+class Draw(random.Random):
+    """Random arguments. A share `odd` of them, drawn for each call, are out of range or of an unusual kind."""
+
+    def __init__(self, seed):
+        super().__init__(seed)
+        self.odd = self.choice((0.0, 0.0, 0.02, 0.1))
+        self.out_of_range = False
+
+    def is_odd(self):
+        return self.random() < self.odd
+
+    def odd_number(self):
+        self.out_of_range = True
+        return self.choice(ODD_NUMBERS)
+
+    def number(self, low, high):
+        """Usually between `low` and `high`."""
+        return self.odd_number() if self.is_odd() else self.uniform(low, high)
+
+    def scale(self, low, high):
+        """The same with an even logarithm."""
+        return self.odd_number() if self.is_odd() else math.exp(self.uniform(math.log(low), math.log(high)))
+
+    def count(self, low, high):
+        return self.choice((0, -1, 2**31 - 1)) if self.is_odd() else self.randint(low, high)
+
+    def word(self, *words):
+        return "no such word" if self.is_odd() else self.choice(words)
+
+    def some(self, **arguments):
+        """Each argument or its default."""
+        return {name: draw() for name, draw in arguments.items() if self.random() < 0.4}
+
+    def array(self, values):
+        """An array of these values, or of some others' shape, in a kind of its own."""
+        values = np.asarray(values, dtype=float)
+        if self.is_odd():
+            shape = self.choice([(0,), (3,), values.shape[::-1], (*values.shape, 1), ()])
+            values = np.resize(values, shape)
+        if values.size and self.is_odd():
+            values = values.copy()
+            values.flat[self.randrange(values.size)] = self.odd_number()
+        kind = self.choice(("plain", "fortran", "strided", "reversed", "read-only", "float32", "integer", "masked", "list"))
+        if kind == "fortran":
+            return np.asfortranarray(values)
+        if kind == "strided":
+            return np.repeat(values, 2, axis=-1)[..., ::2] if values.ndim else values
+        if kind == "reversed":
+            return values[::-1] if values.ndim else values
+        if kind == "read-only":
+            values = values.copy()
+            values.flags.writeable = False
+            return values
+        if kind == "float32":
+            return values.astype(np.float32)
+        if kind == "integer":
+            return np.nan_to_num(values, posinf=0, neginf=0).clip(-2**62, 2**62).astype(np.int64)
+        if kind == "masked":
+            return np.ma.masked_array(values, mask=np.zeros(values.shape, bool) | self.is_odd())
+        return values.tolist() if kind == "list" else values
+
+
+# What problems are made of.
+
+
+def friction(draw):
+    law = microslip.FrictionLaw
+    term = lambda: (draw.number(0, 0.3), draw.scale(1e-3, 10))
+    return draw.choice((
+        lambda: draw.number(0.05, 0.6), lambda: law.coulomb(draw.number(0.05, 0.6)),
+        lambda: law.exponential(draw.number(0.05, 0.4), term()), lambda: law.linear(draw.number(0.05, 0.4), term(), term()),
+        lambda: law.rational(draw.number(0.05, 0.4), term()), lambda: law.polach(draw.number(0.1, 0.5), draw.number(0, 1), draw.scale(0.01, 1)),
+    ))()
+
+
+def creepage(draw):
+    size = draw.scale(1e-5, 0.1)
+    return (draw.number(-size, size), draw.number(-size, size), draw.choice((0.0, draw.number(-1, 1))))
+
+
+def material(draw):
+    if draw.random() < 0.5:
+        return microslip.CombinedMaterial(draw.scale(1e9, 1e11), draw.number(0, 0.5), draw.choice((0.0, draw.number(0, 0.5))))
+    body = lambda: microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5))
+    return microslip.combine(body(), body())
+
+
+def contact(draw):
+    a = draw.scale(1e-4, 1e-2)
+    return microslip.EllipticContact(a, a * draw.scale(0.1, 10), draw.scale(1e9, 1e11), draw.number(0, 0.5), draw.scale(1, 1e5),
+                                     friction(draw), creepage(draw), draw.scale(0.1, 100))
+
+
+def grid(draw):
+    """Elements about the origin, and the coordinates of their centres along x and y."""
+    mx, my = draw.count(4, 14), draw.count(4, 14)
+    dx, dy = draw.scale(1e-4, 1e-2), draw.scale(1e-4, 1e-2)
+    on = microslip.ElementGrid(mx, my, -0.5 * (mx - 1) * dx, -0.5 * (my - 1) * dy, dx, dy)
+    return on, dx * (np.arange(mx) - 0.5 * (mx - 1)), dy * (np.arange(my)[:, None] - 0.5 * (my - 1))
+
+
+def gap(draw, x, y):
+    """A paraboloid, and at times a second one beside it."""
+    values = draw.scale(0.1, 10) * x**2 + draw.scale(0.1, 10) * y**2
+    if draw.random() < 0.3:
+        values = np.minimum(values, (x - x.max())**2 + y**2)
+    return draw.array(values)
+
+
+def forces(draw, load):
+    return draw.some(force_x=lambda: draw.number(-load, load), force_y=lambda: draw.number(-load, load))
+
+
+def load(draw):
+    return draw.choice(({"normal_force": draw.scale(1, 1e5)}, {"approach": draw.scale(1e-7, 1e-3)}))
+
+
+def motion(draw):
+    return draw.some(motion=lambda: draw.word("steady", "transient", "shift"), step=lambda: draw.scale(1e-5, 1e-2))
+
+
+def columns(draw, like):
+    """Arguments of a batch: numbers, or arrays that may broadcast."""
+    shape = draw.choice(((), (1,), (3,), (2, 1), (2, 3)))
+    values = lambda low, high: draw.array(np.reshape([draw.number(low, high) for _ in range(math.prod(shape))], shape))
+    return draw.some(longitudinal=lambda: values(-0.01, 0.01), lateral=lambda: values(-0.01, 0.01), spin=lambda: values(-1, 1),
+                     a=lambda: values(0.5 * like.a, 2 * like.a), b=lambda: values(0.5 * like.b, 2 * like.b),
+                     friction=lambda: values(0.1, 0.5), normal_force=lambda: values(1e3, 1e5),
+                     rolling_speed=lambda: values(0.1, 50), threads=lambda: draw.count(0, 3))
+
+
+# What is called. Each returns results to look at.
+
+
+def elliptic_contact(draw):
+    solver = microslip.EllipticContactSolver(draw.count(1, 12), draw.count(1, 12), **draw.some(
+        discretisation=lambda: draw.word("second_order", "classical"), direction=lambda: draw.word("forward", "backward"),
+        elements=lambda: draw.word("constant", "bilinear"), material=lambda: material(draw),
+        coupling=lambda: draw.word("newton", "alternating"), slip_start=lambda: draw.word("below", "above"),
+        memory_distance=lambda: draw.scale(1e-5, 1e-2), memory_speed=lambda: draw.scale(1e-3, 10),
+        tolerance=lambda: draw.scale(1e-8, 1e-3)))
+    case = contact(draw)
+    call = draw.choice(("solve", "solve", "deformed_gap", "differentiate", "solve_batch"))
+    if call == "solve":
+        return within_friction(case, solver.solve(case, **motion(draw), **forces(draw, case.normal_force),
+                                                  **draw.some(steps=lambda: draw.count(1, 3))))
+    if call == "deformed_gap":
+        return solver.deformed_gap(case, **draw.some(motion=lambda: draw.word("steady", "transient", "shift")))
+    return solver.differentiate(case) if call == "differentiate" else solver.solve_batch(case, **columns(draw, case))
+
+
+def simplified(draw):
+    kind = draw.choice((microslip.Fastsim, microslip.Fastsim2))
+    solver = kind(draw.count(1, 12), draw.count(1, 12), **draw.some(
+        bound=lambda: draw.word("parabolic", "elliptic"), flexibility=lambda: draw.word("three", "one", "blended"),
+        coefficients=lambda: draw.word("kalker", "computed"), direction=lambda: draw.word("forward", "backward"),
+        slope_reduction=lambda: (draw.number(0, 1), draw.number(0, 1), draw.number(0, 5))))
+    case = contact(draw)
+    call = draw.choice(("solve", "fields", "differentiate", "solve_batch", "differentiate_batch"))
+    arguments = columns(draw, case) if "batch" in call else {}
+    return getattr(solver, call)(case, **arguments)
+
+
+def patch_fields(draw):
+    mx, my = draw.count(1, 10), draw.count(1, 10)
+    length, width = draw.scale(1e-4, 1e-2), draw.scale(1e-4, 1e-2)
+    rows = np.arange(float(max(my, 1) % 1000))
+    edge = lambda sign: sign * length * (1 + np.array([draw.random() for _ in rows]))
+    pressure = np.full((len(rows), max(mx, 1) % 1000), draw.scale(1e6, 1e10))
+    return microslip.Fastsim2(mx, my).patch_fields(
+        draw.array(width * rows), draw.array(edge(1)), draw.array(edge(-1)), draw.array(pressure), row_width=width,
+        flexibilities=[draw.scale(1e-15, 1e-11) for _ in range(3)], friction=friction(draw), creepage=creepage(draw),
+        **draw.some(rolling_speed=lambda: draw.scale(0.1, 100)))
+
+
+def normal_problem(draw):
+    on, x, y = grid(draw)
+    return microslip.NormalProblem(material(draw), on).solve(gap(draw, x, y), **load(draw))
+
+
+def patch_rolling(draw):
+    on, x, y = grid(draw)
+    patch = microslip.PatchRolling(material(draw), on, gap(draw, x, y), **load(draw),
+                                   **draw.some(direction=lambda: draw.word("forward", "backward")))
+    return patch.solve(draw.number(0.05, 0.6), creepage(draw), **forces(draw, 1e4))
+
+
+def tangential_problem(draw):
+    on, x, y = grid(draw)
+    problem = microslip.TangentialProblem(material(draw), on)
+    bound = draw.array(draw.scale(1e5, 1e9) * np.outer(np.hanning(y.size), np.hanning(x.size)))
+    solution = None
+    for _ in range(draw.randint(1, 3)):
+        solution = problem.solve(bound, creepage(draw), previous=solution, **motion(draw), **forces(draw, 1e4),
+                                 **draw.some(direction=lambda: draw.word("forward", "backward"),
+                                             rolling_speed=lambda: draw.scale(0.1, 100)))
+    return solution
+
+
+def interior(draw):
+    on, x, y = grid(draw)
+    traction = lambda: draw.array(np.full((y.size, x.size), draw.scale(1e5, 1e9)))
+    field = microslip.InteriorField(microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5)), draw.count(1, 2), on,
+                                    **draw.some(px=traction, py=traction, pn=traction))
+    points = lambda low, high: draw.array([draw.number(low, high) for _ in range(3)])
+    return field.at(points(-0.01, 0.01), points(-0.01, 0.01), points(0, 0.01))
+
+
+def hertz(draw):
+    radius = lambda: draw.choice((math.inf, draw.number(-2, 2), draw.scale(0.1, 10)))
+    return microslip.hertz_from_load(microslip.gap_curvatures(*(radius() for _ in range(4))), material(draw), draw.scale(1, 1e6))
+
+
+CALLS = (elliptic_contact, elliptic_contact, elliptic_contact, simplified, patch_fields, normal_problem, patch_rolling,
+         tangential_problem, interior, hertz)
+
+
+# What is asked of the results.
+
+
+def within_friction(case, solution):
+    """Coulomb's friction bounds the force, to the solver's tolerance."""
+    found = solution.forces
+    if found.status == microslip.Status.ok and case.friction.kind == "coulomb":
+        bound = case.friction.static_coefficient * case.normal_force
+        assert math.hypot(found.fx, found.fy) <= 1.01 * bound, f"a force of {math.hypot(found.fx, found.fy)} N above {bound} N"
+    return solution
+
+
+def values(result, name="result"):
+    """All numbers of a result with their names, those of its members too."""
+    if isinstance(result, np.ndarray):
+        yield name, result
+    elif isinstance(result, (float, int)):
+        yield name, np.asarray(result)
+    elif isinstance(result, (list, tuple)):
+        for i, member in enumerate(result):
+            yield from values(member, f"{name}[{i}]")
+    elif type(result).__module__.startswith("microslip"):
+        for member in (m for m in dir(result) if not m.startswith("_")):
+            value = getattr(result, member)
+            if not callable(value):
+                yield from values(value, f"{name}.{member}")
+
+
+def look_at(result):
+    found = dict(values(result))
+    if any(np.any(array) for name, array in found.items() if name.endswith("status")):
+        return
+    for name, array in found.items():
+        assert array.dtype.kind in "iub" or np.all(np.isfinite(array)), f"{name} is not finite"
+
+
+def run(seed, calls, said):
+    """Makes calls; `said` tells before each one which it is, in case that it never comes back."""
+    for i in calls:
+        draw = Draw(f"{seed}/{i}")
+        call = draw.choice(CALLS)
+        said.write_text(f"call {i}, {call.__name__}")
+        try:
+            result = call(draw)
+            if not draw.out_of_range:
+                look_at(result)
+        except (microslip.Error, TypeError):
+            pass
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--seed", default="1", help="any text")
+    parser.add_argument("--calls", type=int, default=3000)
+    parser.add_argument("--call", type=int, help="only this one")
+    parser.add_argument("--said", type=Path, help=argparse.SUPPRESS)  # in the process that calls
+    options = parser.parse_args()
+    calls = range(options.calls) if options.call is None else [options.call]
+    if options.said:
+        run(options.seed, calls, options.said)
+        return 0
+    with tempfile.TemporaryDirectory() as folder:
+        said = Path(folder) / "said"
+        outcome = subprocess.run([sys.executable, __file__, *sys.argv[1:], "--said", said], check=False)
+        if outcome.returncode == 0:
+            print(f"{len(calls)} calls with seed {options.seed}: no fault found")
+            return 0
+        last = said.read_text() if said.exists() else "no call was made"
+    print(f"exit code {outcome.returncode} after {last}; again: {Path(__file__).name} --seed {options.seed} "
+          f"--call {last.split(',')[0].removeprefix('call ')}", file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
