@@ -10,14 +10,14 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-std::vector<ContactCase> read(const std::string& text) {
+std::vector<Case> read(const std::string& text) {
   std::istringstream stream(text);
-  ContactInputReader reader(stream, "a.inp");
-  std::vector<ContactCase> cases;
-  while (const ContactCase* c = reader.next()) cases.push_back(*c);
+  InputReader reader(stream, "a.inp");
+  std::vector<Case> cases;
+  while (const Case* c = reader.next()) cases.push_back(*c);
   return cases;
 }
 
@@ -39,7 +39,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(ContactInputFile, ReadsEveryRecordOfACase) {
   const auto cases = read(first_shift + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 1u);
-  const ContactCase& c = cases[0];
+  const Case& c = cases[0];
   EXPECT_EQ(c.number, 1);
   EXPECT_EQ(c.line, 2u);
   EXPECT_EQ(c.digits.tang, 1);
@@ -152,7 +152,7 @@ TEST(ContactInputFile, EveryTruncatedFileIsRefusedOrLacksWholeCases) {
   int whole = 0, refused = 0;
   for (std::size_t length = 0; length <= text.size(); ++length) {
     std::istringstream stream(text.substr(0, length));
-    ContactInputReader reader(stream, "a.inp");
+    InputReader reader(stream, "a.inp");
     try {
       while (reader.next()) {
       }
@@ -269,4 +269,4 @@ TEST(ContactInputFile, OtherModulesAreHandedOutAsUnreadable) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

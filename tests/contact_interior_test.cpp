@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 /// Steady rolling with blocks of points.
@@ -22,13 +22,13 @@ std::string with_points(const std::string& blocks, const std::string& output = "
   return steady_rolling("100. 2d-4 0 0", "0 .1 30000.", "203103") + " " + output + "\n" + blocks + "\n 0\n";
 }
 
-std::vector<ContactInterior> interior_of(const std::string& text) {
+std::vector<InteriorBlock> interior_of(const std::string& text) {
   const auto cases = run_cases(text);
   for (const auto& reason : cases.at(0).outcome.reasons) ADD_FAILURE() << reason;
   return cases.at(0).outcome.interior;
 }
 
-TEST(ContactInterior, BlocksNameTheirPointsInEightWays) {
+TEST(InteriorBlock, BlocksNameTheirPointsInEightWays) {
   const auto blocks = interior_of(with_points(" 1\n 2 .1 .2\n 5\n 2\n .1 .3\n"
                                               " 2\n 3 2 7\n 4 1 5\n 2 .1 .2\n 6\n 3 2 7\n 4 1 5\n 2\n .1 .3\n"
                                               " 3\n 3 2\n 3 5 7\n 4 5\n 2 .1 .2\n 7\n 3 2\n 3 5 7\n 4 5\n 2\n .1 .3\n"
@@ -55,9 +55,9 @@ TEST(ContactInterior, BlocksNameTheirPointsInEightWays) {
 }
 
 /// The same field from the case's tractions.
-TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
+TEST(InteriorBlock, IsThatOfTheTractionsInTheRightBody) {
   const auto cases = run_cases(with_points(" 9\n 1 1 2\n .15\n -.2\n .4 -.4"));
-  const ContactOutcome& o = cases.at(0).outcome;
+  const Outcome& o = cases.at(0).outcome;
   const TangentialState& t = o.solution.tangential.tractions;
   const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
   const Material steel = {82e9, 0.28};
@@ -70,7 +70,7 @@ TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
 }
 
 /// M = 1: displacements come late, stresses do not.
-TEST(ContactInterior, OfViscoelasticBodies) {
+TEST(InteriorBlock, OfViscoelasticBodies) {
   for (const std::string chi : {"0", "180d"}) {
     std::string text = with_points(" 9\n 1 1 2\n .15\n -.2\n -.4 .4");
     text.replace(text.find("0 .1 30000."), 11, chi + " .1 30000.");
@@ -78,8 +78,8 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     const std::string material = "82000. 82000.\n";
     text.insert(text.find(material) + material.size(), " .5 2. 3d-5 1d-5\n");
     const auto cases = run_cases(text);
-    const ContactOutcome& o = cases.at(0).outcome;
-    ASSERT_EQ(o.kind, ContactOutcome::Kind::solved);
+    const Outcome& o = cases.at(0).outcome;
+    ASSERT_EQ(o.kind, Outcome::Kind::solved);
     const TangentialState& t = o.solution.tangential.tractions;
     const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
     const Material steel = {82e9, 0.28};
@@ -96,7 +96,7 @@ TEST(ContactInterior, OfViscoelasticBodies) {
   }
 }
 
-TEST(ContactInterior, PointsAreKept) {
+TEST(InteriorBlock, PointsAreKept) {
   const std::string next = " 3 MODULE\n 203101\n 100000\n 0000331\n 100 100 30 1 1e-7\n 200. 2d-4 0 0\n";
   const std::string none = " 3 MODULE\n 203100\n 100000\n 0000331\n 100 100 30 1 1e-7\n 200. 2d-4 0 0\n";
   const auto cases = run_cases(with_points(" 9\n 1 1 1\n 0.\n 0.\n .4") + next + none);
@@ -105,13 +105,13 @@ TEST(ContactInterior, PointsAreKept) {
   EXPECT_TRUE(cases.at(2).outcome.interior.empty());
 }
 
-TEST(ContactInterior, NamesBlocksWithoutElements) {
+TEST(InteriorBlock, NamesBlocksWithoutElements) {
   const auto cases = run_cases(with_points(" 2\n 17 2 20\n 4 1 5\n 2 .1 .2"));
   EXPECT_EQ(cases.at(0).outcome.reasons.at(0), "ISUBS: IX: no element of the grid");
 }
 
 /// What lies beyond the grid is cut off; lists are put in order.
-TEST(ContactInterior, BlocksAreCutOffAndSorted) {
+TEST(InteriorBlock, BlocksAreCutOffAndSorted) {
   const auto blocks =
       interior_of(with_points(" 2\n 13 2 99999\n 4 0 5\n 2 .1 .2\n 7\n 4 1\n 7 3 7 900\n 4\n 2\n .3 .1\n"
                               " 9\n 2 1 2\n .2 -.1\n .3\n .4 -.2"));
@@ -135,10 +135,10 @@ std::vector<std::vector<double>> table(std::istream& text) {
   return rows;
 }
 
-TEST(ContactInterior, SubsFileHasTheColumnsAskedFor) {
+TEST(InteriorBlock, SubsFileHasTheColumnsAskedFor) {
   for (const std::string output : {"1 0", "2 0"}) {
     const auto cases = run_cases(with_points(" 9\n 2 1 1\n 0. .1\n 0.\n -.4", output));
-    std::istringstream text(contact_subs(cases.at(0).input, cases[0].outcome.interior));
+    std::istringstream text(subs_text(cases.at(0).input, cases[0].outcome.interior));
     const auto rows = table(text);
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].size(), output == "2 0" ? 14U : 8U);
@@ -155,14 +155,14 @@ TEST(ContactInterior, SubsFileHasTheColumnsAskedFor) {
 }
 
 /// The whole of CONTACT's own table: displacements to half a unit of the sixth digit, stresses to 1e-5 of the traction.
-TEST(ContactInterior, ContactsOwnTable) {
+TEST(InteriorBlock, ContactsOwnTable) {
   std::ifstream input(MICROSLIP_SOURCE_DIR "/../shared/contact-cases/subsurf.inp");
   std::ifstream printed(MICROSLIP_SOURCE_DIR "/../shared/contact-cases/subsurf.ref_subs");
   if (!input || !printed) GTEST_SKIP() << "the reference results are not at hand";
   std::stringstream text;
   text << input.rdbuf();
   const auto cases = run_cases(text.str());
-  std::istringstream ours(contact_subs(cases.at(1).input, cases[1].outcome.interior));
+  std::istringstream ours(subs_text(cases.at(1).input, cases[1].outcome.interior));
   const auto rows = table(ours), expected = table(printed);
   ASSERT_EQ(rows.size(), expected.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -172,4 +172,4 @@ TEST(ContactInterior, ContactsOwnTable) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -12,18 +12,18 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-using Kind = ContactOutcome::Kind;
+using Kind = Outcome::Kind;
 
 std::string with(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
-TEST(ContactRun, TotalsAreInContactsUnits) {
+TEST(Run, TotalsAreInContactsUnits) {
   const auto cases = run_cases(first_shift);
-  const ContactTotals& t = cases.at(0).outcome.totals;
+  const PrintedTotals& t = cases.at(0).outcome.totals;
   // Cattaneo and Mindlin: a = 1 mm, Wx = 3 mu Fn (2 - nu)/(8 G a) (1 - (1 - .5)^(2/3)), c/a = (1 - .5)^(1/3).
   EXPECT_NEAR(t.fn, 9.1954, 1e-9);
   EXPECT_NEAR(t.fx, -0.5 * 0.4 * 9.1954, 1e-6);
@@ -41,9 +41,9 @@ TEST(ContactRun, TotalsAreInContactsUnits) {
   EXPECT_NEAR(t.elastic_energy / (0.4 * 9.1954 * 0.02e-3), 1, 0.2); // 2/5 Fn delta of Hertz's problem, and some more
 }
 
-TEST(ContactRun, RollingIsThatOfTheLibrary) {
+TEST(Run, RollingIsThatOfTheLibrary) {
   const auto cases = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
-  const ContactTotals& t = cases.at(0).outcome.totals;
+  const PrintedTotals& t = cases.at(0).outcome.totals;
   ExactOptions options{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
   const EllipticContact contact{.a = 1e-3,
                                 .b = 0.8e-3,
@@ -58,29 +58,29 @@ TEST(ContactRun, RollingIsThatOfTheLibrary) {
   EXPECT_NEAR(t.mz, expected.mz * 1e3, 2e-5 * 30);
 }
 
-TEST(ContactRun, RollingTheOtherWayIsTheMirrorImage) {
+TEST(Run, RollingTheOtherWayIsTheMirrorImage) {
   const auto forward = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
   const auto backward = run_cases(steady_rolling("100. -2d-4 -1d-4 -1d-4", "180d .1 30000."));
-  const ContactTotals &a = forward.at(0).outcome.totals, &b = backward.at(0).outcome.totals;
+  const PrintedTotals &a = forward.at(0).outcome.totals, &b = backward.at(0).outcome.totals;
   EXPECT_NEAR(a.fx, -b.fx, 1e-5);
   EXPECT_NEAR(a.fy, b.fy, 1e-5);
   EXPECT_NEAR(a.mz, -b.mz, 1e-5);
   EXPECT_NEAR(a.friction, b.friction, 1e-6 * std::abs(a.friction));
 }
 
-TEST(ContactRun, TheForceOfACreepageGivesTheCreepageBack) {
+TEST(Run, TheForceOfACreepageGivesTheCreepageBack) {
   const auto given = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4 .1 .2"));
-  const ContactTotals& a = given.at(0).outcome.totals;
+  const PrintedTotals& a = given.at(0).outcome.totals;
   char kinematics[120];
   std::snprintf(kinematics, sizeof kinematics, "100. %.12g %.12g 1d-4 .1 .2", a.x, a.y);
   const auto found = run_cases(steady_rolling(kinematics, "0 .1 30000.", "203120"));
-  const ContactTotals& b = found.at(0).outcome.totals;
+  const PrintedTotals& b = found.at(0).outcome.totals;
   EXPECT_EQ(b.x_name, "CREEP X");
   EXPECT_NEAR(b.x, 2e-4, 1e-9);
   EXPECT_NEAR(b.y, -1e-4, 1e-9);
 }
 
-TEST(ContactRun, CasesGoOnAsPSays) {
+TEST(Run, CasesGoOnAsPSays) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto cases = run_cases(first_shift + next + with(next, "001110", "301110") + with(next, "001110", "201110"));
   ASSERT_EQ(cases.size(), 4u);
@@ -90,7 +90,7 @@ TEST(ContactRun, CasesGoOnAsPSays) {
   EXPECT_EQ(cases[3].outcome.totals.adhesion, cases[1].outcome.totals.adhesion);
 }
 
-TEST(ContactRun, SequencesGoOnFromTheirOwn) {
+TEST(Run, SequencesGoOnFromTheirOwn) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto alone = run_cases(first_shift + next);
   const auto other = with(with(first_shift, "3 MODULE", "3 2 MODULE"), "-.5", "-.1");
@@ -99,14 +99,14 @@ TEST(ContactRun, SequencesGoOnFromTheirOwn) {
 }
 
 /// C = 3, by itself and kept; a shift takes a little more or less force than with constant elements.
-TEST(ContactRun, BilinearElements) {
+TEST(Run, BilinearElements) {
   const std::string tents = with(first_shift, "022020", "023020");
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto constant = run_cases(first_shift + next), bilinear = run_cases(tents + next);
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_EQ(bilinear.at(k).outcome.kind, Kind::solved);
     EXPECT_EQ(bilinear[k].outcome.step.grid.shape, ElementShape::bilinear);
-    const ContactTotals &a = constant.at(k).outcome.totals, &b = bilinear[k].outcome.totals;
+    const PrintedTotals &a = constant.at(k).outcome.totals, &b = bilinear[k].outcome.totals;
     EXPECT_NEAR(b.fx, a.fx, 1e-6);
     EXPECT_NE(b.x, a.x);
     EXPECT_NEAR(b.x, a.x, 2e-3 * std::abs(a.x));
@@ -114,7 +114,7 @@ TEST(ContactRun, BilinearElements) {
   }
 }
 
-TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
+TEST(Run, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string approximate = with(steady_rolling("100. 1d-3 0 0"), "203100", "253100");
   const std::string from_file = with_coefficients_from_a_file(first_shift);
@@ -128,7 +128,7 @@ TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
       std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
 }
 
-TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
+TEST(Run, GoingOnIsRefusedOnlyWhereTractionsMatter) {
   const std::string from_file = with_coefficients_from_a_file(first_shift);
   const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";
   const auto cases = run_cases(from_file + next + with(next, "001110", "000100") + next);
@@ -139,7 +139,7 @@ TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
   EXPECT_EQ(cases[3].outcome.kind, Kind::solved); // from the frictionless case on
 }
 
-TEST(ContactRun, DissimilarBodiesRun) {
+TEST(Run, DissimilarBodiesRun) {
   const std::string rubber_on_steel = with(first_shift, ".42 .42 200. 200.", ".42 .28 200. 82000.");
   EXPECT_EQ(run_cases(with(rubber_on_steel, "201110", "200100")).at(0).outcome.kind, Kind::solved);
   const auto unlike = run_cases(rubber_on_steel).at(0).outcome;
@@ -147,7 +147,7 @@ TEST(ContactRun, DissimilarBodiesRun) {
   const auto incompressible = run_cases(with(first_shift, ".42 .42 200. 200.", ".5 .5 200. 82000.")).at(0).outcome;
   EXPECT_EQ(incompressible.kind, Kind::solved);
   // Pressure makes tractions across the shift only where the materials are unlike.
-  const auto across = [](const ContactOutcome& o) {
+  const auto across = [](const Outcome& o) {
     double sum = 0;
     for (const double p : o.solution.tangential.tractions.py) sum += std::abs(p);
     return sum / o.solution.tangential.peak_traction;
@@ -155,7 +155,7 @@ TEST(ContactRun, DissimilarBodiesRun) {
   EXPECT_GT(across(unlike), 2 * across(incompressible));
 }
 
-TEST(ContactRun, SkippedCasesLeaveNoTrace) {
+TEST(Run, SkippedCasesLeaveNoTrace) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string skipped = " 3 MODULE\n 201110\n 100000\n 0100333\n 9.1954 -.1 0 0\n";
   const auto cases = run_cases(first_shift + skipped + next), without = run_cases(first_shift + next);
@@ -164,12 +164,12 @@ TEST(ContactRun, SkippedCasesLeaveNoTrace) {
 }
 
 /// B = 5, 6 on a circle of Hertz: nearly his force and pressure, and what FASTSIM and the exact theory make of them.
-TEST(ContactRun, ApproximatePressures) {
+TEST(Run, ApproximatePressures) {
   std::string text = " 3 MODULE\n 203000\n 022020\n 0000331\n 100 100 30 1 1e-7\n .05 4d-4 0 0\n .3 .3\n 0 .2 30000.\n"
                      " .28 .28 82000. 82000.\n 1\n 36 36 -9. -9. .5 .5\n 1 1\n .001 0 .001 0 0 0\n";
-  const ContactTotals exact = run_cases(text).at(0).outcome.totals;
+  const PrintedTotals exact = run_cases(text).at(0).outcome.totals;
   for (const std::string bound : {"25", "26"}) {
-    const ContactTotals quick = run_cases(with(text, "203000", bound + "3000")).at(0).outcome.totals;
+    const PrintedTotals quick = run_cases(with(text, "203000", bound + "3000")).at(0).outcome.totals;
     EXPECT_NEAR(quick.fn / exact.fn, 1, 0.02) << bound;
     EXPECT_NEAR(quick.fx / exact.fx, 1, 0.02) << bound;
     EXPECT_NEAR(quick.peak_pressure / exact.peak_pressure, 1, 0.02) << bound;
@@ -180,7 +180,7 @@ TEST(ContactRun, ApproximatePressures) {
 }
 
 /// Steps of rolling along y are those along x, seen from the side: x -> y, y -> -x.
-TEST(ContactRun, RollingAlongYIsRollingAlongXTurned) {
+TEST(Run, RollingAlongYIsRollingAlongXTurned) {
   const auto steps = [](const std::string& first, const std::string& second, const std::string& third) {
     const auto text = [](const std::string& control, const std::string& digits, const std::string& kinematics) {
       return " 3 MODULE\n " + control + "\n " + digits + "\n 0000331\n 100 100 30 1 1e-9\n 100. " + kinematics;
@@ -192,7 +192,7 @@ TEST(ContactRun, RollingAlongYIsRollingAlongXTurned) {
   const auto along_x = steps("3d-4 -1d-4 1d-4", "2d-4 1d-4 2d-4", "0 .11 30000.");
   const auto along_y = steps("1d-4 3d-4 1d-4", "-1d-4 2d-4 2d-4", "90d .11 30000.");
   for (std::size_t k = 0; k < 2; ++k) {
-    const ContactTotals &a = along_x.at(k).outcome.totals, &b = along_y.at(k).outcome.totals;
+    const PrintedTotals &a = along_x.at(k).outcome.totals, &b = along_y.at(k).outcome.totals;
     EXPECT_NEAR(b.fx, -a.fy, 1e-5);
     EXPECT_NEAR(b.fy, a.fx, 1e-5);
     EXPECT_NEAR(b.mz, a.mz, 1e-5);
@@ -201,7 +201,7 @@ TEST(ContactRun, RollingAlongYIsRollingAlongXTurned) {
   }
 }
 
-TEST(ContactRun, AnApproachGivesHertzsForce) {
+TEST(Run, AnApproachGivesHertzsForce) {
   const auto by_force = run_cases(with(first_shift, "201110", "200100"));
   char approach[40];
   std::snprintf(approach, sizeof approach, "%.12g", by_force.at(0).outcome.totals.approach);
@@ -209,14 +209,14 @@ TEST(ContactRun, AnApproachGivesHertzsForce) {
   EXPECT_NEAR(by_approach.at(0).outcome.totals.fn, 9.1954, 1e-6);
 }
 
-TEST(ContactRun, APointOutOfContactIsReported) {
+TEST(Run, APointOutOfContactIsReported) {
   const auto cases = run_cases(with(with(first_shift, "201110", "201000"), "9.1954 -.5", "-.1 1d-4"));
   EXPECT_EQ(cases.at(0).outcome.solution.status, Status::no_contact);
   EXPECT_EQ(cases.at(0).outcome.totals.contact, 0);
 }
 
 /// Without sliding the surfaces take the mean of the bulk temperatures by effusivity: 10 and 40 sqrt(W kg J/(m4 K2)).
-TEST(ContactRun, SurfaceTemperatures) {
+TEST(Run, SurfaceTemperatures) {
   std::string text = steady_rolling("100. 0 0 0");
   text = with(with(text, "0000331", "3000331"), " -3\n", " 20. 1. 1e-3 1e-7\n 120. 1. 16e-3 1e-7\n -3\n");
   const auto cases = run_cases(text + " 3 MODULE\n 203100\n 100000\n 1000331\n 100 100 30 1 1e-7\n 100. 2d-4 0 0\n" +
@@ -225,7 +225,7 @@ TEST(ContactRun, SurfaceTemperatures) {
   EXPECT_NEAR(cases[0].outcome.totals.temperature.value(), 100, 1e-9);
   EXPECT_GT(cases.at(1).outcome.totals.temperature.value(), 100.1);
   EXPECT_FALSE(cases.at(2).outcome.temperature);
-  const ContactOutcome& o = cases[1].outcome;
+  const Outcome& o = cases[1].outcome;
   for (std::size_t k = 0; k < o.step.grid.count(); ++k)
     EXPECT_TRUE(element_state(o, k) == 0 || o.temperature->body1[k] == o.temperature->body2[k]);
   EXPECT_EQ(o.temperature->body1[15], 20); // ahead of the contact
@@ -239,14 +239,14 @@ std::string heated_sliding(const std::string& law = ".3 50. -.25 150.", const st
   return with(text, " -3\n", " 20. 450. 50e-3 7.85e-6\n 20. 450. 50e-3 7.85e-6\n -3\n");
 }
 
-TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
+TEST(Run, FrictionThatDependsOnTheTemperature) {
   const auto cases =
       run_cases(heated_sliding() + heated_sliding(".3 1d4 -.25 150.") + heated_sliding(".3 -100. -.25 100."));
   for (std::size_t k = 0; k < 3; ++k) {
     ASSERT_EQ(cases.at(k).outcome.kind, Kind::solved);
     ASSERT_EQ(cases[k].outcome.solution.status, Status::ok);
   }
-  const ContactOutcome& o = cases[0].outcome;
+  const Outcome& o = cases[0].outcome;
   EXPECT_GT(o.totals.temperature.value(), 60);
   int warm = 0;
   for (std::size_t k = 0; k < o.step.grid.count(); ++k) {
@@ -263,14 +263,14 @@ TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
 }
 
 /// A memory that is long against the contact keeps friction what it was before; a short one changes nothing.
-TEST(ContactRun, FrictionThatDependsOnTheTemperatureHasMemory) {
+TEST(Run, FrictionThatDependsOnTheTemperatureHasMemory) {
   const auto cases = run_cases(heated_sliding(".3 50. -.25 150.", "1d3 0") +
                                heated_sliding(".3 50. -.25 150.", "1d-8 0") + heated_sliding());
   EXPECT_NEAR(cases.at(0).outcome.totals.x, -1, 1e-3);
   EXPECT_NEAR(cases.at(1).outcome.totals.x, cases.at(2).outcome.totals.x, 1e-5);
 }
 
-TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
+TEST(Run, WhatTemperatureDependentFrictionCannotDoIsNamed) {
   const auto reason = [](const std::string& text) { return run_cases(text).at(0).outcome.reasons.at(0); };
   const std::string start = "L = 6 (friction that depends on the temperature, with";
   const std::string cold =
@@ -286,4 +286,4 @@ TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

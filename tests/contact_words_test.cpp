@@ -9,22 +9,22 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 /// Calls `read` with the words of a text.
 template <class Read> auto with_words(const std::string& text, Read read) {
   std::istringstream stream(text);
-  ContactWords words(stream, "a.inp");
+  Words words(stream, "a.inp");
   return read(words);
 }
 
 double real(const std::string& text) {
-  return with_words(text, [](ContactWords& words) { return words.real("X"); });
+  return with_words(text, [](Words& words) { return words.real("X"); });
 }
 
 double angle(const std::string& text) {
-  return with_words(text, [](ContactWords& words) { return words.angle("CHI"); });
+  return with_words(text, [](Words& words) { return words.angle("CHI"); });
 }
 
 template <class Read> void expect_refused(const std::string& text, const std::string& message, Read read) {
@@ -36,7 +36,7 @@ template <class Read> void expect_refused(const std::string& text, const std::st
   }
 }
 
-TEST(ContactWords, NumbersAreThoseOfFortran) {
+TEST(Words, NumbersAreThoseOfFortran) {
   EXPECT_EQ(real("1"), 1.0);
   EXPECT_EQ(real("-2."), -2.0);
   EXPECT_EQ(real("+.5"), 0.5);
@@ -48,7 +48,7 @@ TEST(ContactWords, NumbersAreThoseOfFortran) {
   EXPECT_EQ(real("1e-999"), 0.0);
 }
 
-TEST(ContactWords, WhatIsNoNumberIsRefusedWithItsPlace) {
+TEST(Words, WhatIsNoNumberIsRefusedWithItsPlace) {
   for (const std::string word :
        {"abc", ".", "1e", "1-", "--1", "1.2.3", "nan", "inf", "0x1", "1e999", "'1'", "\x01\xff"})
     EXPECT_THROW(real("\n" + word), Error) << word;
@@ -64,7 +64,7 @@ TEST(ContactWords, WhatIsNoNumberIsRefusedWithItsPlace) {
                  [](auto& words) { return words.real("X"); });
 }
 
-TEST(ContactWords, AnglesInDegreesEndInD) {
+TEST(Words, AnglesInDegreesEndInD) {
   EXPECT_DOUBLE_EQ(angle("90d"), std::numbers::pi / 2);
   EXPECT_DOUBLE_EQ(angle("-25.0d"), -25 * std::numbers::pi / 180);
   EXPECT_EQ(angle("1.5r"), 1.5);
@@ -73,8 +73,8 @@ TEST(ContactWords, AnglesInDegreesEndInD) {
   EXPECT_THROW(angle("d"), Error);
 }
 
-TEST(ContactWords, ARecordSpreadsOverLinesAndTheRestIsARemark) {
-  with_words("1,2=3 % 9\n\n  4 FN, CKSI 7\n5", [](ContactWords& words) {
+TEST(Words, ARecordSpreadsOverLinesAndTheRestIsARemark) {
+  with_words("1,2=3 % 9\n\n  4 FN, CKSI 7\n5", [](Words& words) {
     for (const double wanted : {1., 2., 3., 4.}) EXPECT_EQ(words.real("X"), wanted);
     words.end_record();
     EXPECT_EQ(words.line(), 4u);
@@ -84,9 +84,9 @@ TEST(ContactWords, ARecordSpreadsOverLinesAndTheRestIsARemark) {
   });
 }
 
-TEST(ContactWords, OptionalValuesStayOnTheLine) {
+TEST(Words, OptionalValuesStayOnTheLine) {
   const auto read = [](const std::string& text) {
-    return with_words(text, [](ContactWords& words) {
+    return with_words(text, [](Words& words) {
       words.real("X");
       const double first = words.optional_real("A", -1), second = words.optional_real("B", -2);
       return std::to_string(first) + " " + std::to_string(second);
@@ -99,9 +99,9 @@ TEST(ContactWords, OptionalValuesStayOnTheLine) {
   EXPECT_EQ(read("1\n2 3"), shown(-1, -2));
 }
 
-TEST(ContactWords, ControlIntegersAreRightAligned) {
+TEST(Words, ControlIntegersAreRightAligned) {
   const auto read = [](const std::string& text) {
-    return with_words(text, [](ContactWords& words) { return words.control("PBTNFS", 6); });
+    return with_words(text, [](Words& words) { return words.control("PBTNFS", 6); });
   };
   EXPECT_EQ(read("203100"), (std::vector<int>{2, 0, 3, 1, 0, 0}));
   EXPECT_EQ(read("100"), (std::vector<int>{0, 0, 0, 1, 0, 0}));
@@ -111,8 +111,8 @@ TEST(ContactWords, ControlIntegersAreRightAligned) {
   EXPECT_THROW(read("2031.0"), Error);
 }
 
-TEST(ContactWords, FindsTheNextModule) {
-  with_words("1 2 3 rest\n 3 modul\n x 3 MODULE\n % 3 MODULE\n 3 Module % next\n 7", [](ContactWords& words) {
+TEST(Words, FindsTheNextModule) {
+  with_words("1 2 3 rest\n 3 modul\n x 3 MODULE\n % 3 MODULE\n 3 Module % next\n 7", [](Words& words) {
     words.real("X");
     EXPECT_TRUE(words.skip_to_module());
     EXPECT_EQ(words.line(), 5u);
@@ -123,4 +123,4 @@ TEST(ContactWords, FindsTheNextModule) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

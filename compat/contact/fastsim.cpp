@@ -13,12 +13,12 @@
 #include <numeric>
 #include <optional>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, mm3_per_newton = 1e-9;
 
-bool is_fastrip(const ContactCase& c) {
+bool is_fastrip(const Case& c) {
   return c.digits.mater >= 5;
 }
 
@@ -33,7 +33,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-SlopeReduction slope_reduction(const ContactCase& c) {
+SlopeReduction slope_reduction(const Case& c) {
   const auto& data = c.material->model_data;
   if (data.size() < 3) return {};
   const std::size_t first = data.size() - 3;
@@ -89,7 +89,7 @@ struct Springs {
 };
 
 /// Those of the case before, at the places that the particles come from.
-Springs springs_before(const ContactCase& c, const ContactStep& step, const SpringState& state) {
+Springs springs_before(const Case& c, const ContactStep& step, const SpringState& state) {
   if (c.digits.pvtime != 0 || c.digits.tang != 2 || state.x.empty()) return {};
   TangentialState u = moved_to(origin_of_particles(step), {state.x, state.y}, state.grid);
   return {std::move(u.px), std::move(u.py)};
@@ -98,7 +98,7 @@ Springs springs_before(const ContactCase& c, const ContactStep& step, const Spri
 /// One case with its creepages, on the way through its rows.
 class March {
 public:
-  March(const ContactCase& c, const ContactStep& step, const NormalSolution& normal, double normal_force,
+  March(const Case& c, const ContactStep& step, const NormalSolution& normal, double normal_force,
         const Creepage& creepage, const Springs& before)
       : case_(c), step_(step), grid_(step.grid), motion_(step.motion), pressure_(normal.pressure), creepage_(creepage),
         before_(before), forward_(motion_.direction == RollingDirection::forward) {
@@ -286,7 +286,7 @@ private:
     s.power_by_creepage = -motion_.rolling_speed * (w.longitudinal * t.fx + w.lateral * t.fy + w.spin * t.mz);
   }
 
-  const ContactCase& case_;
+  const Case& case_;
   const ContactStep& step_;
   const ElementGrid& grid_;
   const TangentialInput& motion_;
@@ -303,7 +303,7 @@ private:
 
 } // namespace
 
-bool is_simplified(const ContactCase& c) {
+bool is_simplified(const Case& c) {
   const int m = c.digits.mater;
   return c.digits.tang != 0 && (m == 2 || m == 3 || m >= 5);
 }
@@ -316,7 +316,7 @@ class GivenForces {
 public:
   using Solve = std::function<TangentialSolution(const Creepage&)>;
 
-  GivenForces(const ContactCase& c, const ContactStep& step, const std::vector<double>& pressure, double normal_force,
+  GivenForces(const Case& c, const ContactStep& step, const std::vector<double>& pressure, double normal_force,
               Solve solve)
       : solve_(std::move(solve)),
         grid_(step.grid), creepage_{c.digits.force >= 1 ? 0 : c.x, c.digits.force == 2 ? 0 : c.y, c.phi / mm},
@@ -383,7 +383,7 @@ private:
 
 } // namespace
 
-ContactStepSolution solve_simplified(const ContactCase& c, const ContactStep& step, ContactSequence& steps,
+ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,
                                      SpringState& springs) {
   ContactStep normal = step;
   normal.frictionless = true;
@@ -406,4 +406,4 @@ ContactStepSolution solve_simplified(const ContactCase& c, const ContactStep& st
   return out;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

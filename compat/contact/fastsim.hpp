@@ -5,10 +5,10 @@
 
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// Whether the tractions of a case are those of the simplified theory: M = 2, 3 FASTSIM, M = 5 to 7 FaStrip.
-bool is_simplified(const ContactCase& c);
+bool is_simplified(const Case& c);
 
 /// What a case of FASTSIM leaves to the next one: the displacements of the springs [m] on a grid; empty: none.
 struct SpringState {
@@ -24,7 +24,7 @@ struct SpringState {
 /// found for Status::not_converged. The displacements are those of the springs; elastic energies are those of the
 /// normal problem alone, 0 for a pressure that is given. `step` is the case's own, `springs` are those of the case
 /// before and then its own. Throws Error for parameters out of range.
-ContactStepSolution solve_simplified(const ContactCase& c, const ContactStep& step, ContactSequence& steps,
+ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,
                                      SpringState& springs);
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr int most_elements_along = 10000, most_points = 9999, most_heights = 10000, most_patches = 100;
@@ -21,14 +21,14 @@ constexpr Names grid_names[] = {{{"XL", "YL", "DX", "DY"}},
                                 {{"XC1", "YC1", "DX", "DY"}},
                                 {{"XC1", "YC1", "XCM", "YCM"}}};
 
-void read_hertzian(ContactWords& words, PotentialContact& p) {
+void read_hertzian(Words& words, PotentialContact& p) {
   const Names& names = hertzian_names[-p.kind - 1];
   for (std::size_t k = 0; k < 4 && names.of[k]; ++k) p.values[k] = words.positive(names.of[k]);
   p.scale = words.positive("SCALE");
 }
 
 /// A place and a size, or two places.
-void read_rectangle(ContactWords& words, PotentialContact& p) {
+void read_rectangle(Words& words, PotentialContact& p) {
   const Names& names = grid_names[p.kind - 1];
   const bool has_sizes = p.kind % 2 == 1;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -44,7 +44,7 @@ void read_rectangle(ContactWords& words, PotentialContact& p) {
 }
 
 /// The circle along x and the heights along y.
-std::vector<double> read_circle(ContactWords& words) {
+std::vector<double> read_circle(Words& words) {
   const int count = words.integer("NN", 1, most_heights);
   const double xm = words.real("XM"), rm = words.real("RM");
   if (rm == 0) words.fail("RM", 0, "must not be 0");
@@ -56,7 +56,7 @@ std::vector<double> read_circle(ContactWords& words) {
   return values;
 }
 
-std::vector<double> read_waves(ContactWords& words) {
+std::vector<double> read_waves(Words& words) {
   const auto values = words.reals("B", 8);
   for (const std::size_t k : {6u, 7u})
     if (values[k] == 0) words.fail("B(" + std::to_string(k + 1) + ")", 0, "must not be 0");
@@ -64,7 +64,7 @@ std::vector<double> read_waves(ContactWords& words) {
 }
 
 /// XL XH YL YH of two rectangles.
-std::vector<double> read_rectangles(ContactWords& words) {
+std::vector<double> read_rectangles(Words& words) {
   const auto values = words.reals("PL", 8);
   for (std::size_t k = 1; k < values.size(); k += 2)
     if (!(values[k] > values[k - 1]))
@@ -73,7 +73,7 @@ std::vector<double> read_rectangles(ContactWords& words) {
 }
 
 /// The number of sub-patches, y between them, and by how much each of a pair acts on the other.
-std::vector<double> read_sub_patches(ContactWords& words) {
+std::vector<double> read_sub_patches(Words& words) {
   const int count = words.integer("NPATCH", 1, most_patches);
   words.end_record();
   const auto patches = static_cast<std::size_t>(count);
@@ -86,7 +86,7 @@ std::vector<double> read_sub_patches(ContactWords& words) {
   return values;
 }
 
-std::vector<double> read_indices(ContactWords& words, const char* axis, int count) {
+std::vector<double> read_indices(Words& words, const char* axis, int count) {
   std::vector<double> indices;
   for (int k = 0; k < count; ++k) indices.push_back(words.integer(axis, 1, any_element));
   words.end_record();
@@ -94,8 +94,8 @@ std::vector<double> read_indices(ContactWords& words, const char* axis, int coun
 }
 
 /// A block of points; kind 0 ends them.
-ContactPoints read_block(ContactWords& words) {
-  ContactPoints points;
+PointBlock read_block(Words& words) {
+  PointBlock points;
   points.kind = words.integer("ISUBS", 0, 9);
   words.end_record();
   const auto count = [&](const char* field) { return words.integer(field, 1, most_points); };
@@ -150,7 +150,7 @@ ContactPoints read_block(ContactWords& words) {
 
 } // namespace
 
-PotentialContact read_potential_contact(ContactWords& words) {
+PotentialContact read_potential_contact(Words& words) {
   PotentialContact p;
   p.kind = words.integer("IPOTCN", -6, 4);
   if (p.kind == 0) words.fail("IPOTCN", 0, "must be in -6 to -1 or 1 to 4");
@@ -165,8 +165,8 @@ PotentialContact read_potential_contact(ContactWords& words) {
   return p;
 }
 
-ContactGeometry read_geometry(ContactWords& words, const PotentialContact& potential) {
-  ContactGeometry g;
+Geometry read_geometry(Words& words, const PotentialContact& potential) {
+  Geometry g;
   g.base = words.integer("IBASE", 1, 9);
   if (g.base > 3 && g.base < 9) words.fail("IBASE", g.base, "must be one of 1, 2, 3, 9");
   g.planform = words.integer("IPLAN", 1, 4);
@@ -181,13 +181,13 @@ ContactGeometry read_geometry(ContactWords& words, const PotentialContact& poten
   return g;
 }
 
-std::vector<ContactPoints> read_points(ContactWords& words) {
-  std::vector<ContactPoints> blocks;
+std::vector<PointBlock> read_points(Words& words) {
+  std::vector<PointBlock> blocks;
   for (;;) {
-    ContactPoints block = read_block(words);
+    PointBlock block = read_block(words);
     if (block.kind == 0) return blocks;
     blocks.push_back(std::move(block));
   }
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// The potential contact as a CONTACT file gives it [mm], [1/mm], [-].
 struct PotentialContact {
@@ -22,7 +22,7 @@ struct PotentialContact {
 };
 
 /// The undeformed distance [mm] and the region in which contact is possible.
-struct ContactGeometry {
+struct Geometry {
   int base = 0;                    ///< IBASE: 1 quadratic, 2 circle in x and points in y, 3 waves, 9 by element
   std::vector<double> values = {}; ///< 1: B1 to B6; 2: XM RM Y1 DY1, heights; 3: B1 to B8; 9: each element's
   int planform = 1; ///< IPLAN: 1 all, 2 where a quadratic form is negative, 3 two rectangles, 4 sub-patches
@@ -30,15 +30,15 @@ struct ContactGeometry {
 };
 
 /// Points of the interior field: one of CONTACT's blocks. Indices count from 1, lengths are in mm.
-struct ContactPoints {
+struct PointBlock {
   int kind = 0; ///< ISUBS: 1, 5 below all elements; 2, 6 below a range; 3, 7 below those listed; 9 anywhere
   std::vector<int> range = {};                ///< 2, 6: IXL INC IXH IYL INC IYH
   std::vector<double> x = {}, y = {}, z = {}; ///< 3, 7: indices; 9: places; z of 1 to 3: NZ ZL DZ
 };
 
-/// Each reads the records at which `words` stands. Errors as those of ContactWords.
-PotentialContact read_potential_contact(ContactWords& words);
-ContactGeometry read_geometry(ContactWords& words, const PotentialContact& potential);
-std::vector<ContactPoints> read_points(ContactWords& words);
+/// Each reads the records at which `words` stands. Errors as those of Words.
+PotentialContact read_potential_contact(Words& words);
+Geometry read_geometry(Words& words, const PotentialContact& potential);
+std::vector<PointBlock> read_points(Words& words);
 
-} // namespace microslip
+} // namespace microslip::contact_program

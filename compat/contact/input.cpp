@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr int most_angles = 10000;
@@ -13,26 +13,23 @@ constexpr double largest_friction = 10;
 /// A digit, its letter and the values that it may have.
 struct DigitRule {
   char letter;
-  int ContactDigits::*digit;
+  int Digits::*digit;
   const char* allowed;
 };
 
 constexpr DigitRule first_word[] = {
-    {'P', &ContactDigits::pvtime, "0123"}, {'B', &ContactDigits::bound, "0123456"},
-    {'T', &ContactDigits::tang, "0123"},   {'N', &ContactDigits::norm, "01"},
-    {'F', &ContactDigits::force, "012"},   {'S', &ContactDigits::stress, "0123"},
+    {'P', &Digits::pvtime, "0123"}, {'B', &Digits::bound, "0123456"}, {'T', &Digits::tang, "0123"},
+    {'N', &Digits::norm, "01"},     {'F', &Digits::force, "012"},     {'S', &Digits::stress, "0123"},
 };
 constexpr DigitRule second_word[] = {
-    {'V', &ContactDigits::varfrc, "03"},      {'L', &ContactDigits::frclaw, "012346"},
-    {'D', &ContactDigits::discns, "012"},     {'C', &ContactDigits::inflcf, "012349"},
-    {'M', &ContactDigits::mater, "01234567"}, {'Z', &ContactDigits::rznorm, "012"},
-    {'E', &ContactDigits::exrhs, "01239"},
+    {'V', &Digits::varfrc, "03"},     {'L', &Digits::frclaw, "012346"},  {'D', &Digits::discns, "012"},
+    {'C', &Digits::inflcf, "012349"}, {'M', &Digits::mater, "01234567"}, {'Z', &Digits::rznorm, "012"},
+    {'E', &Digits::exrhs, "01239"},
 };
 constexpr DigitRule third_word[] = {
-    {'X', &ContactDigits::xflow, "01"},      {'H', &ContactDigits::heat, "013"},
-    {'G', &ContactDigits::gausei, "012345"}, {'I', &ContactDigits::iestim, "0123"},
-    {'A', &ContactDigits::matfil, "012"},    {'O', &ContactDigits::output, "0123456"},
-    {'W', &ContactDigits::flow, "01234569"}, {'R', &ContactDigits::solve, "0123"},
+    {'X', &Digits::xflow, "01"},      {'H', &Digits::heat, "013"},   {'G', &Digits::gausei, "012345"},
+    {'I', &Digits::iestim, "0123"},   {'A', &Digits::matfil, "012"}, {'O', &Digits::output, "0123456"},
+    {'W', &Digits::flow, "01234569"}, {'R', &Digits::solve, "0123"},
 };
 
 std::string listed_digits(const std::string& allowed) {
@@ -42,7 +39,7 @@ std::string listed_digits(const std::string& allowed) {
 }
 
 template <std::size_t count>
-void read_control(ContactWords& words, const char* field, const DigitRule (&rules)[count], ContactDigits& digits) {
+void read_control(Words& words, const char* field, const DigitRule (&rules)[count], Digits& digits) {
   const auto values = words.control(field, count);
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [letter, digit, allowed] = rules[k];
@@ -55,9 +52,9 @@ void read_control(ContactWords& words, const char* field, const DigitRule (&rule
 
 } // namespace
 
-ContactInputReader::ContactInputReader(std::istream& stream, std::string name) : words_(stream, std::move(name)) {}
+InputReader::InputReader(std::istream& stream, std::string name) : words_(stream, std::move(name)) {}
 
-const ContactCase* ContactInputReader::next() {
+const Case* InputReader::next() {
   const int module = ended_ ? 0 : in_module_ ? 3 : read_module();
   ended_ = module == 0;
   if (ended_) return nullptr;
@@ -69,7 +66,7 @@ const ContactCase* ContactInputReader::next() {
   ended_ = words_.at_end();
   if (ended_) return nullptr;
   now_ = &sequences_[sequence_];
-  ContactCase& c = now_->last;
+  Case& c = now_->last;
   c.number = ++cases_;
   c.line = lost_.line = words_.line();
   c.sequence = sequence_;
@@ -83,7 +80,7 @@ const ContactCase* ContactInputReader::next() {
 }
 
 /// The number of the next module; 0 at the end.
-int ContactInputReader::read_module() {
+int InputReader::read_module() {
   if (words_.at_end()) return 0;
   const int module = words_.integer("MODULE", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   if (module != 0 && module != 1 && module != 3) words_.fail("MODULE", module, "must be 0, 1 or 3");
@@ -96,7 +93,7 @@ int ContactInputReader::read_module() {
 }
 
 /// A case that cannot be read; later cases of its sequence may keep something of it.
-const ContactCase* ContactInputReader::give_up(const std::string& why) {
+const Case* InputReader::give_up(const std::string& why) {
   const auto line = lost_.line;
   lost_ = {};
   lost_.line = line;
@@ -109,7 +106,7 @@ const ContactCase* ContactInputReader::give_up(const std::string& why) {
   return &lost_;
 }
 
-void ContactInputReader::read_case(ContactCase& c) {
+void InputReader::read_case(Case& c) {
   read_digits(c);
   check_digits(c);
   if (keeps_lost(c)) {
@@ -134,8 +131,8 @@ void ContactInputReader::read_case(ContactCase& c) {
   read_points(c);
 }
 
-void ContactInputReader::read_digits(ContactCase& c) {
-  ContactDigits& d = c.digits;
+void InputReader::read_digits(Case& c) {
+  Digits& d = c.digits;
   read_control(words_, "PBTNFS", first_word, d);
   words_.end_record();
   read_control(words_, "VLDCMZE", second_word, d);
@@ -150,30 +147,30 @@ void ContactInputReader::read_digits(ContactCase& c) {
 }
 
 /// Digits that do not go together.
-void ContactInputReader::check_digits(const ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void InputReader::check_digits(const Case& c) {
+  const Digits& d = c.digits;
   if ((d.gausei == 3 || d.gausei == 5) && d.tang != 3)
     words_.fail("digit G", d.gausei, "must go with T = 3, a solver for steady rolling");
   if (d.heat != 0 && (d.tang == 1 || d.tang == 2)) words_.fail("digit H", d.heat, "must be 0 with T = 1 or 2");
   if (d.mater == 1 && d.tang != 3 && d.tang != 0) words_.fail("digit M", 1, "must go with T = 3 (or 0)");
 }
 
-void ContactInputReader::fail_keep(const ContactCase& c, const char* digit, int value, const char* what) const {
+void InputReader::fail_keep(const Case& c, const char* digit, int value, const char* what) const {
   words_.fail("case " + std::to_string(c.number) + ": digit " + digit + " = " + std::to_string(value) + " keeps " +
               what + ", which no earlier case has given");
 }
 
 /// Whether it keeps something that a case has changed which could not be read.
-bool ContactInputReader::keeps_lost(const ContactCase& c) const {
-  const ContactDigits& d = c.digits;
+bool InputReader::keeps_lost(const Case& c) const {
+  const Digits& d = c.digits;
   const bool keeps_points = d.stress == 1 || d.stress == 2;
   return now_->lost > 0 && (d.gausei == 1 || d.frclaw == 1 || d.inflcf < 2 || d.discns < 2 || d.exrhs == 1 ||
                             d.heat == 1 || keeps_points);
 }
 
 /// What is to be kept must be there. The first case of a sequence cannot continue anything.
-void ContactInputReader::check_kept(ContactCase& c) {
-  ContactDigits& d = c.digits;
+void InputReader::check_kept(Case& c) {
+  Digits& d = c.digits;
   const auto need = [&](bool keeps, bool has, const char* digit, int value, const char* what) {
     if (keeps && !has) fail_keep(c, digit, value, what);
   };
@@ -191,10 +188,10 @@ void ContactInputReader::check_kept(ContactCase& c) {
   }
 }
 
-void ContactInputReader::read_solver(ContactCase& c) {
+void InputReader::read_solver(Case& c) {
   if (c.digits.gausei == 1) return;
   constexpr int most = 1000000;
-  ContactSolver& s = c.solver;
+  SolverData& s = c.solver;
   s.method = c.digits.gausei;
   s.maxgs = words_.integer("MAXGS", 1, most);
   s.maxin = words_.integer("MAXIN", 1, most);
@@ -215,8 +212,8 @@ void ContactInputReader::read_solver(ContactCase& c) {
   now_->has_solver = true;
 }
 
-void ContactInputReader::read_kinematics(ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void InputReader::read_kinematics(Case& c) {
+  const Digits& d = c.digits;
   c.normal = d.norm == 1 ? words_.positive("FN") : words_.real("PEN");
   c.x = words_.real(d.force >= 1 ? "FX" : "CKSI");
   c.y = words_.real(d.force == 2 ? "FY" : "CETA");
@@ -227,7 +224,7 @@ void ContactInputReader::read_kinematics(ContactCase& c) {
 }
 
 /// A set of friction data, by the law.
-std::vector<double> ContactInputReader::read_friction_set(int law) {
+std::vector<double> InputReader::read_friction_set(int law) {
   const auto coefficient = [&](const char* field) { return words_.between(field, 0, largest_friction); };
   std::vector<double> set;
   if (law == 0) {
@@ -250,7 +247,7 @@ std::vector<double> ContactInputReader::read_friction_set(int law) {
   return set;
 }
 
-void ContactInputReader::read_friction(ContactCase& c) {
+void InputReader::read_friction(Case& c) {
   if (c.digits.frclaw == 1) return;
   c.friction.law = c.digits.frclaw;
   c.friction.by_row = c.digits.varfrc == 3;
@@ -259,9 +256,9 @@ void ContactInputReader::read_friction(ContactCase& c) {
   now_->has_friction = true;
 }
 
-void ContactInputReader::read_rolling(ContactCase& c) {
+void InputReader::read_rolling(Case& c) {
   if (c.digits.tang < 2) return;
-  ContactRolling rolling;
+  RollingData rolling;
   rolling.chi = words_.angle("CHI");
   rolling.dq = words_.positive("DQ");
   rolling.veloc = words_.positive("VELOC");
@@ -271,9 +268,9 @@ void ContactInputReader::read_rolling(ContactCase& c) {
   c.rolling = rolling;
 }
 
-void ContactInputReader::read_material(ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  ContactMaterial m;
+void InputReader::read_material(Case& c) {
+  const Digits& d = c.digits;
+  MaterialData m;
   m.coefficients = d.inflcf;
   if (d.inflcf == 4) {
     words_.integer("IF_METH", 0, 1);
@@ -306,20 +303,20 @@ void ContactInputReader::read_material(ContactCase& c) {
 }
 
 /// What C = 0 or 1 has not read must be there from before.
-void ContactInputReader::check_read(const ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void InputReader::check_read(const Case& c) {
+  const Digits& d = c.digits;
   if (d.mater != 0 && c.material->model != d.mater)
     words_.fail("digit M", d.mater, "must go with C >= 2, which reads its data");
   if (d.tang >= 2 && !c.rolling) words_.fail("digit T", d.tang, "must go with C >= 2, which reads CHI, DQ and VELOC");
 }
 
-void ContactInputReader::read_damping_and_heat(ContactCase& c) {
+void InputReader::read_damping_and_heat(Case& c) {
   if (c.digits.damping == 2) {
     words_.reals("damping", 4);
     now_->has_damping = true;
   }
   if (c.digits.heat != 3) return;
-  ContactHeat heat;
+  HeatData heat;
   for (auto* body : {&heat.body1, &heat.body2}) {
     for (std::size_t k = 0; k < 4; ++k) {
       constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
@@ -334,8 +331,8 @@ void ContactInputReader::read_damping_and_heat(ContactCase& c) {
   c.heat = heat;
 }
 
-void ContactInputReader::read_potential(ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void InputReader::read_potential(Case& c) {
+  const Digits& d = c.digits;
   if (d.discns == 2) {
     c.potential = read_potential_contact(words_);
     if (c.potential->is_hertzian()) now_->has_geometry = false;
@@ -352,7 +349,7 @@ void ContactInputReader::read_potential(ContactCase& c) {
 }
 
 /// Whether the undeformed distance stays; then it must fit the elements.
-bool ContactInputReader::keeps_geometry(ContactCase& c) {
+bool InputReader::keeps_geometry(Case& c) {
   const int digit = c.digits.rznorm;
   if (digit == 2) return false;
   if (now_->lost > 0) {
@@ -368,13 +365,13 @@ bool ContactInputReader::keeps_geometry(ContactCase& c) {
   return true;
 }
 
-void ContactInputReader::read_geometry(ContactCase& c) {
+void InputReader::read_geometry(Case& c) {
   if (c.potential->is_hertzian() || keeps_geometry(c)) return;
-  c.geometry = microslip::read_geometry(words_, *c.potential);
+  c.geometry = contact_program::read_geometry(words_, *c.potential);
   now_->has_geometry = true;
 }
 
-void ContactInputReader::read_friction_by_rows(ContactCase& c) {
+void InputReader::read_friction_by_rows(Case& c) {
   if (!c.friction.by_row) return;
   const auto rows = static_cast<std::size_t>(c.potential->my);
   if (c.digits.frclaw != 1)
@@ -384,8 +381,8 @@ void ContactInputReader::read_friction_by_rows(ContactCase& c) {
                 std::to_string(rows));
 }
 
-void ContactInputReader::read_extra_slip(ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void InputReader::read_extra_slip(Case& c) {
+  const Digits& d = c.digits;
   if (d.exrhs != 1) c.extra = d.exrhs;
   const std::size_t count = 2 * c.potential->elements();
   if (d.exrhs == 9) c.extra_slip = words_.reals("EXRHS", count);
@@ -394,12 +391,12 @@ void ContactInputReader::read_extra_slip(ContactCase& c) {
     words_.fail("digit E", d.exrhs, "keeps the extra rigid slip of another number of elements");
 }
 
-void ContactInputReader::read_points(ContactCase& c) {
+void InputReader::read_points(Case& c) {
   if (c.digits.stress < 2) return;
   c.points_matfil = words_.integer("A_s", 0, 2);
   words_.integer("O_s", 0, 6);
   words_.end_record();
-  if (c.digits.stress == 3) c.points = microslip::read_points(words_);
+  if (c.digits.stress == 3) c.points = contact_program::read_points(words_);
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

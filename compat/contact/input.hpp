@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// The control digits of a case of module 3, by CONTACT's names; its letters behind. Digits that say "keep" stand here
 /// as they are in the file.
-struct ContactDigits {
+struct Digits {
   int pvtime = 2;  ///< P: 0 continues, 1 continues for the normal part, 2 a new sequence, 3 repeats the step
   int bound = 0;   ///< B: 0 elastic half-space, 1 thin sheet, 2 elliptic, 3 parabolic, 4 SDEC, 5 KPEC, 6 ANALYN
   int tang = 0;    ///< T: 0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling
@@ -41,21 +41,21 @@ struct ContactDigits {
 };
 
 /// The law in force and its data, CONTACT's units (mm/s, deg C).
-struct ContactFriction {
+struct FrictionData {
   int law = 0;                           ///< L, never 1
   bool by_row = false;                   ///< V = 3
   std::vector<std::vector<double>> sets; ///< one, or one for each row; L = 0: FSTAT, FKIN; else as in the file
 };
 
 /// How the bodies roll. [rad], [mm], [mm/s], [-]
-struct ContactRolling {
+struct RollingData {
   double chi = 0, dq = 0, veloc = 0;
   double facphi = 1.0 / 6; ///< where in a step the rigid slip is taken
 };
 
 /// Both bodies' data, and what the material digit adds (M = 1: FG1 FG2 TC1 TC2; 2: FLX K0_MF ALFAMF BETAMF; 3, 5:
 /// K0_MF ALFAMF BETAMF; 4: GG3 LAYTHK TAU_C0 K_TAU). [-], [N/mm2]
-struct ContactMaterial {
+struct MaterialData {
   int coefficients = 2; ///< C, never 0 or 1
   double poisson1 = 0, poisson2 = 0, shear1 = 0, shear2 = 0;
   double sheet_flexibility = 0; ///< FLXZ [mm3/N], of B = 1
@@ -64,7 +64,7 @@ struct ContactMaterial {
 };
 
 /// The solvers' parameters; most of them belong to CONTACT's own methods.
-struct ContactSolver {
+struct SolverData {
   int method = 0; ///< G, never 1
   int maxgs = 0, maxin = 0, maxnr = 0, maxout = 0;
   double eps = 1e-5;
@@ -73,36 +73,36 @@ struct ContactSolver {
 };
 
 /// Heat parameters of a body: BKTEMP [deg C], HEATCP [J/(kg K)], LAMBDA [W/(mm K)], DENS [kg/mm3].
-struct ContactHeat {
+struct HeatData {
   std::array<double, 4> body1 = {}, body2 = {};
   double plastic_share = 0; ///< BETAPL, with M = 4
 };
 
 /// A case of module 3 in CONTACT's units: its digits, and the data that hold for it, whether read or kept.
-struct ContactCase {
+struct Case {
   int number = 0;                        ///< in the file, from 1
   std::size_t line = 0;                  ///< where it begins
   std::pair<int, int> sequence = {1, 1}; ///< RE and CP: sequences that know nothing of each other
   /// Why the reader could not take it, e.g. of module 1; then nothing else is known.
   std::string unreadable = {};
 
-  ContactDigits digits = {};
+  Digits digits = {};
   double normal = 0;             ///< PEN [mm] or FN [N]
   double x = 0, y = 0, phi = 0;  ///< CKSI or FX, CETA or FY, CPHI [rad/mm], for a shift [mm], [rad]; FX over FSTAT FN
   double spin_x = 0, spin_y = 0; ///< SPINXO, SPINYO [mm]
-  ContactSolver solver = {};
-  ContactFriction friction = {};
-  std::optional<ContactRolling> rolling = {};
-  std::optional<ContactMaterial> material = {};
+  SolverData solver = {};
+  FrictionData friction = {};
+  std::optional<RollingData> rolling = {};
+  std::optional<MaterialData> material = {};
   std::optional<PotentialContact> potential = {};
   int formed_norm = 1;      ///< N when the potential contact was formed,
   double formed_normal = 0; ///< and PEN or FN
-  ContactGeometry geometry = {};
-  std::vector<double> extra_slip = {};    ///< wx, wy of each element (E = 9)
-  int extra = 0;                          ///< E, never 1
-  std::optional<ContactHeat> heat = {};   ///< of H = 3 now or before
-  int points_matfil = 0;                  ///< A_s, S = 2 or 3 now or before: 0 no file, 2 all stresses
-  std::vector<ContactPoints> points = {}; ///< of the interior field, S = 3 now or before
+  Geometry geometry = {};
+  std::vector<double> extra_slip = {}; ///< wx, wy of each element (E = 9)
+  int extra = 0;                       ///< E, never 1
+  std::optional<HeatData> heat = {};   ///< of H = 3 now or before
+  int points_matfil = 0;               ///< A_s, S = 2 or 3 now or before: 0 no file, 2 all stresses
+  std::vector<PointBlock> points = {}; ///< of the interior field, S = 3 now or before
 };
 
 /// Reads the cases of a CONTACT input file one after the other, in constant memory, and completes what they keep from
@@ -112,54 +112,54 @@ struct ContactCase {
 /// Throws Error with file, line, field, value and allowed range for whatever is against the grammar: values that are
 /// missing, no numbers or out of range, digits that do not exist or that do not go together, and a digit that keeps
 /// what no earlier case has given.
-class ContactInputReader {
+class InputReader {
 public:
   /// `stream` must outlive the reader.
-  ContactInputReader(std::istream& stream, std::string name);
+  InputReader(std::istream& stream, std::string name);
 
   /// The next case, nullptr at the end of the file or at MODULE 0. It holds until the next call.
-  const ContactCase* next();
+  const Case* next();
   /// Whether the end that next() has found is the one that MODULE 0 makes, and not that of a file cut short.
   bool is_complete() const { return complete_; }
 
 private:
   int read_module();
-  const ContactCase* give_up(const std::string& why);
-  void read_case(ContactCase& c);
-  void read_digits(ContactCase& c);
-  void check_digits(const ContactCase& c);
-  bool keeps_lost(const ContactCase& c) const;
-  void check_kept(ContactCase& c);
-  void read_solver(ContactCase& c);
-  void read_kinematics(ContactCase& c);
+  const Case* give_up(const std::string& why);
+  void read_case(Case& c);
+  void read_digits(Case& c);
+  void check_digits(const Case& c);
+  bool keeps_lost(const Case& c) const;
+  void check_kept(Case& c);
+  void read_solver(Case& c);
+  void read_kinematics(Case& c);
   std::vector<double> read_friction_set(int law);
-  void read_friction(ContactCase& c);
-  void read_rolling(ContactCase& c);
-  void read_material(ContactCase& c);
-  void check_read(const ContactCase& c);
-  void read_damping_and_heat(ContactCase& c);
-  void read_potential(ContactCase& c);
-  bool keeps_geometry(ContactCase& c);
-  void read_geometry(ContactCase& c);
-  void read_friction_by_rows(ContactCase& c);
-  void read_extra_slip(ContactCase& c);
-  void read_points(ContactCase& c);
-  [[noreturn]] void fail_keep(const ContactCase& c, const char* digit, int value, const char* what) const;
+  void read_friction(Case& c);
+  void read_rolling(Case& c);
+  void read_material(Case& c);
+  void check_read(const Case& c);
+  void read_damping_and_heat(Case& c);
+  void read_potential(Case& c);
+  bool keeps_geometry(Case& c);
+  void read_geometry(Case& c);
+  void read_friction_by_rows(Case& c);
+  void read_extra_slip(Case& c);
+  void read_points(Case& c);
+  [[noreturn]] void fail_keep(const Case& c, const char* digit, int value, const char* what) const;
 
   /// What the last case of a sequence has left.
   struct Sequence {
-    ContactCase last = {};
+    Case last = {};
     bool has_case = false, has_solver = false, has_friction = false, has_geometry = false, has_damping = false;
     int lost = 0; ///< number of a later case that could not be read
   };
 
-  ContactWords words_;
+  Words words_;
   std::map<std::pair<int, int>, Sequence> sequences_;
   Sequence* now_ = nullptr;
   std::pair<int, int> sequence_ = {1, 1};
   int cases_ = 0;
   bool in_module_ = false, ended_ = false, complete_ = false;
-  ContactCase lost_;
+  Case lost_;
 };
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6, newton_per_mm2 = 1e6;
@@ -17,7 +17,7 @@ constexpr std::size_t most_points = 2000000;
 
 /// The columns, or rows, of elements that a block names, from 0, as far as the grid has them; `part` is 0 for x, 1 for
 /// y.
-std::vector<int> elements_of(const ContactPoints& block, std::size_t part, int count) {
+std::vector<int> elements_of(const PointBlock& block, std::size_t part, int count) {
   std::vector<int> indices;
   if (block.kind == 1 || block.kind == 5) {
     indices.resize(static_cast<std::size_t>(count));
@@ -41,7 +41,7 @@ std::vector<double> places(std::vector<double> values) {
   return values;
 }
 
-InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
+InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
   InteriorGrid points;
   if (block.kind == 9) {
     points.x = places(block.x);
@@ -60,8 +60,8 @@ InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
 }
 
 /// FG and TC of a viscoelastic body make a part of its displacements come late.
-InteriorBody body_of(const ContactCase& c, std::size_t body) {
-  const ContactMaterial& m = *c.material;
+InteriorBody body_of(const Case& c, std::size_t body) {
+  const MaterialData& m = *c.material;
   const Material material = {(body == 0 ? m.shear1 : m.shear2) * newton_per_mm2, body == 0 ? m.poisson1 : m.poisson2};
   if (c.digits.mater != 1) return material;
   return {material, delay_of(creep_of(c, body), rolling_velocity(c))};
@@ -75,12 +75,12 @@ std::string row(const std::vector<double>& values) {
 
 } // namespace
 
-std::vector<ContactInterior> contact_interior(const ContactCase& c, const ContactStep& step,
-                                              const ContactStepSolution& solution) {
-  std::vector<ContactInterior> fields;
+std::vector<InteriorBlock> interior_blocks(const Case& c, const ContactStep& step,
+                                           const ContactStepSolution& solution) {
+  std::vector<InteriorBlock> fields;
   if (c.digits.stress == 0) return fields;
   const TangentialState& tractions = solution.tangential.tractions;
-  for (const ContactPoints& block : c.points) {
+  for (const PointBlock& block : c.points) {
     const InteriorGrid points = points_of(block, step.grid);
     auto states = interior_states(body_of(c, 0), body_of(c, 1), step.grid,
                                   {tractions.px, tractions.py, solution.normal.pressure}, points);
@@ -89,7 +89,7 @@ std::vector<ContactInterior> contact_interior(const ContactCase& c, const Contac
   return fields;
 }
 
-std::string contact_subs(const ContactCase& c, const std::vector<ContactInterior>& blocks) {
+std::string subs_text(const Case& c, const std::vector<InteriorBlock>& blocks) {
   const bool all = c.points_matfil == 2;
   std::string text;
   for (const auto& [points, states] : blocks) {
@@ -112,4 +112,4 @@ std::string contact_subs(const ContactCase& c, const std::vector<ContactInterior
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double per_m = 1e3, mega = 1e-6; ///< to mm, to N/mm2
@@ -18,9 +18,9 @@ std::string numbers(const std::vector<double>& values) {
   return line + "\n";
 }
 
-std::string head(const ContactCase& c, const ContactOutcome& outcome) {
+std::string head(const Case& c, const Outcome& outcome) {
   const ElementGrid& grid = outcome.step.grid;
-  const ContactMaterial& m = *c.material;
+  const MaterialData& m = *c.material;
   const bool rolls = c.digits.tang >= 2;
   std::string text = "%    MX    MY  XL  YL  DX  DY  CHI  DQ  CONFIG  D  YNOM_WHL\n";
   text += numbers({double(grid.mx), double(grid.my), (grid.x0 - grid.dx / 2) * per_m, (grid.y0 - grid.dy / 2) * per_m,
@@ -34,14 +34,14 @@ std::string head(const ContactCase& c, const ContactOutcome& outcome) {
   return text + numbers(friction);
 }
 
-double coefficient(const ContactOutcome& outcome, std::size_t k) {
+double coefficient(const Outcome& outcome, std::size_t k) {
   const auto& friction = outcome.solution.friction;
   return outcome.step.frictionless || friction.empty() ? 0 : friction[k];
 }
 
 } // namespace
 
-std::string contact_mat(const ContactCase& c, const ContactOutcome& outcome) {
+std::string mat_text(const Case& c, const Outcome& outcome) {
   const NormalSolution& n = outcome.solution.normal;
   const TangentialSolution& t = outcome.solution.tangential;
   const auto& temperature = outcome.temperature;
@@ -67,4 +67,4 @@ std::string contact_mat(const ContactCase& c, const ContactOutcome& outcome) {
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, per_mm = 1e3, newton_per_mm2 = 1e6;
@@ -126,7 +126,7 @@ double interpolated(const double* heights, std::size_t count, double y1, double 
 }
 
 /// The undeformed distance [mm] at a place [mm]. A circle is the parabola of its curvature, as in CONTACT.
-double distance(const ContactGeometry& g, double x, double y) {
+double distance(const Geometry& g, double x, double y) {
   const double* v = g.values.data();
   if (g.base == 1) return quadratic_form(v, x, y);
   if (g.base == 2)
@@ -134,7 +134,7 @@ double distance(const ContactGeometry& g, double x, double y) {
   return v[0] * std::sin(v[1] * (x - v[2])) - v[3] * std::sin(v[4] * (x - v[5])) + x * x / v[6] + y * y / v[7];
 }
 
-bool is_excluded(const ContactGeometry& g, double x, double y) {
+bool is_excluded(const Geometry& g, double x, double y) {
   const double* v = g.plan_values.data();
   if (g.planform == 1) return false;
   if (g.planform == 2) return !(quadratic_form(v, x, y) < 0);
@@ -142,7 +142,7 @@ bool is_excluded(const ContactGeometry& g, double x, double y) {
   return !within(v) && !within(v + 4);
 }
 
-void set_given_geometry(const ContactGeometry& g, ContactStep& step) {
+void set_given_geometry(const Geometry& g, ContactStep& step) {
   const ElementGrid& grid = step.grid;
   step.gap.resize(grid.count());
   if (g.planform != 1) step.excluded.resize(grid.count());
@@ -167,7 +167,7 @@ double line_pressure(TractionBound shape, const HertzianShape& strip, double x, 
 }
 
 /// B = 2, 3: Hertz's pressure, or the parabola, for the load of this case.
-GivenPressure hertzian_pressure(const ContactCase& c, const ContactStep& step) {
+GivenPressure hertzian_pressure(const Case& c, const ContactStep& step) {
   const PotentialContact& p = *c.potential;
   const HertzianShape shape = shape_of(p, step.bodies.material, *gap_curvatures(c), step.load);
   const auto bound = c.digits.bound == 3 ? TractionBound::parabolic : TractionBound::elliptic;
@@ -182,7 +182,7 @@ GivenPressure hertzian_pressure(const ContactCase& c, const ContactStep& step) {
 }
 
 /// B = 4.
-GivenPressure half_elliptic_pressure(const ContactCase& c, const ElementGrid& grid) {
+GivenPressure half_elliptic_pressure(const Case& c, const ElementGrid& grid) {
   const HalfEllipses contact = half_ellipses(*c.potential, c.normal);
   GivenPressure given{{}, 0, c.normal, {}};
   for (int j = 0; j < grid.my; ++j)
@@ -191,7 +191,7 @@ GivenPressure half_elliptic_pressure(const ContactCase& c, const ElementGrid& gr
 }
 
 /// B = 5, 6: KPEC and ANALYN.
-GivenPressure approximate_pressure(const ContactCase& c, const ContactStep& step) {
+GivenPressure approximate_pressure(const Case& c, const ContactStep& step) {
   std::vector<double> gap = step.gap;
   constexpr double never = 1e20; // [m]
   for (std::size_t k = 0; k < step.excluded.size(); ++k)
@@ -215,7 +215,7 @@ double sheet_approach(std::vector<double> gaps, double flexibility_times_force_o
 }
 
 /// B = 1: a thin compressible sheet, p = (delta - h)/L where that is positive.
-GivenPressure sheet_pressure(const ContactCase& c, const ContactStep& step) {
+GivenPressure sheet_pressure(const Case& c, const ContactStep& step) {
   const double flexibility = c.material->sheet_flexibility * mm / newton_per_mm2;
   const auto is_out = [&](std::size_t k) { return !step.excluded.empty() && step.excluded[k]; };
   GivenPressure given;
@@ -234,7 +234,7 @@ GivenPressure sheet_pressure(const ContactCase& c, const ContactStep& step) {
   return given;
 }
 
-void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
+void set_hertzian_geometry(const Case& c, ContactStep& step) {
   const PotentialContact& p = *c.potential;
   const NormalLoad formed = load_of(c.formed_norm, c.formed_normal);
   const GapCurvatures gap = *gap_curvatures(c);
@@ -270,7 +270,7 @@ ThermalBody thermal_body(const std::array<double, 4>& data) {
 }
 
 /// H > 0 and L = 6, whose sets are FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
-void set_temperatures(const ContactCase& c, ContactStep& step) {
+void set_temperatures(const Case& c, ContactStep& step) {
   step.thermal = thermal_bodies(c);
   if (!step.thermal || c.friction.law != 6) return;
   for (const auto& set : c.friction.sets)
@@ -278,7 +278,7 @@ void set_temperatures(const ContactCase& c, ContactStep& step) {
 }
 
 /// Friction by rows; what FX and FY are relative to, over Fn.
-double set_friction(const ContactCase& c, ContactStep& step) {
+double set_friction(const Case& c, ContactStep& step) {
   for (const auto& set : c.friction.sets) step.friction.push_back(friction_law(c.friction.law, set));
   if (c.friction.law == 0) return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
   const auto& set = c.friction.sets[0]; // its last two numbers, MEMDST and MEM_S0, hold for all rows
@@ -292,14 +292,14 @@ double set_friction(const ContactCase& c, ContactStep& step) {
 
 /// CONTACT's solvers, but for SteadyGS, correct steps that are longer than the elements, as if the edge were at the
 /// centre of the element ahead of the contact.
-bool corrects_leading_edge(const ContactCase& c, const ContactStep& step) {
+bool corrects_leading_edge(const Case& c, const ContactStep& step) {
   constexpr double rounding = 1e-3;
   return !takes_element_length(c) && step.motion.step > (1 + rounding) * step.grid.dx && rolls_along_x(c) &&
          step.bodies.are_elastic() && !step.bodies.are_coupled();
 }
 
-void set_motion(const ContactCase& c, ContactStep& step) {
-  const ContactDigits& d = c.digits;
+void set_motion(const Case& c, ContactStep& step) {
+  const Digits& d = c.digits;
   const bool shifts = d.tang == 1;
   TangentialInput& motion = step.motion;
   motion.motion = shifts ? ContactMotion::shift : d.tang == 2 ? ContactMotion::transient : ContactMotion::steady;
@@ -325,7 +325,7 @@ void set_motion(const ContactCase& c, ContactStep& step) {
 }
 
 /// E: slip of each element on top of that of the creepages, or against the spin's part of it.
-void set_extra_slip(const ContactCase& c, ContactStep& step) {
+void set_extra_slip(const Case& c, ContactStep& step) {
   if (c.extra == 0) return;
   const ElementGrid& grid = step.grid;
   const bool shifts = c.digits.tang == 1;
@@ -345,8 +345,8 @@ void set_extra_slip(const ContactCase& c, ContactStep& step) {
 
 } // namespace
 
-CombinedMaterial combined_material(const ContactCase& c) {
-  const ContactMaterial& m = *c.material;
+CombinedMaterial combined_material(const Case& c) {
+  const MaterialData& m = *c.material;
   return combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2});
 }
 
@@ -362,8 +362,8 @@ InterfaceLayer interface_layer(const std::vector<double>& v) {
 
 } // namespace
 
-Bodies bodies_of(const ContactCase& c) {
-  const ContactMaterial& m = *c.material;
+Bodies bodies_of(const Case& c) {
+  const MaterialData& m = *c.material;
   const Material body1 = {m.shear1 * newton_per_mm2, m.poisson1}, body2 = {m.shear2 * newton_per_mm2, m.poisson2};
   Bodies elastic = combine(body1, body2);
   if (c.digits.mater == 4) elastic.layer = interface_layer(m.model_data);
@@ -371,44 +371,44 @@ Bodies bodies_of(const ContactCase& c) {
   return viscoelastic(body1, creep_of(c, 0), body2, creep_of(c, 1), rolling_velocity(c));
 }
 
-Creep creep_of(const ContactCase& c, std::size_t body) {
+Creep creep_of(const Case& c, std::size_t body) {
   const auto& data = c.material->model_data; // FG1, FG2, TC1, TC2
   return {data[body], data[2 + body]};
 }
 
-std::optional<ThermalBodies> thermal_bodies(const ContactCase& c) {
+std::optional<ThermalBodies> thermal_bodies(const Case& c) {
   if (c.digits.heat == 0 || c.digits.tang != 3) return {};
   return ThermalBodies{thermal_body(c.heat->body1), thermal_body(c.heat->body2)};
 }
 
-double rolling_velocity(const ContactCase& c) {
+double rolling_velocity(const Case& c) {
   return c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
 }
 
-bool takes_element_length(const ContactCase& c) {
+bool takes_element_length(const Case& c) {
   return (c.digits.tang == 3 && c.solver.method != 2) || (c.digits.tang >= 2 && c.digits.mater == 4);
 }
 
-bool rolls_along_x(const ContactCase& c) {
+bool rolls_along_x(const Case& c) {
   return std::abs(std::sin(c.rolling->chi)) <= 0.01;
 }
 
-std::optional<HertzianShape> hertzian_shape(const ContactCase& c, const ContactStep& step) {
+std::optional<HertzianShape> hertzian_shape(const Case& c, const ContactStep& step) {
   if (!c.potential->is_hertzian()) return {};
   return shape_of(*c.potential, step.bodies.material, *gap_curvatures(c), step.load);
 }
 
-std::optional<GapCurvatures> gap_curvatures(const ContactCase& c) {
+std::optional<GapCurvatures> gap_curvatures(const Case& c) {
   if (c.potential->is_hertzian())
     return gap_of(*c.potential, combined_material(c), load_of(c.formed_norm, c.formed_normal));
-  const ContactGeometry& g = c.geometry;
+  const Geometry& g = c.geometry;
   if (g.base != 1 || g.planform != 1) return {};
   const auto& b = g.values;
   if (b[1] != 0 || b[3] != 0 || b[4] != 0 || b[5] != 0) return {};
   return GapCurvatures{b[0] * per_mm, b[2] * per_mm};
 }
 
-ContactStep contact_step(const ContactCase& c) {
+ContactStep contact_step(const Case& c) {
   ContactStep step;
   step.bodies = bodies_of(c);
   step.load = load_of(c.digits.norm, c.normal);
@@ -432,4 +432,4 @@ ContactStep contact_step(const ContactCase& c) {
   return step;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -5,18 +5,18 @@
 
 #include <cmath>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-bool has_tractions(const ContactCase& c) {
+bool has_tractions(const Case& c) {
   return c.digits.tang != 0;
 }
 
-bool rolls(const ContactCase& c) {
+bool rolls(const Case& c) {
   return c.digits.tang >= 2;
 }
 
-bool is_heated(const ContactCase& c) {
+bool is_heated(const Case& c) {
   return has_tractions(c) && c.friction.law == 6;
 }
 
@@ -24,50 +24,50 @@ bool is_heated(const ContactCase& c) {
 struct Refusal {
   const char* digit;
   const char* meaning;
-  bool (*applies)(const ContactCase& c);
+  bool (*applies)(const Case& c);
 };
 
 constexpr Refusal refusals[] = {
     {"B = 4", "two half ellipses, SDEC, without IPOTCN = -6 and N = 1",
-     [](const ContactCase& c) { return c.digits.bound == 4 && (c.potential->kind != -6 || c.digits.norm != 1); }},
+     [](const Case& c) { return c.digits.bound == 4 && (c.potential->kind != -6 || c.digits.norm != 1); }},
     {"B > 4", "approximate normal problem, KPEC or ANALYN, with the force given, N = 1",
-     [](const ContactCase& c) { return c.digits.bound > 4 && c.digits.norm == 1; }},
+     [](const Case& c) { return c.digits.bound > 4 && c.digits.norm == 1; }},
     {"L = 6", "friction that depends on the temperature, without H = 1 or 3",
-     [](const ContactCase& c) { return is_heated(c) && c.digits.heat == 0 && c.digits.tang == 3; }},
+     [](const Case& c) { return is_heated(c) && c.digits.heat == 0 && c.digits.tang == 3; }},
     {"L = 6", "friction that depends on the temperature, with other than steady rolling",
-     [](const ContactCase& c) { return is_heated(c) && c.digits.tang != 3; }},
+     [](const Case& c) { return is_heated(c) && c.digits.tang != 3; }},
     {"L = 6", "friction that depends on the temperature, with FASTSIM or FaStrip",
-     [](const ContactCase& c) { return is_heated(c) && is_simplified(c); }},
+     [](const Case& c) { return is_heated(c) && is_simplified(c); }},
     {"L = 6", "friction that depends on the temperature, with a layer that yields",
-     [](const ContactCase& c) { return is_heated(c) && c.digits.mater == 4 && c.material->model_data[2] > 0; }},
+     [](const Case& c) { return is_heated(c) && c.digits.mater == 4 && c.material->model_data[2] > 0; }},
     {"C = 4", "half-space coefficients corrected for conformal contact",
-     [](const ContactCase& c) { return c.material->coefficients == 4; }},
-    {"C = 9", "influence coefficients from a file", [](const ContactCase& c) { return c.material->coefficients == 9; }},
+     [](const Case& c) { return c.material->coefficients == 4; }},
+    {"C = 9", "influence coefficients from a file", [](const Case& c) { return c.material->coefficients == 9; }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",
-     [](const ContactCase& c) { return c.digits.mater == 1 && c.digits.tang != 3; }},
+     [](const Case& c) { return c.digits.mater == 1 && c.digits.tang != 3; }},
     {"T = 1", "a shift with FASTSIM or FaStrip, as in CONTACT",
-     [](const ContactCase& c) { return is_simplified(c) && c.digits.tang == 1; }},
+     [](const Case& c) { return is_simplified(c) && c.digits.tang == 1; }},
     {"T = 2", "transient rolling with FaStrip, as in CONTACT",
-     [](const ContactCase& c) { return is_simplified(c) && c.digits.mater >= 5 && c.digits.tang == 2; }},
+     [](const Case& c) { return is_simplified(c) && c.digits.mater >= 5 && c.digits.tang == 2; }},
     {"P = 1", "what goes on from the pressure alone, of bodies of different materials",
-     [](const ContactCase& c) {
+     [](const Case& c) {
        return c.digits.pvtime == 1 && (c.digits.tang == 1 || c.digits.tang == 2) && bodies_of(c).are_coupled();
      }},
     {"P = 3", "a step once more with FASTSIM",
-     [](const ContactCase& c) { return is_simplified(c) && c.digits.pvtime == 3 && c.digits.tang == 2; }},
+     [](const Case& c) { return is_simplified(c) && c.digits.pvtime == 3 && c.digits.tang == 2; }},
     {"CHI", "steady rolling, or rolling on a layer, in a direction other than 0 or 180 degrees; CONTACT takes 0 then",
-     [](const ContactCase& c) { return (c.digits.tang == 3 || c.digits.mater == 4) && rolls(c) && !rolls_along_x(c); }},
+     [](const Case& c) { return (c.digits.tang == 3 || c.digits.mater == 4) && rolls(c) && !rolls_along_x(c); }},
     {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5, as in CONTACT",
-     [](const ContactCase& c) { return c.potential->is_line() && (c.formed_norm == 0 || c.digits.norm == 0); }},
+     [](const Case& c) { return c.potential->is_line() && (c.formed_norm == 0 || c.digits.norm == 0); }},
     {"IPLAN = 4", "weighted interaction of sub-patches",
-     [](const ContactCase& c) { return !c.potential->is_hertzian() && c.geometry.planform == 4; }},
+     [](const Case& c) { return !c.potential->is_hertzian() && c.geometry.planform == 4; }},
     {"IPOTCN = -6", "two half ellipses, SDEC, without B = 4",
-     [](const ContactCase& c) { return c.potential->kind == -6 && c.digits.bound != 4; }},
+     [](const Case& c) { return c.potential->kind == -6 && c.digits.bound != 4; }},
 };
 
 } // namespace
 
-std::vector<std::string> unsupported(const ContactCase& c) {
+std::vector<std::string> unsupported(const Case& c) {
   if (!c.unreadable.empty()) return {c.unreadable};
   std::vector<std::string> reasons;
   for (const auto& [digit, meaning, applies] : refusals)
@@ -75,8 +75,8 @@ std::vector<std::string> unsupported(const ContactCase& c) {
   return reasons;
 }
 
-std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step) {
-  const ContactDigits& d = c.digits;
+std::vector<std::string> left_out(const Case& c, const ContactStep& step) {
+  const Digits& d = c.digits;
   std::vector<std::string> notes;
   if (d.heat > 0)
     notes.emplace_back("H > 0: temperatures lie below CONTACT's, which counts the heat of an element itself twice");
@@ -93,4 +93,4 @@ std::vector<std::string> left_out(const ContactCase& c, const ContactStep& step)
   return notes;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

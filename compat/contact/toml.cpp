@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, newton_per_mm2 = 1e6;
@@ -21,19 +21,19 @@ constexpr double mm = 1e-3, newton_per_mm2 = 1e6;
   throw Error(why);
 }
 
-bool is_fastrip(const ContactCase& c) {
+bool is_fastrip(const Case& c) {
   return c.digits.mater == 5;
 }
 
 /// FaStrip in case files has Hertz's pressure, Coulomb's friction and no reduced slope.
-bool is_plain(const ContactCase& c) {
+bool is_plain(const Case& c) {
   const auto& data = c.material->model_data;
   return c.digits.bound == 2 && c.friction.law == 0 && data[0] == 1 && data[1] == 1;
 }
 
 /// What no case file can say.
-void check(const ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void check(const Case& c) {
+  const Digits& d = c.digits;
   if (!c.unreadable.empty()) refuse(c.unreadable);
   for (const std::string& reason : unsupported(c)) refuse(reason);
   if (is_simplified(c) && d.heat > 0)
@@ -55,7 +55,7 @@ void check(const ContactCase& c) {
   if (d.force > 0 && d.norm == 0) refuse("N = 0 with F > 0 (forces relative to a normal force that is not given)");
 }
 
-GapCurvatures curvatures(const ContactCase& c) {
+GapCurvatures curvatures(const Case& c) {
   const auto gap = gap_curvatures(c);
   if (!gap || !(gap->x > 0 && gap->y > 0)) refuse("a contact that is not an ellipse");
   return *gap;
@@ -81,7 +81,7 @@ std::string quoted_line(const char* key, std::string_view word) {
 }
 
 /// Between the bodies.
-std::string layer(const ContactCase& c) {
+std::string layer(const Case& c) {
   if (c.digits.mater != 4) return "";
   const auto& v = c.material->model_data; // GG3, LAYTHK, TAU_C0, K_TAU
   std::string text = "\n[layer]\n" + line("shear_modulus", v[0] * newton_per_mm2) + line("thickness", v[1] * mm);
@@ -90,7 +90,7 @@ std::string layer(const ContactCase& c) {
 }
 
 /// What body 1 (0) or 2 (1) is for heat.
-std::string thermal(const ContactCase& c, std::size_t body) {
+std::string thermal(const Case& c, std::size_t body) {
   const auto bodies = thermal_bodies(c);
   if (!bodies) return "";
   const ThermalBody& b = body == 0 ? bodies->body1 : bodies->body2;
@@ -99,8 +99,8 @@ std::string thermal(const ContactCase& c, std::size_t body) {
 }
 
 /// The first body has all of the curvature, the second is flat.
-std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
-  const ContactMaterial& m = *c.material;
+std::string bodies(const Case& c, const GapCurvatures& gap) {
+  const MaterialData& m = *c.material;
   const auto material = [&](std::size_t body, double shear, double poisson) {
     const std::string text =
         line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson) + thermal(c, body);
@@ -112,7 +112,7 @@ std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
          material(1, m.shear2, m.poisson2) + layer(c);
 }
 
-std::string friction(const ContactCase& c) {
+std::string friction(const Case& c) {
   const auto& set = c.friction.sets[0];
   if (c.digits.tang == 0) return line("coefficient", 0);
   if (c.friction.law == 0) return line("coefficient", set[0]);
@@ -128,7 +128,7 @@ std::string friction(const ContactCase& c) {
   return text + memory;
 }
 
-std::string motion(const ContactCase& c) {
+std::string motion(const Case& c) {
   const ContactStep step = contact_step(c);
   const TangentialInput& m = step.motion;
   const bool shifts = c.digits.tang == 1;
@@ -145,7 +145,7 @@ std::string motion(const ContactCase& c) {
   return text;
 }
 
-std::string solution(const ContactCase& c, const HertzContact& hertz) {
+std::string solution(const Case& c, const HertzContact& hertz) {
   const ElementGrid grid = contact_step(c).grid;
   const char* theory = !is_simplified(c) ? "exact" : is_fastrip(c) ? "fastrip" : "fastsim";
   std::string text = quoted_line("theory", theory) +
@@ -163,7 +163,7 @@ std::string solution(const ContactCase& c, const HertzContact& hertz) {
 
 } // namespace
 
-std::string to_toml(const ContactCase& c, const std::string& title) {
+std::string to_toml(const Case& c, const std::string& title) {
   check(c);
   const GapCurvatures gap = curvatures(c);
   const bool by_force = c.digits.norm == 1;
@@ -177,4 +177,4 @@ std::string to_toml(const ContactCase& c, const std::string& title) {
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program
