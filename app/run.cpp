@@ -88,9 +88,9 @@ private:
   std::string names_, values_;
 };
 
-const char* motion_name(int tang) {
+const char* motion_name(contact_program::Tangential tang) {
   constexpr const char* names[] = {"without friction", "shift", "transient rolling", "steady rolling"};
-  return names[tang];
+  return names[number(tang)];
 }
 
 std::string with_unit(const std::string& name) {
@@ -105,7 +105,7 @@ void print_totals(const Case& c, const Outcome& outcome) {
   forces.add("FY [N]", t.fy);
   forces.add("MZ [N mm]", t.mz);
   forces.add("ELAST.EN. [J]", t.elastic_energy);
-  forces.add(c.digits.tang >= 2 ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
+  forces.add(c.digits.rolls() ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
   forces.print();
   relative.add("FN/G [mm2]", t.fn_over_g);
   relative.add(with_unit(t.x_name), t.x);
@@ -190,7 +190,7 @@ private:
   void print(const Case& c, const Outcome& outcome) {
     fmt::print("{}Case {} (line {}): ", c.number == 1 ? "" : "\n", c.number, c.line);
     if (outcome.kind == Outcome::Kind::skipped) {
-      fmt::print("skipped, R = {}\n", c.digits.solve);
+      fmt::print("skipped, {}\n", written(c.digits.solve));
     } else if (outcome.kind == Outcome::Kind::refused) {
       fmt::print("not run\n");
       for (const auto& reason : outcome.reasons) fmt::print("  {}\n", reason);
@@ -233,8 +233,8 @@ private:
 
   /// In CONTACT's own layout.
   void write_texts(const Case& c, const Outcome& outcome) {
-    if (c.digits.matfil > 0) write_text(c, "mat", contact_program::mat_text(c, outcome));
-    if (!outcome.interior.empty() && c.points_matfil > 0)
+    if (c.digits.matfil != contact_program::Stored::none) write_text(c, "mat", contact_program::mat_text(c, outcome));
+    if (!outcome.interior.empty() && c.subs_file != contact_program::SubsFile::none)
       write_text(c, "subs", contact_program::subs_text(c, outcome.interior));
   }
 

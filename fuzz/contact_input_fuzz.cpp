@@ -22,10 +22,10 @@ bool is_sound(const Case& c) {
   if (!c.material || !c.potential || c.friction.sets.empty()) return false;
   const PotentialContact& p = *c.potential;
   const std::size_t count = static_cast<std::size_t>(p.mx) * static_cast<std::size_t>(p.my);
-  const bool has_heights = p.is_hertzian() || c.geometry.base != 9 || c.geometry.values.size() == count;
-  const bool has_rolling = c.digits.tang < 2 || (c.rolling && c.rolling->dq > 0 && c.rolling->veloc > 0);
-  return has_heights && has_rolling && c.friction.law != 1 && c.extra != 1 && std::isfinite(c.normal) &&
-         std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.phi);
+  const bool has_heights = p.is_hertzian() || c.geometry.base != Base::by_element || c.geometry.values.size() == count;
+  const bool has_rolling = !c.digits.rolls() || (c.rolling && c.rolling->dq > 0 && c.rolling->veloc > 0);
+  return has_heights && has_rolling && c.friction.law != Law::keep && c.extra != ExtraSlip::keep &&
+         std::isfinite(c.normal) && std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.phi);
 }
 
 /// A case on a small grid is a problem that makes sense, or is refused.

@@ -241,6 +241,10 @@ TEST(ContactFastsim, AForceBeyondFrictionSlidesInItsDirection) {
   EXPECT_NEAR(std::hypot(o.totals.fx, o.totals.fy), 1500, 15);
   EXPECT_NEAR(o.totals.fy / o.totals.fx, -8. / 9, 1e-9);
   EXPECT_NEAR(o.totals.mz, 0, 1e-6);
+  const TangentialSolution& s = o.solution.tangential;
+  EXPECT_LT(s.ux[12 * 24 + 12], -1e-7); // the springs bear the tractions
+  EXPECT_NEAR(s.uy[12 * 24 + 12] / s.ux[12 * 24 + 12], s.tractions.py[12 * 24 + 12] / s.tractions.px[12 * 24 + 12],
+              0.5);
   EXPECT_NEAR(o.solution.tangential.residual, std::hypot(.9, .8) * 1500 / std::hypot(o.totals.fx, o.totals.fy) - 1,
               1e-9);
 }

@@ -28,7 +28,7 @@ std::vector<InteriorBlock> interior_of(const std::string& text) {
   return cases.at(0).outcome.interior;
 }
 
-TEST(InteriorBlock, BlocksNameTheirPointsInEightWays) {
+TEST(ContactInterior, BlocksNameTheirPointsInEightWays) {
   const auto blocks = interior_of(with_points(" 1\n 2 .1 .2\n 5\n 2\n .1 .3\n"
                                               " 2\n 3 2 7\n 4 1 5\n 2 .1 .2\n 6\n 3 2 7\n 4 1 5\n 2\n .1 .3\n"
                                               " 3\n 3 2\n 3 5 7\n 4 5\n 2 .1 .2\n 7\n 3 2\n 3 5 7\n 4 5\n 2\n .1 .3\n"
@@ -55,7 +55,7 @@ TEST(InteriorBlock, BlocksNameTheirPointsInEightWays) {
 }
 
 /// The same field from the case's tractions.
-TEST(InteriorBlock, IsThatOfTheTractionsInTheRightBody) {
+TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
   const auto cases = run_cases(with_points(" 9\n 1 1 2\n .15\n -.2\n .4 -.4"));
   const Outcome& o = cases.at(0).outcome;
   const TangentialState& t = o.solution.tangential.tractions;
@@ -70,7 +70,7 @@ TEST(InteriorBlock, IsThatOfTheTractionsInTheRightBody) {
 }
 
 /// M = 1: displacements come late, stresses do not.
-TEST(InteriorBlock, OfViscoelasticBodies) {
+TEST(ContactInterior, OfViscoelasticBodies) {
   for (const std::string chi : {"0", "180d"}) {
     std::string text = with_points(" 9\n 1 1 2\n .15\n -.2\n -.4 .4");
     text.replace(text.find("0 .1 30000."), 11, chi + " .1 30000.");
@@ -96,7 +96,7 @@ TEST(InteriorBlock, OfViscoelasticBodies) {
   }
 }
 
-TEST(InteriorBlock, PointsAreKept) {
+TEST(ContactInterior, PointsAreKept) {
   const std::string next = " 3 MODULE\n 203101\n 100000\n 0000331\n 100 100 30 1 1e-7\n 200. 2d-4 0 0\n";
   const std::string none = " 3 MODULE\n 203100\n 100000\n 0000331\n 100 100 30 1 1e-7\n 200. 2d-4 0 0\n";
   const auto cases = run_cases(with_points(" 9\n 1 1 1\n 0.\n 0.\n .4") + next + none);
@@ -105,13 +105,13 @@ TEST(InteriorBlock, PointsAreKept) {
   EXPECT_TRUE(cases.at(2).outcome.interior.empty());
 }
 
-TEST(InteriorBlock, NamesBlocksWithoutElements) {
+TEST(ContactInterior, NamesBlocksWithoutElements) {
   const auto cases = run_cases(with_points(" 2\n 17 2 20\n 4 1 5\n 2 .1 .2"));
   EXPECT_EQ(cases.at(0).outcome.reasons.at(0), "ISUBS: IX: no element of the grid");
 }
 
 /// What lies beyond the grid is cut off; lists are put in order.
-TEST(InteriorBlock, BlocksAreCutOffAndSorted) {
+TEST(ContactInterior, BlocksAreCutOffAndSorted) {
   const auto blocks =
       interior_of(with_points(" 2\n 13 2 99999\n 4 0 5\n 2 .1 .2\n 7\n 4 1\n 7 3 7 900\n 4\n 2\n .3 .1\n"
                               " 9\n 2 1 2\n .2 -.1\n .3\n .4 -.2"));
@@ -135,7 +135,7 @@ std::vector<std::vector<double>> table(std::istream& text) {
   return rows;
 }
 
-TEST(InteriorBlock, SubsFileHasTheColumnsAskedFor) {
+TEST(ContactInterior, SubsFileHasTheColumnsAskedFor) {
   for (const std::string output : {"1 0", "2 0"}) {
     const auto cases = run_cases(with_points(" 9\n 2 1 1\n 0. .1\n 0.\n -.4", output));
     std::istringstream text(subs_text(cases.at(0).input, cases[0].outcome.interior));
@@ -155,7 +155,7 @@ TEST(InteriorBlock, SubsFileHasTheColumnsAskedFor) {
 }
 
 /// The whole of CONTACT's own table: displacements to half a unit of the sixth digit, stresses to 1e-5 of the traction.
-TEST(InteriorBlock, ContactsOwnTable) {
+TEST(ContactInterior, ContactsOwnTable) {
   std::ifstream input(MICROSLIP_SOURCE_DIR "/../shared/contact-cases/subsurf.inp");
   std::ifstream printed(MICROSLIP_SOURCE_DIR "/../shared/contact-cases/subsurf.ref_subs");
   if (!input || !printed) GTEST_SKIP() << "the reference results are not at hand";

@@ -21,7 +21,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(text.find(from), from.size(), to);
 }
 
-TEST(Run, TotalsAreInContactsUnits) {
+TEST(ContactRun, TotalsAreInContactsUnits) {
   const auto cases = run_cases(first_shift);
   const PrintedTotals& t = cases.at(0).outcome.totals;
   // Cattaneo and Mindlin: a = 1 mm, Wx = 3 mu Fn (2 - nu)/(8 G a) (1 - (1 - .5)^(2/3)), c/a = (1 - .5)^(1/3).
@@ -41,7 +41,7 @@ TEST(Run, TotalsAreInContactsUnits) {
   EXPECT_NEAR(t.elastic_energy / (0.4 * 9.1954 * 0.02e-3), 1, 0.2); // 2/5 Fn delta of Hertz's problem, and some more
 }
 
-TEST(Run, RollingIsThatOfTheLibrary) {
+TEST(ContactRun, RollingIsThatOfTheLibrary) {
   const auto cases = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
   const PrintedTotals& t = cases.at(0).outcome.totals;
   ExactOptions options{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
@@ -58,7 +58,7 @@ TEST(Run, RollingIsThatOfTheLibrary) {
   EXPECT_NEAR(t.mz, expected.mz * 1e3, 2e-5 * 30);
 }
 
-TEST(Run, RollingTheOtherWayIsTheMirrorImage) {
+TEST(ContactRun, RollingTheOtherWayIsTheMirrorImage) {
   const auto forward = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
   const auto backward = run_cases(steady_rolling("100. -2d-4 -1d-4 -1d-4", "180d .1 30000."));
   const PrintedTotals &a = forward.at(0).outcome.totals, &b = backward.at(0).outcome.totals;
@@ -68,7 +68,7 @@ TEST(Run, RollingTheOtherWayIsTheMirrorImage) {
   EXPECT_NEAR(a.friction, b.friction, 1e-6 * std::abs(a.friction));
 }
 
-TEST(Run, TheForceOfACreepageGivesTheCreepageBack) {
+TEST(ContactRun, TheForceOfACreepageGivesTheCreepageBack) {
   const auto given = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4 .1 .2"));
   const PrintedTotals& a = given.at(0).outcome.totals;
   char kinematics[120];
@@ -80,7 +80,7 @@ TEST(Run, TheForceOfACreepageGivesTheCreepageBack) {
   EXPECT_NEAR(b.y, -1e-4, 1e-9);
 }
 
-TEST(Run, CasesGoOnAsPSays) {
+TEST(ContactRun, CasesGoOnAsPSays) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto cases = run_cases(first_shift + next + with(next, "001110", "301110") + with(next, "001110", "201110"));
   ASSERT_EQ(cases.size(), 4u);
@@ -90,7 +90,7 @@ TEST(Run, CasesGoOnAsPSays) {
   EXPECT_EQ(cases[3].outcome.totals.adhesion, cases[1].outcome.totals.adhesion);
 }
 
-TEST(Run, SequencesGoOnFromTheirOwn) {
+TEST(ContactRun, SequencesGoOnFromTheirOwn) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto alone = run_cases(first_shift + next);
   const auto other = with(with(first_shift, "3 MODULE", "3 2 MODULE"), "-.5", "-.1");
@@ -99,7 +99,7 @@ TEST(Run, SequencesGoOnFromTheirOwn) {
 }
 
 /// C = 3, by itself and kept; a shift takes a little more or less force than with constant elements.
-TEST(Run, BilinearElements) {
+TEST(ContactRun, BilinearElements) {
   const std::string tents = with(first_shift, "022020", "023020");
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto constant = run_cases(first_shift + next), bilinear = run_cases(tents + next);
@@ -114,7 +114,7 @@ TEST(Run, BilinearElements) {
   }
 }
 
-TEST(Run, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
+TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string approximate = with(steady_rolling("100. 1d-3 0 0"), "203100", "253100");
   const std::string from_file = with_coefficients_from_a_file(first_shift);
@@ -128,7 +128,7 @@ TEST(Run, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
       std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
 }
 
-TEST(Run, GoingOnIsRefusedOnlyWhereTractionsMatter) {
+TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
   const std::string from_file = with_coefficients_from_a_file(first_shift);
   const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";
   const auto cases = run_cases(from_file + next + with(next, "001110", "000100") + next);
@@ -139,7 +139,7 @@ TEST(Run, GoingOnIsRefusedOnlyWhereTractionsMatter) {
   EXPECT_EQ(cases[3].outcome.kind, Kind::solved); // from the frictionless case on
 }
 
-TEST(Run, DissimilarBodiesRun) {
+TEST(ContactRun, DissimilarBodiesRun) {
   const std::string rubber_on_steel = with(first_shift, ".42 .42 200. 200.", ".42 .28 200. 82000.");
   EXPECT_EQ(run_cases(with(rubber_on_steel, "201110", "200100")).at(0).outcome.kind, Kind::solved);
   const auto unlike = run_cases(rubber_on_steel).at(0).outcome;
@@ -155,7 +155,7 @@ TEST(Run, DissimilarBodiesRun) {
   EXPECT_GT(across(unlike), 2 * across(incompressible));
 }
 
-TEST(Run, SkippedCasesLeaveNoTrace) {
+TEST(ContactRun, SkippedCasesLeaveNoTrace) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string skipped = " 3 MODULE\n 201110\n 100000\n 0100333\n 9.1954 -.1 0 0\n";
   const auto cases = run_cases(first_shift + skipped + next), without = run_cases(first_shift + next);
@@ -164,7 +164,7 @@ TEST(Run, SkippedCasesLeaveNoTrace) {
 }
 
 /// B = 5, 6 on a circle of Hertz: nearly his force and pressure, and what FASTSIM and the exact theory make of them.
-TEST(Run, ApproximatePressures) {
+TEST(ContactRun, ApproximatePressures) {
   std::string text = " 3 MODULE\n 203000\n 022020\n 0000331\n 100 100 30 1 1e-7\n .05 4d-4 0 0\n .3 .3\n 0 .2 30000.\n"
                      " .28 .28 82000. 82000.\n 1\n 36 36 -9. -9. .5 .5\n 1 1\n .001 0 .001 0 0 0\n";
   const PrintedTotals exact = run_cases(text).at(0).outcome.totals;
@@ -180,7 +180,7 @@ TEST(Run, ApproximatePressures) {
 }
 
 /// Steps of rolling along y are those along x, seen from the side: x -> y, y -> -x.
-TEST(Run, RollingAlongYIsRollingAlongXTurned) {
+TEST(ContactRun, RollingAlongYIsRollingAlongXTurned) {
   const auto steps = [](const std::string& first, const std::string& second, const std::string& third) {
     const auto text = [](const std::string& control, const std::string& digits, const std::string& kinematics) {
       return " 3 MODULE\n " + control + "\n " + digits + "\n 0000331\n 100 100 30 1 1e-9\n 100. " + kinematics;
@@ -201,7 +201,7 @@ TEST(Run, RollingAlongYIsRollingAlongXTurned) {
   }
 }
 
-TEST(Run, AnApproachGivesHertzsForce) {
+TEST(ContactRun, AnApproachGivesHertzsForce) {
   const auto by_force = run_cases(with(first_shift, "201110", "200100"));
   char approach[40];
   std::snprintf(approach, sizeof approach, "%.12g", by_force.at(0).outcome.totals.approach);
@@ -209,14 +209,14 @@ TEST(Run, AnApproachGivesHertzsForce) {
   EXPECT_NEAR(by_approach.at(0).outcome.totals.fn, 9.1954, 1e-6);
 }
 
-TEST(Run, APointOutOfContactIsReported) {
+TEST(ContactRun, APointOutOfContactIsReported) {
   const auto cases = run_cases(with(with(first_shift, "201110", "201000"), "9.1954 -.5", "-.1 1d-4"));
   EXPECT_EQ(cases.at(0).outcome.solution.status, Status::no_contact);
   EXPECT_EQ(cases.at(0).outcome.totals.contact, 0);
 }
 
 /// Without sliding the surfaces take the mean of the bulk temperatures by effusivity: 10 and 40 sqrt(W kg J/(m4 K2)).
-TEST(Run, SurfaceTemperatures) {
+TEST(ContactRun, SurfaceTemperatures) {
   std::string text = steady_rolling("100. 0 0 0");
   text = with(with(text, "0000331", "3000331"), " -3\n", " 20. 1. 1e-3 1e-7\n 120. 1. 16e-3 1e-7\n -3\n");
   const auto cases = run_cases(text + " 3 MODULE\n 203100\n 100000\n 1000331\n 100 100 30 1 1e-7\n 100. 2d-4 0 0\n" +
@@ -239,7 +239,7 @@ std::string heated_sliding(const std::string& law = ".3 50. -.25 150.", const st
   return with(text, " -3\n", " 20. 450. 50e-3 7.85e-6\n 20. 450. 50e-3 7.85e-6\n -3\n");
 }
 
-TEST(Run, FrictionThatDependsOnTheTemperature) {
+TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
   const auto cases =
       run_cases(heated_sliding() + heated_sliding(".3 1d4 -.25 150.") + heated_sliding(".3 -100. -.25 100."));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -263,14 +263,14 @@ TEST(Run, FrictionThatDependsOnTheTemperature) {
 }
 
 /// A memory that is long against the contact keeps friction what it was before; a short one changes nothing.
-TEST(Run, FrictionThatDependsOnTheTemperatureHasMemory) {
+TEST(ContactRun, FrictionThatDependsOnTheTemperatureHasMemory) {
   const auto cases = run_cases(heated_sliding(".3 50. -.25 150.", "1d3 0") +
                                heated_sliding(".3 50. -.25 150.", "1d-8 0") + heated_sliding());
   EXPECT_NEAR(cases.at(0).outcome.totals.x, -1, 1e-3);
   EXPECT_NEAR(cases.at(1).outcome.totals.x, cases.at(2).outcome.totals.x, 1e-5);
 }
 
-TEST(Run, WhatTemperatureDependentFrictionCannotDoIsNamed) {
+TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
   const auto reason = [](const std::string& text) { return run_cases(text).at(0).outcome.reasons.at(0); };
   const std::string start = "L = 6 (friction that depends on the temperature, with";
   const std::string cold =

@@ -117,7 +117,7 @@ TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
   expect_refused(with_coefficients_from_a_file(first_shift), "C = 9 (influence coefficients from a file)");
   expect_refused(" 1 MODULE\n", "MODULE = 1 (wheel on rail)");
   Case next = first_case(first_shift);
-  next.digits.pvtime = 0;
+  next.digits.pvtime = Continuation::previous;
   EXPECT_THROW(to_toml(next, ""), Error);
 }
 

@@ -36,7 +36,7 @@ template <class Read> void expect_refused(const std::string& text, const std::st
   }
 }
 
-TEST(Words, NumbersAreThoseOfFortran) {
+TEST(ContactWords, NumbersAreThoseOfFortran) {
   EXPECT_EQ(real("1"), 1.0);
   EXPECT_EQ(real("-2."), -2.0);
   EXPECT_EQ(real("+.5"), 0.5);
@@ -48,7 +48,7 @@ TEST(Words, NumbersAreThoseOfFortran) {
   EXPECT_EQ(real("1e-999"), 0.0);
 }
 
-TEST(Words, WhatIsNoNumberIsRefusedWithItsPlace) {
+TEST(ContactWords, WhatIsNoNumberIsRefusedWithItsPlace) {
   for (const std::string word :
        {"abc", ".", "1e", "1-", "--1", "1.2.3", "nan", "inf", "0x1", "1e999", "'1'", "\x01\xff"})
     EXPECT_THROW(real("\n" + word), Error) << word;
@@ -64,7 +64,7 @@ TEST(Words, WhatIsNoNumberIsRefusedWithItsPlace) {
                  [](auto& words) { return words.real("X"); });
 }
 
-TEST(Words, AnglesInDegreesEndInD) {
+TEST(ContactWords, AnglesInDegreesEndInD) {
   EXPECT_DOUBLE_EQ(angle("90d"), std::numbers::pi / 2);
   EXPECT_DOUBLE_EQ(angle("-25.0d"), -25 * std::numbers::pi / 180);
   EXPECT_EQ(angle("1.5r"), 1.5);
@@ -73,7 +73,7 @@ TEST(Words, AnglesInDegreesEndInD) {
   EXPECT_THROW(angle("d"), Error);
 }
 
-TEST(Words, ARecordSpreadsOverLinesAndTheRestIsARemark) {
+TEST(ContactWords, ARecordSpreadsOverLinesAndTheRestIsARemark) {
   with_words("1,2=3 % 9\n\n  4 FN, CKSI 7\n5", [](Words& words) {
     for (const double wanted : {1., 2., 3., 4.}) EXPECT_EQ(words.real("X"), wanted);
     words.end_record();
@@ -84,7 +84,7 @@ TEST(Words, ARecordSpreadsOverLinesAndTheRestIsARemark) {
   });
 }
 
-TEST(Words, OptionalValuesStayOnTheLine) {
+TEST(ContactWords, OptionalValuesStayOnTheLine) {
   const auto read = [](const std::string& text) {
     return with_words(text, [](Words& words) {
       words.real("X");
@@ -99,7 +99,7 @@ TEST(Words, OptionalValuesStayOnTheLine) {
   EXPECT_EQ(read("1\n2 3"), shown(-1, -2));
 }
 
-TEST(Words, ControlIntegersAreRightAligned) {
+TEST(ContactWords, ControlIntegersAreRightAligned) {
   const auto read = [](const std::string& text) {
     return with_words(text, [](Words& words) { return words.control("PBTNFS", 6); });
   };
@@ -111,7 +111,7 @@ TEST(Words, ControlIntegersAreRightAligned) {
   EXPECT_THROW(read("2031.0"), Error);
 }
 
-TEST(Words, FindsTheNextModule) {
+TEST(ContactWords, FindsTheNextModule) {
   with_words("1 2 3 rest\n 3 modul\n x 3 MODULE\n % 3 MODULE\n 3 Module % next\n 7", [](Words& words) {
     words.real("X");
     EXPECT_TRUE(words.skip_to_module());

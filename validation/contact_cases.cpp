@@ -155,10 +155,13 @@ struct SteadyCase {
 };
 
 std::optional<SteadyCase> steady_case(const std::string& name, const Case& c, const Outcome& o) {
+  using namespace contact_program; // its digits
   const ContactStep& step = o.step;
-  const auto gap = contact_program::gap_curvatures(c);
-  const bool is_plain = c.digits.tang == 3 && c.digits.mater == 0 && c.friction.law == 0 && !c.friction.by_row &&
-                        c.digits.force == 0 && c.extra == 0 && !step.bodies.are_coupled() && !step.given;
+  const auto gap = gap_curvatures(c);
+  const bool is_plain = c.digits.tang == Tangential::steady && c.digits.mater == Bulk::elastic &&
+                        c.friction.law == Law::coulomb && !c.friction.by_row &&
+                        c.digits.force == Prescribed::creepages && c.extra == ExtraSlip::none &&
+                        !step.bodies.are_coupled() && !step.given;
   if (!is_plain || !gap || !(gap->y > 0) || o.solution.adhesion_elements == 0 || o.solution.slip_elements == 0)
     return {};
   const CombinedMaterial& material = step.bodies.material;

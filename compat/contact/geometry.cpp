@@ -22,21 +22,21 @@ constexpr Names grid_names[] = {{{"XL", "YL", "DX", "DY"}},
                                 {{"XC1", "YC1", "XCM", "YCM"}}};
 
 void read_hertzian(Words& words, PotentialContact& p) {
-  const Names& names = hertzian_names[-p.kind - 1];
+  const Names& names = hertzian_names[-number(p.kind) - 1];
   for (std::size_t k = 0; k < 4 && names.of[k]; ++k) p.values[k] = words.positive(names.of[k]);
   p.scale = words.positive("SCALE");
 }
 
 /// A place and a size, or two places.
 void read_rectangle(Words& words, PotentialContact& p) {
-  const Names& names = grid_names[p.kind - 1];
-  const bool has_sizes = p.kind % 2 == 1;
+  const Names& names = grid_names[number(p.kind) - 1];
+  const bool has_sizes = p.kind == Potential::corner_and_size || p.kind == Potential::centre_and_size;
   for (std::size_t k = 0; k < 4; ++k) {
     const char* name = names.of[k];
     p.values[k] = has_sizes && k >= 2 ? words.positive(name) : words.real(name);
     if (has_sizes || k < 2) continue;
     const int elements = k == 2 ? p.mx : p.my;
-    if (p.kind == 4 && elements == 1)
+    if (p.kind == Potential::centres && elements == 1)
       words.fail(name, p.values[k], "gives no size to a single element; take IPOTCN = 3");
     if (!(p.values[k] > p.values[k - 2]))
       words.fail(name, p.values[k], std::string("must be above ") + names.of[k - 2]);
@@ -93,23 +93,20 @@ std::vector<double> read_indices(Words& words, const char* axis, int count) {
   return indices;
 }
 
-/// A block of points; kind 0 ends them.
+/// A block of points.
 PointBlock read_block(Words& words) {
   PointBlock points;
-  points.kind = words.integer("ISUBS", 0, 9);
+  points.kind = read_choice<Points>(words);
   words.end_record();
   const auto count = [&](const char* field) { return words.integer(field, 1, most_points); };
   const auto places = [&](const char* field, int number) {
     return words.reals(field, static_cast<std::size_t>(number));
   };
   switch (points.kind) {
-  case 0:
+  case Points::end:
     return points;
-  case 4:
-  case 8:
-    words.fail("ISUBS", points.kind, "must be one of 0, 1, 2, 3, 5, 6, 7, 9");
-  case 2:
-  case 6:
+  case Points::range:
+  case Points::range_at:
     for (const char* axis : {"IX", "IY"}) {
       const std::string name = axis;
       const int low = words.integer(name + "L", 1, any_element), step = words.integer(name + "INC", 0, any_element);
@@ -117,15 +114,15 @@ PointBlock read_block(Words& words) {
       words.end_record();
     }
     break;
-  case 3:
-  case 7: {
+  case Points::listed:
+  case Points::listed_at: {
     const int nx = count("NX"), ny = count("NY");
     words.end_record();
     points.x = read_indices(words, "IX", nx);
     points.y = read_indices(words, "IY", ny);
     break;
   }
-  case 9: {
+  case Points::anywhere: {
     const int nx = count("NX"), ny = count("NY"), nz = count("NZ");
     words.end_record();
     points.x = places("X", nx);
@@ -133,11 +130,12 @@ PointBlock read_block(Words& words) {
     points.z = places("Z", nz);
     return points;
   }
-  default:
+  case Points::all:
+  case Points::all_at:
     break;
   }
   const int nz = count("NZ");
-  if (points.kind <= 3) {
+  if (points.has_equal_depths()) {
     const double zl = words.real("ZL"), dz = words.real("DZ");
     points.z = {static_cast<double>(nz), zl, dz};
     words.end_record();
@@ -152,8 +150,7 @@ PointBlock read_block(Words& words) {
 
 PotentialContact read_potential_contact(Words& words) {
   PotentialContact p;
-  p.kind = words.integer("IPOTCN", -6, 4);
-  if (p.kind == 0) words.fail("IPOTCN", 0, "must be in -6 to -1 or 1 to 4");
+  p.kind = read_choice<Potential>(words);
   words.end_record();
   p.mx = words.integer("MX", 1, most_elements_along);
   p.my = words.integer("MY", 1, most_elements_along);
@@ -167,17 +164,16 @@ PotentialContact read_potential_contact(Words& words) {
 
 Geometry read_geometry(Words& words, const PotentialContact& potential) {
   Geometry g;
-  g.base = words.integer("IBASE", 1, 9);
-  if (g.base > 3 && g.base < 9) words.fail("IBASE", g.base, "must be one of 1, 2, 3, 9");
-  g.planform = words.integer("IPLAN", 1, 4);
+  g.base = read_choice<Base>(words);
+  g.planform = read_choice<Planform>(words);
   words.end_record();
-  if (g.base == 1) g.values = words.reals("B", 6);
-  if (g.base == 2) g.values = read_circle(words);
-  if (g.base == 3) g.values = read_waves(words);
-  if (g.base == 9) g.values = words.reals("H", potential.elements());
-  if (g.planform == 2) g.plan_values = words.reals("PL", 6);
-  if (g.planform == 3) g.plan_values = read_rectangles(words);
-  if (g.planform == 4) g.plan_values = read_sub_patches(words);
+  if (g.base == Base::quadratic) g.values = words.reals("B", 6);
+  if (g.base == Base::circle) g.values = read_circle(words);
+  if (g.base == Base::waves) g.values = read_waves(words);
+  if (g.base == Base::by_element) g.values = words.reals("H", potential.elements());
+  if (g.planform == Planform::quadratic) g.plan_values = words.reals("PL", 6);
+  if (g.planform == Planform::rectangles) g.plan_values = read_rectangles(words);
+  if (g.planform == Planform::sub_patches) g.plan_values = read_sub_patches(words);
   return g;
 }
 
@@ -185,7 +181,7 @@ std::vector<PointBlock> read_points(Words& words) {
   std::vector<PointBlock> blocks;
   for (;;) {
     PointBlock block = read_block(words);
-    if (block.kind == 0) return blocks;
+    if (block.kind == Points::end) return blocks;
     blocks.push_back(std::move(block));
   }
 }

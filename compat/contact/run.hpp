@@ -42,7 +42,8 @@ private:
   struct Sequence {
     ContactSequence steps;
     int lost = 0; ///< number of the case that could not be run after the last one that was solved
-    std::optional<SpringState> springs = SpringState(); ///< of the last case if it was FASTSIM's, or without friction
+    std::optional<CarriedSprings> springs =
+        CarriedSprings(); ///< of the last case if it was FASTSIM's, or without friction
   };
 
   Outcome solve(const Case& c, Sequence& sequence);

@@ -85,9 +85,9 @@ constexpr InteriorColumn interior_columns[] = {
 /// The elements to be stored: all, or those in contact.
 std::vector<std::size_t> chosen(const Case& c, const Outcome& outcome) {
   std::vector<std::size_t> elements;
-  if (c.digits.matfil == 0 || outcome.kind != Outcome::Kind::solved) return elements;
+  if (c.digits.matfil == Stored::none || outcome.kind != Outcome::Kind::solved) return elements;
   for (std::size_t k = 0; k < outcome.step.grid.count(); ++k)
-    if (c.digits.matfil == 2 || outcome.solution.normal.pressure[k] > 0) elements.push_back(k);
+    if (c.digits.matfil == Stored::all || outcome.solution.normal.pressure[k] > 0) elements.push_back(k);
   return elements;
 }
 
@@ -169,7 +169,7 @@ void RunFile::add(const Case& c, const Outcome& outcome) {
   add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
   add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0,
             "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction");
-  add_count("motion", c.digits.tang, "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
+  add_count("motion", number(c.digits.tang), "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
   for (const auto& [name, what, value] : counts) add_count(name, solved ? value(outcome) : 0, what);
   for (const auto& [name, unit, what, value] : columns) {
     const double number = solved ? value(outcome) : nan;

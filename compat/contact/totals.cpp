@@ -14,7 +14,7 @@ double force_scale(const Case& c, const ContactStep& step) {
 
 PrintedTotals printed_totals(const Case& c, const ContactStep& step, const ContactStepSolution& solution) {
   const ContactForces& f = solution.tangential.forces;
-  const bool shifts = c.digits.tang == 1;
+  const bool shifts = c.digits.tang == Tangential::shift;
   PrintedTotals t;
   t.fn = solution.normal_force;
   t.fx = f.fx;
