@@ -9,6 +9,8 @@
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
+#include "microslip/batch/batch.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/simplified/fastrip.hpp"
@@ -17,19 +19,21 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <initializer_list>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <omp.h>
 
 namespace microslip {
 namespace {
@@ -38,8 +42,10 @@ namespace fs = std::filesystem;
 
 struct BatchArguments {
   fs::path input, output;
-  std::string theory = "fastsim2", grid = "10x10", bound, flexibility;
-  std::string coefficients = "kalker", discretisation = "second_order";
+  std::string theory = "fastsim2", grid = "10x10", direction = "forward";
+  std::string bound, flexibility, coefficients; ///< of the simplified theory; empty: not given
+  std::string discretisation, elements;         ///< of the exact theory; empty: not given
+  std::optional<double> tolerance;              ///< of the exact theory
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool json = false;
 };
@@ -56,24 +62,46 @@ void parse_grid(const std::string& text, int largest, int& mx, int& my) {
   require_count("--grid", my, 1, largest);
 }
 
+using Given = std::pair<const char*, bool>;
+
+/// Options that the theory does not have are refused.
+void refuse(std::initializer_list<Given> options, const char* reason) {
+  for (const auto& [name, is_given] : options)
+    if (is_given) throw Error(std::string(name) + ": " + reason);
+}
+
 SimplifiedOptions simplified_options(const BatchArguments& arguments, Theory theory) {
+  refuse({{"--discretisation", !arguments.discretisation.empty()},
+          {"--elements", !arguments.elements.empty()},
+          {"--tolerance", arguments.tolerance.has_value()}},
+         "needs --theory exact");
   SimplifiedOptions options;
-  parse_grid(arguments.grid, 10000, options.mx, options.my);
+  parse_grid(arguments.grid, most_cells, options.mx, options.my);
   set_defaults(theory, options);
   if (!arguments.bound.empty()) options.bound = from_word<TractionBound>("--bound", arguments.bound);
   if (!arguments.flexibility.empty())
     options.flexibility = from_word<FlexibilityModel>("--flexibility", arguments.flexibility);
-  options.creepage_table = from_word<CreepageTable>("--coefficients", arguments.coefficients);
+  if (!arguments.coefficients.empty())
+    options.creepage_table = from_word<CreepageTable>("--coefficients", arguments.coefficients);
+  options.direction = from_word<RollingDirection>("--direction", arguments.direction);
   return options;
 }
 
-std::vector<EllipticContactSolver> make_exact_solvers(const BatchArguments& arguments) {
+ExactOptions exact_options(const BatchArguments& arguments) {
+  refuse({{"--bound", !arguments.bound.empty()},
+          {"--flexibility", !arguments.flexibility.empty()},
+          {"--coefficients", !arguments.coefficients.empty()}},
+         "needs the simplified theory, e.g. --theory fastsim2");
   ExactOptions options;
-  parse_grid(arguments.grid, 4000, options.mx, options.my);
-  options.discretisation = from_word<Discretisation>("--discretisation", arguments.discretisation);
-  std::vector<EllipticContactSolver> solvers;
-  for (int i = 0; i < arguments.threads; ++i) solvers.emplace_back(options);
-  return solvers;
+  parse_grid(arguments.grid, most_elements, options.mx, options.my);
+  if (!arguments.discretisation.empty())
+    options.discretisation = from_word<Discretisation>("--discretisation", arguments.discretisation);
+  if (!arguments.elements.empty()) options.elements = from_word<ElementShape>("--elements", arguments.elements);
+  if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
+    throw Error("--elements: bilinear ones need --discretisation classical");
+  if (arguments.tolerance) options.tolerance = require_between("--tolerance", *arguments.tolerance, "-", 1e-14, 0.1);
+  options.direction = from_word<RollingDirection>("--direction", arguments.direction);
+  return options;
 }
 
 std::ifstream open_input(const fs::path& path) {
@@ -91,19 +119,18 @@ double size_of(const fs::path& path) {
   return error ? 0 : static_cast<double>(size);
 }
 
-/// Is told how many bytes of the input are done.
-using ReportBytes = std::function<void(std::size_t)>;
-
-/// Solves chunks of a table, several at a time. Results go to the places of the chunks. `report` is told of bytes done,
-/// from any thread.
+/// Solves chunks of a table by one batch. Results go to the places of the chunks; if `progress` ends the batch they
+/// mean nothing.
 class TableSolver {
 public:
   virtual ~TableSolver() = default;
   virtual bool is_exact() const = 0;
   virtual void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks,
-                     std::span<std::string> results, const ReportBytes& report) = 0;
+                     std::span<std::string> results, const Progress& progress) = 0;
   std::size_t contacts() const { return contacts_; }
   std::size_t contacts_unsolved() const { return contacts_unsolved_; }
+  /// Of the first contact that could not even be begun; else empty.
+  const std::string& first_error() const { return first_error_; }
 
 protected:
   void count(std::span<const ContactForces> forces) {
@@ -111,94 +138,102 @@ protected:
     contacts_unsolved_ += static_cast<std::size_t>(
         std::count_if(forces.begin(), forces.end(), [](const auto& result) { return result.status != Status::ok; }));
   }
+  void remember(const std::string& error) {
+    if (first_error_.empty()) first_error_ = error;
+  }
 
 private:
   std::atomic<std::size_t> contacts_ = 0, contacts_unsolved_ = 0;
+  std::string first_error_;
 };
 
-/// Runs `work(i)` for i below `count` on `threads` threads, and passes on the exception of the lowest i, if any.
-template <class Work> void for_each_parallel(std::size_t count, std::size_t threads, const Work& work) {
-  std::vector<std::exception_ptr> errors(count);
-#pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(threads))
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      work(i);
-    } catch (...) {
-      errors[i] = std::current_exception();
-    }
-  }
-  for (const auto& error : errors)
-    if (error) std::rethrow_exception(error);
-}
-
-/// Contacts cost next to nothing: the threads share the chunks. `Solver` is RowSolver or Fastrip.
+/// Contacts cost next to nothing: the threads share the chunks of text. `Solver` is RowSolver or Fastrip.
 template <class Solver> class SimplifiedTableSolver : public TableSolver {
 public:
-  SimplifiedTableSolver(const BatchArguments& arguments, const Solver& solver)
-      : solvers_(static_cast<std::size_t>(arguments.threads), solver) {}
+  SimplifiedTableSolver(int threads, Solver solver) : threads_(threads), solver_(std::move(solver)) {}
   bool is_exact() const override { return false; }
 
   void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
-             const ReportBytes& report) override {
-    for_each_parallel(chunks.size(), solvers_.size(), [&](std::size_t i) {
-      auto& solver = solvers_[static_cast<std::size_t>(omp_get_thread_num())];
-      results[i] = solve(reader.parse(chunks[i]), chunks[i].text.size(), solver, report);
+             const Progress& progress) override {
+    run_batch(chunks.size(), {.threads = threads_, .progress = progress}, [&]() -> BatchWorker {
+      return [&, own = solver_](std::size_t i, std::size_t, const Progress& of_chunk) mutable {
+        results[i] = solve(reader.parse(chunks[i]), own, of_chunk);
+      };
     });
   }
 
 private:
-  std::string solve(const ContactRows& rows, std::size_t bytes, Solver& solver, const ReportBytes& report) {
+  std::string solve(const ContactRows& rows, Solver& solver, const Progress& progress) {
     std::vector<ContactForces> forces(rows.contacts.size());
     // Few enough contacts at a time to see Ctrl-C and to move the bar also on the largest grids.
     const auto cells = static_cast<std::size_t>(solver.options().mx) * static_cast<std::size_t>(solver.options().my);
     const auto step = std::clamp<std::size_t>(1000000 / cells, 1, 256);
     for (std::size_t first = 0; first < forces.size(); first += step) {
-      InterruptGuard::throw_if_interrupted();
+      if (!progress(static_cast<double>(first) / static_cast<double>(forces.size()))) return {};
       const auto count = std::min(step, forces.size() - first);
       solver.solve(std::span(rows.contacts).subspan(first, count), std::span(forces).subspan(first, count));
-      report(bytes * count / forces.size());
     }
     count(forces);
     return result_rows(rows, forces);
   }
 
-  std::vector<Solver> solvers_; ///< one for each thread
+  int threads_;
+  Solver solver_;
 };
 
-/// Contacts cost much: the threads share those of a chunk.
+/// Contacts cost much: the threads share them one by one.
 class ExactTableSolver : public TableSolver {
 public:
-  explicit ExactTableSolver(const BatchArguments& arguments) : solvers_(make_exact_solvers(arguments)) {}
+  ExactTableSolver(int threads, const ExactOptions& options) : threads_(threads), options_(options) {
+    EllipticContactSolver checked(options);
+  }
   bool is_exact() const override { return true; }
 
   void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
-             const ReportBytes& report) override {
-    for (std::size_t c = 0; c < chunks.size(); ++c) {
-      const auto rows = reader.parse(chunks[c]);
-      std::vector<ContactForces> forces(rows.contacts.size());
-      std::vector<Iteration> iterations(forces.size());
-      for_each_parallel(forces.size(), solvers_.size(), [&](std::size_t i) {
-        InterruptGuard::throw_if_interrupted();
-        const auto result = solvers_[static_cast<std::size_t>(omp_get_thread_num())].solve(rows.contacts[i]);
-        forces[i] = result.fields.forces;
-        iterations[i] = {result.residual, result.newton_steps};
-        report(chunks[c].text.size() / forces.size());
-      });
-      count(forces);
-      results[c] = result_rows(rows, forces, iterations);
+             const Progress& progress) override {
+    std::vector<ContactRows> tables;
+    std::vector<const EllipticContact*> rows;
+    for (const TextChunk& chunk : chunks) tables.push_back(reader.parse(chunk));
+    for (const ContactRows& table : tables)
+      for (const EllipticContact& contact : table.contacts) rows.push_back(&contact);
+    std::vector<ContactForces> forces(rows.size());
+    std::vector<Iteration> iterations(rows.size());
+    const BatchOptions batch = {.threads = threads_, .progress = progress, .keep_errors = true};
+    const auto report = run_batch(rows.size(), batch, [&]() -> BatchWorker {
+      return [&, own = std::make_shared<EllipticContactSolver>(options_)](std::size_t i, std::size_t,
+                                                                          const Progress& of_row) {
+        const ContactSolution result = own->solve(*rows[i], {}, of_row);
+        forces[i] = result.forces();
+        iterations[i] = {result.report.residual, result.report.newton_steps};
+      };
+    });
+    for (const BatchError& error : report.errors) {
+      forces[error.first] = {nan, nan, nan, nan, nan, Status::invalid_input};
+      iterations[error.first].residual = nan;
+      remember(error.reason);
+    }
+    count(forces);
+    std::size_t first = 0;
+    for (std::size_t c = 0; c < chunks.size(); first += tables[c].contacts.size(), ++c) {
+      const std::size_t n = tables[c].contacts.size();
+      results[c] = result_rows(tables[c], std::span(forces).subspan(first, n), std::span(iterations).subspan(first, n));
     }
   }
 
 private:
-  std::vector<EllipticContactSolver> solvers_; ///< one for each thread
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+  int threads_;
+  ExactOptions options_;
 };
 
 std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
   const auto theory = from_word<Theory>("--theory", arguments.theory);
-  if (theory == Theory::exact) return std::make_unique<ExactTableSolver>(arguments);
+  const int threads = arguments.threads;
+  if (theory == Theory::exact) return std::make_unique<ExactTableSolver>(threads, exact_options(arguments));
   const auto options = simplified_options(arguments, theory);
-  if (theory == Theory::fastrip) return std::make_unique<SimplifiedTableSolver<Fastrip>>(arguments, Fastrip(options));
-  return std::make_unique<SimplifiedTableSolver<RowSolver>>(arguments, RowSolver(marching_scheme(theory), options));
+  if (theory == Theory::fastrip) return std::make_unique<SimplifiedTableSolver<Fastrip>>(threads, Fastrip(options));
+  return std::make_unique<SimplifiedTableSolver<RowSolver>>(threads, RowSolver(marching_scheme(theory), options));
 }
 
 /// Reads, solves and writes a table, a group of chunks at a time.
@@ -207,21 +242,25 @@ public:
   explicit Batch(const BatchArguments& arguments)
       : solver_(make_solver(arguments)), input_(open_input(arguments.input)), reader_(input_, arguments.input.string()),
         output_(arguments.output), size_(size_of(arguments.input)), bar_(arguments.input.filename().string()),
-        chunks_(32 * static_cast<std::size_t>(arguments.threads)), results_(chunks_.size()) {}
+        chunks_(32 * static_cast<std::size_t>(arguments.threads)), results_(chunks_.size()) {
+    if (!solver_->is_exact()) reader_.refuse_dissimilar_bodies("unless --theory is exact");
+    if (arguments.discretisation == "second_order")
+      reader_.refuse_dissimilar_bodies("with --discretisation second_order; dissimilar bodies are solved classically");
+  }
 
   /// Returns whether every contact could be solved.
   bool run() {
     output_.write(result_header(reader_.columns(), solver_->is_exact()));
-    bytes_done_ = reader_.bytes_read();
+    std::size_t begin = reader_.bytes_read();
     while (const auto count = read_group()) {
-      solver_->solve(reader_, std::span(chunks_).first(count), std::span(results_).first(count),
-                     [&](std::size_t bytes) {
-                       bytes_done_ += bytes;
-                       if (omp_get_thread_num() == 0 && size_ > 0)
-                         bar_.update(static_cast<double>(bytes_done_) / size_);
-                     });
-      for (std::size_t i = 0; i < count; ++i) output_.write(results_[i]);
+      const std::size_t end = reader_.bytes_read();
+      solver_->solve(reader_, std::span(chunks_).first(count), std::span(results_).first(count), [&](double fraction) {
+        if (size_ > 0) bar_.update((double(begin) + fraction * double(end - begin)) / size_);
+        return !InterruptGuard::interrupted();
+      });
       InterruptGuard::throw_if_interrupted();
+      for (std::size_t i = 0; i < count; ++i) output_.write(results_[i]);
+      begin = end;
     }
     output_.commit();
     return solver_->contacts_unsolved() == 0;
@@ -244,7 +283,6 @@ private:
   ProgressBar bar_;
   std::vector<TextChunk> chunks_;
   std::vector<std::string> results_;
-  std::atomic<std::size_t> bytes_done_ = 0;
 };
 
 void print_document(const BatchArguments& arguments, const TableSolver& solver) {
@@ -259,14 +297,15 @@ void print_document(const BatchArguments& arguments, const TableSolver& solver) 
 }
 
 int batch(const BatchArguments& arguments) {
-  require_count("--threads", arguments.threads, 1, 1024);
+  require_count("--threads", arguments.threads, 1, most_threads);
   const InterruptGuard guard;
   Batch work(arguments);
   const bool all_solved = work.run();
   if (arguments.json) print_document(arguments, work.solver());
   if (all_solved) return ExitCode::done;
-  fmt::print(stderr, "microslip: warning: {}: {} of {} contacts are not solved, see their status\n",
-             arguments.output.string(), work.solver().contacts_unsolved(), work.solver().contacts());
+  fmt::print(stderr, "microslip: warning: {}: {} of {} contacts are not solved, see their status{}\n",
+             arguments.output.string(), work.solver().contacts_unsolved(), work.solver().contacts(),
+             work.solver().first_error().empty() ? "" : "; " + work.solver().first_error());
   return ExitCode::not_met;
 }
 
@@ -286,8 +325,17 @@ void add_batch_command(CLI::App& program, int& exit_code) {
          "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");
   option("--flexibility", arguments->flexibility, choices<FlexibilityModel>(),
          "flexibilities of the simplified theory; default: three, with fastrip blended");
-  option("--coefficients", arguments->coefficients, choices<CreepageTable>(), "table of creepage coefficients");
-  option("--discretisation", arguments->discretisation, choices<Discretisation>(), "of the exact theory");
+  option("--coefficients", arguments->coefficients, choices<CreepageTable>(),
+         "table of creepage coefficients of the simplified theory; default: kalker");
+  option("--direction", arguments->direction, choices<RollingDirection>(), "of rolling, along +x or -x");
+  option("--discretisation", arguments->discretisation, choices<Discretisation>(),
+         "of the exact theory; default: second_order, for dissimilar bodies classical");
+  option("--elements", arguments->elements, choices<ElementShape>(),
+         "of the exact theory's classical discretisation; default: constant");
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "relative residual of the exact theory [-], 1e-14 to 0.1; default: 1e-6")
+      ->type_name("VALUE");
   command
       ->add_option("--threads", arguments->threads,
                    "threads, 1 to 1024; results do not depend on it; default: one for each processor")
@@ -295,9 +343,13 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   add_json_flag(*command, arguments->json);
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
-      "friction [-], normal_force [N], creep_x [-], creep_y [-], spin [1/m]. OUT.csv repeats them and adds fx [N],\n"
-      "fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-] and\n"
-      "iterations. Forces act on body 1. A bad row is named by line and column, and OUT.csv appears only when it is\n"
+      "friction [-], normal_force [N], creep_x [-], creep_y [-], spin [1/m]. It may have dissimilarity [-], the\n"
+      "combined K of bodies of different materials, which needs --theory exact, and rolling_speed [m/s], which forces\n"
+      "under a constant coefficient of friction do not depend on. OUT.csv repeats them and adds fx [N], fy [N], mz [N "
+      "m],\n"
+      "adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-] and iterations. Forces act "
+      "on\n"
+      "body 1. A bad row is named by line and column, and OUT.csv appears only when it is\n"
       "complete. With --json the numbers of contacts and of those not solved. Exit code 1: some contacts have another\n"
       "status than ok.\n\n"
       "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");

@@ -188,7 +188,7 @@ std::string zsh_option(const CLI::Option& option) {
     auto text = again ? "*" : fmt::format("({})", fmt::join(names, " "));
     text += name;
     if (takes_value(option)) text += name.starts_with("--") ? "=" : "+";
-    text += "[" + zsh_text(description(option)) + "]";
+    text.append("[").append(zsh_text(description(option))).append("]");
     for (int i = 0; takes_value(option) && i < option.get_items_expected_min(); ++i)
       text += ":" + zsh_text(value_name(option)) + ":" + in_zsh(candidates(option));
     script += " \\\n        " + zsh_quoted(text);

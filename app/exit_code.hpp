@@ -16,7 +16,7 @@ struct ExitCodeMeaning {
 inline constexpr ExitCodeMeaning exit_code_meanings[] = {
     {ExitCode::done, "done"},
     {ExitCode::not_met, "a result is not converged, a case is not run or written, or figures are not met"},
-    {ExitCode::bad_input, "bad input, or a file cannot be read or written"},
+    {ExitCode::bad_input, "bad input, or a file or standard output cannot be read or written"},
     {ExitCode::interrupted, "interrupted by Ctrl-C; no file is left half-written"},
 };
 

@@ -68,15 +68,15 @@ HertzResult solve(const HertzArguments& arguments) {
   if (!arguments.case_file.empty()) return solve_case(arguments.case_file);
   require_options(arguments);
   const BodyInput body1 = body(arguments, 0), body2 = body(arguments, 1);
-  const auto gap =
-      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
+  const auto gap = gap_curvatures(principal_radii(body1, body2));
   const auto combined = combine(body1.material, body2.material);
   return {body1, body2,
           arguments.approach.empty() ? hertz_from_load(gap, combined, arguments.normal_force[0])
                                      : hertz_from_approach(gap, combined, arguments.approach[0])};
 }
 
-void print_document(const HertzArguments& arguments, const HertzResult& result) {
+void print_document(const HertzArguments& arguments, const HertzResult& result,
+                    const std::vector<std::string>& warnings) {
   auto document = json_document("hertz");
   document["case_file"] = arguments.case_file.string();
   auto units = Json::object();
@@ -90,12 +90,15 @@ void print_document(const HertzArguments& arguments, const HertzResult& result) 
   add(body_quantities(result.body2, 2));
   add(hertz_quantities(result.contact));
   document["units"] = units;
+  document["warnings"] = warnings;
   print_json(document);
 }
 
 void hertz(const HertzArguments& arguments) {
   const auto result = solve(arguments);
-  if (arguments.json) return print_document(arguments, result);
+  const auto warnings = implausibilities(result.contact, principal_radii(result.body1, result.body2));
+  print_warnings(arguments.case_file.empty() ? "hertz" : arguments.case_file.string(), warnings);
+  if (arguments.json) return print_document(arguments, result, warnings);
   const auto& contact = result.contact;
   QuantityTable table("Hertz");
   table.add("normal force", contact.normal_force, "N");
@@ -133,6 +136,10 @@ void add_hertz(QuantityTable& table, const HertzContact& contact) {
   table.add("peak pressure", contact.peak_pressure * 1e-6, "MPa");
   table.add("approach", contact.approach * 1e3, "mm");
   table.add("stiffness", contact.stiffness * 1e-6, "kN/mm");
+}
+
+void print_warnings(const std::string& of, const std::vector<std::string>& warnings) {
+  for (const auto& warning : warnings) fmt::print(stderr, "microslip: warning: {}: {}\n", of, warning);
 }
 
 void add_hertz_command(CLI::App& program) {

@@ -3,6 +3,9 @@
 #include "app/quantity_table.hpp"
 #include "microslip/elasticity/hertz.hpp"
 
+#include <string>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 
 namespace microslip {
@@ -12,5 +15,8 @@ void add_hertz_command(CLI::App& program);
 
 /// The ellipse, pressure, approach and stiffness of a contact, with units.
 void add_hertz(QuantityTable& table, const HertzContact& hertz);
+
+/// To standard error; `of` is what they are about.
+void print_warnings(const std::string& of, const std::vector<std::string>& warnings);
 
 } // namespace microslip

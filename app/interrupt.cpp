@@ -1,34 +1,58 @@
 #include "app/interrupt.hpp"
 
+#include "app/exit_code.hpp"
+#include "io/output_file.hpp"
+
 #include <atomic>
 #include <csignal>
+#include <string_view>
+
+#include <unistd.h>
 
 namespace microslip {
 namespace {
 
+constexpr unsigned patience = 1; // [s]
+
 std::atomic<bool> was_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler may not wait");
 
-struct sigaction old_interrupt, old_termination;
+struct sigaction old_interrupt, old_termination, old_alarm;
 
-void note(int) {
-  was_interrupted = true;
+/// Calls only what a signal handler may call.
+[[noreturn]] void end_at_once(int) {
+  constexpr std::string_view message = "microslip: interrupted\n";
+  remove_temporary_files();
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+  ::_exit(ExitCode::interrupted);
+}
+
+void note(int signal) {
+  if (was_interrupted.exchange(true)) end_at_once(signal);
+  ::alarm(patience);
+}
+
+void handle(int signal, void (*handler)(int), struct sigaction& old) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, &old);
 }
 
 } // namespace
 
 InterruptGuard::InterruptGuard() {
   was_interrupted = false;
-  struct sigaction action {};
-  action.sa_handler = note;
-  action.sa_flags = SA_RESTART | SA_RESETHAND;
-  sigaction(SIGINT, &action, &old_interrupt);
-  sigaction(SIGTERM, &action, &old_termination);
+  handle(SIGALRM, end_at_once, old_alarm);
+  handle(SIGINT, note, old_interrupt);
+  handle(SIGTERM, note, old_termination);
 }
 
 InterruptGuard::~InterruptGuard() {
+  ::alarm(0);
   sigaction(SIGINT, &old_interrupt, nullptr);
   sigaction(SIGTERM, &old_termination, nullptr);
+  sigaction(SIGALRM, &old_alarm, nullptr);
 }
 
 bool InterruptGuard::interrupted() {

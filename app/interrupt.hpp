@@ -10,7 +10,9 @@ public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// While it lives, SIGINT and SIGTERM are only noted; a second one ends the program at once. One at a time.
+/// While it lives, SIGINT and SIGTERM are noted for work to see. If that does not end within a second, as within one
+/// long transform, or if there is a second signal, the program ends there and then, with the same message and exit
+/// code, and without temporary files. One at a time.
 class InterruptGuard {
 public:
   InterruptGuard();

@@ -25,6 +25,8 @@
 namespace microslip {
 namespace {
 
+constexpr const char* output_lost = "standard output cannot be written";
+
 std::string version_text() {
   const auto build = build_info();
   return fmt::format("microslip {} (commit {}, {}, {})", build.version, build.commit, build.compiler, build.build_type);
@@ -50,6 +52,11 @@ void add_commands(CLI::App& program, int& exit_code) {
       "Example:\n  microslip init wheel.toml && microslip solve wheel.toml");
 }
 
+/// Whether all that was printed has arrived. An earlier flush may have lost it, which only the stream remembers.
+bool output_is_written() {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 int fail(const char* message, int exit_code) {
   std::fflush(stdout);
   std::fprintf(stderr, "microslip: %s\n", message);
@@ -67,7 +74,6 @@ int run(int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     return fail(usage_error(program, error).c_str(), ExitCode::bad_input);
   }
-  if (std::fflush(stdout) != 0) return fail("standard output cannot be written", ExitCode::bad_input);
   return exit_code;
 }
 
@@ -77,12 +83,14 @@ int run(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace microslip;
   try {
-    return run(count, arguments);
+    const int exit_code = run(count, arguments);
+    return output_is_written() ? exit_code : fail(output_lost, ExitCode::bad_input);
   } catch (const Interrupted& error) {
     return fail(error.what(), ExitCode::interrupted);
   } catch (const std::bad_alloc&) {
     return fail("there is not enough memory", ExitCode::bad_input);
   } catch (const std::exception& error) {
+    if (!output_is_written()) fail(output_lost, ExitCode::bad_input);
     return fail(error.what(), ExitCode::bad_input);
   }
 }

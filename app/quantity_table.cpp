@@ -21,8 +21,8 @@ void QuantityTable::add(const std::string& name, const std::vector<double>& valu
   lines_.push_back({name, texts, unit});
 }
 
-void QuantityTable::add(const std::string& name, const std::vector<std::string>& values) {
-  lines_.push_back({name, values, ""});
+void QuantityTable::add(const std::string& name, const std::vector<std::string>& values, const std::string& unit) {
+  lines_.push_back({name, values, unit});
 }
 
 void QuantityTable::print() const {

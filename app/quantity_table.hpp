@@ -14,7 +14,7 @@ public:
   /// `remark` follows the unit, e.g. the value in other terms.
   void add(const std::string& name, double value, const std::string& unit, const std::string& remark = "");
   void add(const std::string& name, const std::vector<double>& values, const std::string& unit);
-  void add(const std::string& name, const std::vector<std::string>& values);
+  void add(const std::string& name, const std::vector<std::string>& values, const std::string& unit = "");
 
   /// Writes it to standard output.
   void print() const;

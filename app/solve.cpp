@@ -41,8 +41,9 @@ std::string percent(double part, double whole) {
   return fmt::format("{:.1f} %", 100 * part / whole);
 }
 
-void print_hertz(const RollingContactResult& result) {
-  QuantityTable table("Hertz");
+void print_hertz(const RollingCase& input, const RollingContactResult& result) {
+  const auto assumption = hertz_assumption(input);
+  QuantityTable table(assumption.empty() ? "Hertz" : fmt::format("Hertz, {}", assumption));
   table.add("normal force", result.contact.normal_force, "N");
   add_hertz(table, result.hertz);
   table.print();
@@ -65,7 +66,7 @@ std::string describe_exact(const RollingCase& input, int mx, int my) {
 
 void print_simplified(const RollingCase& input, const RollingContactResult& result) {
   const auto& simplified = *result.simplified;
-  const auto& forces = simplified.fields.forces;
+  const ContactForces forces = simplified.solution.forces();
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   const auto area = forces.adhesion_area + forces.slip_area;
@@ -75,7 +76,7 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.add("spin moment mz", forces.mz, "N m", in_units_of(forces.mz, moment, "mu Fn sqrt(a b)"));
   table.add("adhesion area", forces.adhesion_area * 1e6, "mm^2", percent(forces.adhesion_area, area));
   table.add("slip area", forces.slip_area * 1e6, "mm^2", percent(forces.slip_area, area));
-  table.add("frictional power", simplified.fields.frictional_power, "W");
+  table.add("frictional power", simplified.solution.totals.frictional_power, "W");
   table.add("discretisation error of fx", simplified.grid_error.fx, "mu Fn");
   table.add("discretisation error of fy", simplified.grid_error.fy, "mu Fn");
   table.add("discretisation error of mz", simplified.grid_error.mz, "mu Fn sqrt(a b)");
@@ -88,15 +89,23 @@ class SideBySide {
 public:
   SideBySide(QuantityTable& table, const RollingContactResult& result) : table_(table), result_(result) {}
 
-  /// `value` takes a quantity from the fields and the grid error of a theory.
+  /// `value` takes a quantity from the fields of a theory.
   template <class Value> void add(const std::string& name, const std::string& unit, const Value& value) {
-    std::vector<double> values = {value(result_.exact->contact.fields, result_.exact->grid_error)};
-    if (const auto& simplified = result_.simplified)
-      values.push_back(value(simplified->fields, simplified->grid_error));
+    std::vector<double> values = {value(result_.exact->contact.totals)};
+    if (const auto& simplified = result_.simplified) values.push_back(value(simplified->solution.totals));
     table_.add(name, values, unit);
   }
 
+  /// An error that `value` takes from the grid errors; none where there was nothing to compare with.
+  void add_error(const std::string& name, const std::string& unit, double GridError::*value) {
+    std::vector<std::string> texts = {error_text(result_.exact->grid_error.*value)};
+    if (const auto& simplified = result_.simplified) texts.push_back(error_text(simplified->grid_error.*value));
+    table_.add(name, texts, unit);
+  }
+
 private:
+  static std::string error_text(double error) { return std::isnan(error) ? "none" : fmt::format("{:.6g}", error); }
+
   QuantityTable& table_;
   const RollingContactResult& result_;
 };
@@ -105,23 +114,22 @@ void add_totals(QuantityTable& table, const RollingContactResult& result, bool s
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   SideBySide rows(table, result);
-  using Fields = const ContactFields&;
-  using Error = const GridError&;
-  rows.add("longitudinal force fx", "N", [](Fields f, Error) { return f.forces.fx; });
-  rows.add("lateral force fy", "N", [](Fields f, Error) { return f.forces.fy; });
-  rows.add("spin moment mz", "N m", [](Fields f, Error) { return f.forces.mz; });
+  using Fields = const Totals&;
+  rows.add("longitudinal force fx", "N", [](Fields f) { return f.fx; });
+  rows.add("lateral force fy", "N", [](Fields f) { return f.fy; });
+  rows.add("spin moment mz", "N m", [](Fields f) { return f.mz; });
   if (limit > 0) {
-    rows.add("fx", "mu Fn", [&](Fields f, Error) { return f.forces.fx / limit; });
-    rows.add("fy", "mu Fn", [&](Fields f, Error) { return f.forces.fy / limit; });
-    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f, Error) { return f.forces.mz / moment; });
+    rows.add("fx", "mu Fn", [&](Fields f) { return f.fx / limit; });
+    rows.add("fy", "mu Fn", [&](Fields f) { return f.fy / limit; });
+    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f) { return f.mz / moment; });
   }
-  rows.add("adhesion area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.adhesion_area; });
-  rows.add("slip area", "mm^2", [](Fields f, Error) { return 1e6 * f.forces.slip_area; });
+  rows.add("adhesion area", "mm^2", [](Fields f) { return 1e6 * f.adhesion_area; });
+  rows.add("slip area", "mm^2", [](Fields f) { return 1e6 * f.slip_area; });
   rows.add(shift ? "frictional work" : "frictional power", shift ? "J" : "W",
-           [](Fields f, Error) { return f.frictional_power; });
-  rows.add("discretisation error of fx", "mu Fn", [](Fields, Error e) { return e.fx; });
-  rows.add("discretisation error of fy", "mu Fn", [](Fields, Error e) { return e.fy; });
-  rows.add("discretisation error of mz", "mu Fn sqrt(a b)", [](Fields, Error e) { return e.mz; });
+           [](Fields f) { return f.frictional_power; });
+  rows.add_error("discretisation error of fx", "mu Fn", &GridError::fx);
+  rows.add_error("discretisation error of fy", "mu Fn", &GridError::fy);
+  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &GridError::mz);
 }
 
 void add_limit(QuantityTable& table, const AccurateContact& limit, const RollingCase& input) {
@@ -136,10 +144,10 @@ void add_limit(QuantityTable& table, const AccurateContact& limit, const Rolling
 void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto& contact = result.exact->contact;
   const bool shift = input.motion.kind == ContactMotion::shift;
-  std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.fields.forces.status))};
+  std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.report.status))};
   if (result.simplified) {
     heads.push_back(simplified_name(input));
-    status.emplace_back(to_string(result.simplified->fields.forces.status));
+    status.emplace_back(to_string(result.simplified->solution.report.status));
   }
   const auto& limit = result.exact->limit;
   const auto [mx, my] =
@@ -152,18 +160,21 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
               shift ? "m" : "-");
   if (input.motion.force_y)
     table.add(shift ? "lateral shift, found" : "lateral creepage, found", contact.creepage.lateral, shift ? "m" : "-");
-  table.add("frictional power by creepages", contact.power_by_creepage, shift ? "J" : "W");
-  table.add("elastic energy of the tractions", contact.elastic_energy, "J");
-  table.add("peak pressure", 1e-6 * contact.peak_pressure, "MPa");
-  table.add("peak traction", 1e-6 * contact.peak_traction, "MPa");
-  if (!contact.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
-  table.add("residual", contact.residual, "-",
-            fmt::format("{} Newton steps, {} products", contact.newton_steps, contact.products));
-  if (contact.friction_rounds > 0)
-    table.add("last change of the slip", contact.friction_residual, "-",
-              fmt::format("{} rounds of friction, from {}", contact.friction_rounds,
+  table.add("frictional power by creepages", contact.totals.power_by_creepage, shift ? "J" : "W");
+  table.add("elastic energy of the tractions", contact.totals.elastic_energy, "J");
+  if (!bodies_of(input).are_elastic()) table.add("rolling resistance moment my", contact.totals.my, "N m");
+  table.add("peak pressure", 1e-6 * contact.totals.peak_pressure, "MPa");
+  table.add("peak traction", 1e-6 * contact.totals.peak_traction, "MPa");
+  if (!contact.fields.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
+  table.add("residual", contact.report.residual, "-",
+            fmt::format("{} Newton steps, {} products", contact.report.newton_steps, contact.report.products));
+  if (contact.report.friction_iterations > 0)
+    table.add("relative change of slip", contact.report.friction_residual, "-",
+              fmt::format("{} friction-slip iterations, from {}", contact.report.friction_iterations,
                           input.slip_start == SlipStart::above ? "full sliding" : "rest"));
   table.add("status", status);
+  const auto assumption = simplified_assumption(input);
+  if (result.simplified && !assumption.empty()) table.add(fmt::format("{} assumes", heads.back()), {assumption});
   table.print();
 }
 
@@ -181,18 +192,18 @@ void print_interior(const InteriorGrid& points, const std::vector<InteriorState>
 
 /// What a status other than ok means here.
 std::string explain(const RollingCase& input, const RollingContactResult& result) {
-  if (result.status == Status::no_solution)
-    return "the given force is beyond what friction can carry; full sliding is shown";
+  if (result.status == Status::no_solution) return "prescribed force exceeds mu Fn; the result shown is full sliding";
   if (result.status == Status::not_converged && result.exact && result.exact->limit)
-    return fmt::format("the accuracy is not reached: estimated error {:.2g}", result.exact->limit->error);
+    return fmt::format("accuracy not reached: estimated error {:.2g} mu Fn", result.exact->limit->error);
   if (result.status == Status::not_converged && result.exact &&
-      result.exact->contact.friction_residual > friction_tolerance)
-    return fmt::format("friction and slip do not go together after {} rounds: the slip changes by {:.2g} of itself",
-                       result.exact->contact.friction_rounds, result.exact->contact.friction_residual);
-  if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.residual))
-    return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.residual,
+      result.exact->contact.report.friction_residual > friction_tolerance)
+    return fmt::format("friction-slip iteration not converged after {} iterations: relative change of slip {:.2g}",
+                       result.exact->contact.report.friction_iterations,
+                       result.exact->contact.report.friction_residual);
+  if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.report.residual))
+    return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.report.residual,
                        input.tolerance);
-  return "the numbers are too large or too small to compute with";
+  return "overflow or underflow in the computation: check units and magnitudes";
 }
 
 RollingContactResult solve_with_progress(const RollingCase& input, const std::string& name) {
@@ -223,7 +234,7 @@ void write(const SolveArguments& arguments, const RollingCase& input, const Roll
 
 void print_tables(const RollingCase& input, const RollingContactResult& result) {
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
-  print_hertz(result);
+  print_hertz(input, result);
   fmt::print("\n");
   result.exact ? print_exact(input, result) : print_simplified(input, result);
   if (result.exact) print_interior(input.interior, result.exact->interior);
@@ -243,6 +254,7 @@ void print_document(const RollingCase& input, const RollingContactResult& result
     document["interior_extremes"] = extremes_json(input.interior, result.exact->interior);
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
+  document["warnings"] = result.warnings;
   print_json(document);
 }
 
@@ -268,6 +280,7 @@ int solve(SolveArguments arguments) {
     print_document(input, result, file, pictures);
   else
     for (const auto& picture : pictures) print_file(picture);
+  print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), explain(input, result));
   return ExitCode::not_met;

@@ -6,6 +6,7 @@
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "io/nearest_word.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "validation/study.hpp"
 
@@ -116,7 +117,7 @@ bool run_for_programs(const Study& study, const ValidateArguments& arguments, Js
 }
 
 int validate(const ValidateArguments& arguments) {
-  require_count("--threads", arguments.threads, 1, 1024);
+  require_count("--threads", arguments.threads, 1, most_threads);
   const std::vector<const Study*> studies = chosen(arguments.names);
   if (arguments.list) {
     list_studies();

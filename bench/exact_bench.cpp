@@ -74,12 +74,12 @@ void growing_grids(int largest) {
     if (size > largest) break;
     const double product = product_time(contact, size), before = peak_megabytes();
     const auto start = processor_time();
-    const ExactContact result = EllipticContactSolver({.mx = size, .my = size}).solve(contact);
+    const ContactSolution result = EllipticContactSolver({.mx = size, .my = size}).solve(contact);
     time = (processor_time() - start);
     n = size;
     if (size == 101) first = time;
-    std::printf("%6d %9.5f %8.3f %9ld %12.2f %14.0f %16.0f %10.0f\n", size, result.fields.forces.fx / 390, time,
-                result.products, 1e3 * product, time / product,
+    std::printf("%6d %9.5f %8.3f %9ld %12.2f %14.0f %16.0f %10.0f\n", size, result.totals.fx / 390, time,
+                result.report.products, 1e3 * product, time / product,
                 std::max(peak_megabytes() - before, 0.0) * 1048576 / size / size, peak_megabytes());
   }
   if (first > 0 && n > 101)
@@ -94,9 +94,9 @@ void test_set(int n, double wanted) {
   long products = 0;
   const auto start = processor_time();
   for (const EllipticContact& contact : contacts) {
-    const ExactContact result = solver.solve(contact);
-    unsolved += result.fields.forces.status != Status::ok;
-    products += result.products;
+    const ContactSolution result = solver.solve(contact);
+    unsolved += result.report.status != Status::ok;
+    products += result.report.products;
   }
   const double count = static_cast<double>(contacts.size());
   std::printf("3,220 cases at %d x %d: %.2f ms and %.1f products per case (wanted: <= %.0f ms), %d not solved\n", n, n,
@@ -115,7 +115,7 @@ void derivative_errors(int n) {
     const double length = std::sqrt(contact.a * contact.b);
     const ExactDerivatives d = solver.differentiate(contact);
     const double limit = contact.friction.static_coefficient() * contact.normal_force;
-    const double size = std::hypot(d.contact.fields.forces.fx, d.contact.fields.forces.fy);
+    const double size = std::hypot(d.solution.totals.fx, d.solution.totals.fy);
     if (size < 1e-3 * limit || size > 0.99 * limit) continue;
     double worst = 0;
     for (std::size_t k = 0; k < members.size(); ++k) {
@@ -123,7 +123,7 @@ void derivative_errors(int n) {
       const auto moved = [&](double by) {
         EllipticContact near = contact;
         near.creepage.*members[k] += by;
-        return precise.differentiate(near).contact.fields.forces;
+        return precise.differentiate(near).solution.forces();
       };
       const ContactForces plus = moved(step), minus = moved(-step);
       const double x = (plus.fx - minus.fx) / (2 * step) - d.jacobian[0][k];
@@ -152,12 +152,12 @@ void forces_and_derivatives(int n, std::size_t stride) {
     const EllipticContact& contact = contacts[i];
     const double limit = contact.friction.static_coefficient() * contact.normal_force;
     auto start = processor_time();
-    const ExactContact solution = solver.solve(contact);
-    const ContactForces& forces = solution.fields.forces;
+    const ContactSolution solution = solver.solve(contact);
+    const ContactForces forces = solution.forces();
     const double time = (processor_time() - start), size = std::hypot(forces.fx, forces.fy);
     if (size < 1e-3 * limit || size > 0.99 * limit) continue;
     by_creepage += time;
-    products += solution.products;
+    products += solution.report.products;
     start = processor_time();
     solver.solve(contact, {.force_x = forces.fx, .force_y = forces.fy});
     by_force += (processor_time() - start);

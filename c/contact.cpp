@@ -1,6 +1,7 @@
 #include "c/contact.hpp"
 
 #include "c/guarded_call.hpp"
+#include "microslip/contact/quantities.hpp"
 #include "microslip/elasticity/hertz.hpp"
 
 #include <algorithm>
@@ -80,15 +81,18 @@ microslip_forces forces_of(const ContactForces& f) noexcept {
   return {f.fx, f.fy, f.mz, f.adhesion_area, f.slip_area, code_of(f.status)};
 }
 
-void copy_field(const ContactFields& f, int field, std::span<double> values) {
-  require_size("count", values.size(), f.x.size());
-  const std::vector<double>* const fields[] = {&f.x, &f.y, &f.area, &f.bound, &f.px, &f.py, &f.sx, &f.sy};
-  if (field >= MICROSLIP_FIELD_X && field <= MICROSLIP_FIELD_SY)
-    std::copy(fields[field]->begin(), fields[field]->end(), values.begin());
-  else if (field == MICROSLIP_FIELD_STATE)
-    std::transform(f.state.begin(), f.state.end(), values.begin(), [](CellState s) { return static_cast<double>(s); });
-  else
+void copy_field(const ContactSolution& solution, int field, std::span<double> values) {
+  constexpr const char* names[] = {"x", "y", "area", "bound", "px", "py", "sx", "sy", nullptr, "pressure", "ux", "uy"};
+  require_size("count", values.size(), solution.elements.size());
+  if (field == MICROSLIP_FIELD_STATE) {
+    std::ranges::transform(solution.fields.state, values.begin(), [](CellState s) { return static_cast<double>(s); });
+    return;
+  }
+  const bool known = field >= 0 && field < static_cast<int>(std::size(names));
+  const std::vector<double> none, &found = known ? field_quantity(names[field]).values(solution) : none;
+  if (found.empty())
     throw Refusal(MICROSLIP_NO_RESULT, "field = " + std::to_string(field) + ": is none of these results");
+  std::ranges::copy(found, values.begin());
 }
 
 } // namespace microslip::c

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "microslip.h"
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/contact_solution.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 
 #include <cstddef>
 #include <span>
@@ -17,7 +18,7 @@ void check_contact(const microslip_contact& contact);
 
 microslip_forces forces_of(const ContactForces& forces) noexcept;
 
-/// Copies a field that both theories have. Throws Refusal if `field` is none of them or `values` of the wrong size.
-void copy_field(const ContactFields& fields, int field, std::span<double> values);
+/// Copies a field of a solution. Throws Refusal if the solution does not have it or `values` is of the wrong size.
+void copy_field(const ContactSolution& solution, int field, std::span<double> values);
 
 } // namespace microslip::c

@@ -1,5 +1,6 @@
 #include "c/contact.hpp"
 #include "c/growing_struct.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ struct microslip_exact {
   std::variant<EllipticContactSolver, AccurateContactSolver> solver;
   int (*progress)(double, void*) = nullptr;
   void* progress_data = nullptr;
-  bool stopped = false;                     ///< by the caller's function
-  std::optional<ExactContact> contact = {}; ///< last solved
+  bool stopped = false;                        ///< by the caller's function
+  std::optional<ContactSolution> contact = {}; ///< last solved
 };
 
 namespace {
@@ -69,7 +70,7 @@ microslip_exact* make_solver(const microslip_exact_options& o) {
 
 ExactMotion motion_of(const microslip_exact_motion& m) {
   require_between("step", m.step, "m", 0, std::numeric_limits<double>::max());
-  require_count("steps", m.steps, 1, 1000000);
+  require_count("steps", m.steps, 1, most_steps);
   ExactMotion out{
       .kind = motions[static_cast<std::size_t>(require_count("kind", m.kind, 0, 2))], .step = m.step, .steps = m.steps};
   if (require_count("force_x_given", m.force_x_given, 0, 1)) out.force_x = require_finite("force_x", m.force_x, "N");
@@ -77,23 +78,23 @@ ExactMotion motion_of(const microslip_exact_motion& m) {
   return out;
 }
 
-microslip_exact_result result_of(const ExactContact& found) {
+microslip_exact_result result_of(const ContactSolution& found) {
   microslip_exact_result out{};
-  out.forces = forces_of(found.fields.forces);
+  out.forces = forces_of(found.forces());
   out.creep_longitudinal = found.creepage.longitudinal;
   out.creep_lateral = found.creepage.lateral;
   out.spin = found.creepage.spin;
   out.approach = found.approach;
-  out.peak_pressure = found.peak_pressure;
-  out.peak_traction = found.peak_traction;
-  out.frictional_power = found.fields.frictional_power;
-  out.power_by_creepage = found.power_by_creepage;
-  out.elastic_energy = found.elastic_energy;
-  out.residual = found.residual;
-  out.mx = found.fields.mx;
-  out.my = found.fields.my;
-  out.newton_steps = found.newton_steps;
-  out.products = found.products;
+  out.peak_pressure = found.totals.peak_pressure;
+  out.peak_traction = found.totals.peak_traction;
+  out.frictional_power = found.totals.frictional_power;
+  out.power_by_creepage = found.totals.power_by_creepage;
+  out.elastic_energy = found.totals.elastic_energy;
+  out.residual = found.report.residual;
+  out.mx = found.elements.mx();
+  out.my = found.elements.my();
+  out.newton_steps = found.report.newton_steps;
+  out.products = found.report.products;
   return out;
 }
 
@@ -187,12 +188,12 @@ microslip_code microslip_exact_differentiate(microslip_exact* solver, const micr
     auto* const theory = std::get_if<EllipticContactSolver>(&solver->solver);
     if (!theory) throw Refusal(MICROSLIP_INVALID_OPTION, "accuracy: there are no derivatives of extrapolated forces");
     ExactDerivatives found = theory->differentiate(contact_of(*contact));
-    const microslip_exact_result totals = result_of(found.contact);
+    const microslip_exact_result totals = result_of(found.solution);
     const bool valid = totals.forces.status != MICROSLIP_INVALID_INPUT;
     for (std::size_t k = 0; k < 9; ++k)
       jacobian[k] = valid ? found.jacobian[k / 3][k % 3] : std::numeric_limits<double>::quiet_NaN();
     if (result) write_growing("result", totals, result, size);
-    solver->contact = std::move(found.contact);
+    solver->contact = std::move(found.solution);
     return report_status(error, totals.forces.status, *contact, false);
   });
 }
@@ -202,16 +203,6 @@ microslip_code microslip_exact_get(const microslip_exact* solver, microslip_fiel
   return guarded(error, [&] {
     if (!require_pointer("solver", solver)->contact)
       throw Refusal(MICROSLIP_NO_RESULT, "microslip_exact_solve was not called yet");
-    const ExactContact& found = *solver->contact;
-    const std::span<double> target(require_pointer("values", values), count);
-    require_size("count", count, found.fields.x.size());
-    if (field == MICROSLIP_FIELD_PRESSURE)
-      std::ranges::copy(found.pressure, target.begin());
-    else if (field == MICROSLIP_FIELD_UX)
-      std::ranges::copy(found.ux, target.begin());
-    else if (field == MICROSLIP_FIELD_UY)
-      std::ranges::copy(found.uy, target.begin());
-    else
-      copy_field(found.fields, field, target);
+    copy_field(*solver->contact, field, {require_pointer("values", values), count});
   });
 }

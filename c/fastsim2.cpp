@@ -50,7 +50,7 @@ struct microslip_fastsim2 {
   std::array<EllipticContact, chunk> contacts = {};
   std::array<ContactForces, chunk> forces = {};
   std::array<ContactDerivatives, chunk> derivatives = {};
-  std::optional<ContactFields> fields = {};
+  std::optional<ContactSolution> fields = {};
 };
 
 namespace {
@@ -125,7 +125,7 @@ microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2* solver, const
   if (checked != MICROSLIP_OK) return checked;
   return guarded(error, [&] {
     require_pointer("solver", solver)->fields = solver->solver.fields(contact_of(*contact));
-    if (forces) *forces = forces_of(solver->fields->forces);
+    if (forces) *forces = forces_of(solver->fields->forces());
   });
 }
 

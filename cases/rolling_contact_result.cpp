@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace microslip {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
 
@@ -25,8 +27,8 @@ GridError difference(const EllipticContact& contact, const ContactForces& a, con
 /// By a solver for a grid and one for twice its cells in each direction.
 template <class Solver> SimplifiedResult solve_simplified(const EllipticContact& contact, Solver solver, Solver finer) {
   SimplifiedResult result;
-  result.fields = solver.fields(contact);
-  result.grid_error = difference(contact, result.fields.forces, finer.solve(contact));
+  result.solution = solver.fields(contact);
+  result.grid_error = difference(contact, result.solution.forces(), finer.solve(contact));
   result.curve = creep_curve(contact, simplified_curve_points, [&](const auto& moved) { return solver.solve(moved); });
   return result;
 }
@@ -41,12 +43,13 @@ SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContac
   return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
 }
 
-CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact) {
+CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, const Progress& progress) {
   auto options = of_case;
   options.mx = std::min(options.mx, largest_curve_grid);
   options.my = std::min(options.my, largest_curve_grid);
   EllipticContactSolver solver(options);
-  return creep_curve(contact, exact_curve_points, [&](const auto& moved) { return solver.solve(moved).fields.forces; });
+  return creep_curve(contact, exact_curve_points,
+                     [&](const auto& moved) { return solver.solve(moved, {}, progress).forces(); });
 }
 
 /// dq: as given, or the elements' length.
@@ -64,10 +67,15 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
   EllipticContactSolver solver(options);
   ExactResult result;
-  result.contact = solver.solve(contact, motion, progress);
-  result.gap = result.contact.gap.empty() ? solver.deformed_gap(contact, motion) : result.contact.gap;
-  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion);
-  result.grid_error = difference(contact, result.contact.fields.forces, coarse.fields.forces);
+  result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
+  const Progress rest = essential_part(progress, 0.7, 0.9);
+  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion, rest).gap;
+  if (coarser.mx == options.mx && coarser.my == options.my) {
+    result.grid_error = {nan, nan, nan};
+    return result;
+  }
+  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
+  result.grid_error = difference(contact, result.contact.forces(), coarse.forces());
   return result;
 }
 
@@ -75,27 +83,28 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
 ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
   auto options = exact_options(input);
   ExactResult result;
-  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, progress);
+  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, part(progress, 0, 0.8));
   result.contact = result.limit->finest;
   options.mx = options.my = result.limit->elements;
-  result.gap = EllipticContactSolver(options).deformed_gap(contact);
-  result.grid_error = difference(contact, result.contact.fields.forces, result.limit->coarser);
+  result.contact.fields.gap =
+      EllipticContactSolver(options).deformed_gap(contact, {}, essential_part(progress, 0.8, 0.9)).gap;
+  result.grid_error = difference(contact, result.contact.forces(), result.limit->coarser);
   return result;
 }
 
 ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress) {
   auto result = input.accuracy ? solve_to_accuracy(input, contact, progress) : solve_on_grid(input, contact, progress);
   contact.creepage = result.contact.creepage;
-  if (input.interior.count() > 0 && std::isfinite(result.contact.fields.forces.fx)) {
-    const int mx = result.limit ? result.limit->elements : input.options.mx;
-    const int my = result.limit ? result.limit->elements : input.options.my;
+  if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
     result.interior = interior_states(interior_body(input, input.body1), interior_body(input, input.body2),
-                                      result.contact, 2 * contact.a / mx, 2 * contact.b / my, input.interior);
+                                      result.contact, input.interior);
   }
-  const bool ok = result.contact.fields.forces.status == Status::ok;
+  const bool ok = result.contact.report.status == Status::ok;
   auto options = exact_options(input);
   if (result.limit) options.mx = options.my = result.limit->elements;
-  if (input.motion.kind == ContactMotion::steady && ok) result.curve = exact_curve(options, contact);
+  if (input.motion.kind == ContactMotion::steady && ok)
+    result.curve = exact_curve(options, contact, part(progress, 0.9, 1));
+  go_on(progress, 1);
   return result;
 }
 
@@ -121,15 +130,18 @@ void write_friction(ResultFile& file, const RollingCase& input) {
   }
 }
 
-void write_motion(ResultFile& file, const RollingCase& input, const Creepage& creepage) {
+/// What was given: a creepage whose force is given in its place is a result, exact/creep_x or creep_y.
+void write_motion(ResultFile& file, const RollingCase& input) {
+  const auto& creepage = input.creepage;
   const bool shift = input.motion.kind == ContactMotion::shift;
   const auto write = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("inputs/") + name, value, unit, what);
   };
-  write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
-        "rigid motion along x: given, or found where the force is given");
-  write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-",
-        "rigid motion along y: given, or found where the force is given");
+  if (!input.motion.force_x)
+    write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
+          "rigid motion along x");
+  if (!input.motion.force_y)
+    write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-", "rigid motion along y");
   write(shift ? "rotation" : "spin", creepage.spin, shift ? "rad" : "1/m", "rigid rotation about the normal");
   file.scalar("inputs/rolling_speed", input.rolling_speed, "m/s", "rolling speed V");
   file.text("inputs/motion", std::string(to_word(input.motion.kind)), "shift, transient or steady rolling");
@@ -175,7 +187,7 @@ void write_inputs(ResultFile& file, const RollingCase& input, const EllipticCont
     file.scalar("inputs/layer_hardening", input.layer.hardening, "Pa/m", "what plastic deformation adds to that");
   }
   write_friction(file, input);
-  write_motion(file, input, contact.creepage);
+  write_motion(file, input);
   write_solution(file, input);
 }
 
@@ -186,28 +198,34 @@ void write_tolerances(ResultFile& file, const std::string& theory, const GridErr
   file.scalar("tolerances/" + theory + "/grid_mz", error.mz, "mu Fn sqrt(a b)", "discretisation error of mz" + what);
 }
 
-void write_theory(ResultFile& file, const std::string& theory, const ContactFields& fields) {
-  const auto& forces = fields.forces;
+ResultFile::Shape shape_of(const Elements& elements) {
+  return {static_cast<std::size_t>(elements.my()), static_cast<std::size_t>(elements.mx())};
+}
+
+void write_theory(ResultFile& file, const std::string& theory, const ContactSolution& solution) {
+  const ContactForces forces = solution.forces();
+  const SurfaceFields& fields = solution.fields;
+  const Elements& elements = solution.elements;
   file.scalar(theory + "/fx", forces.fx, "N", "longitudinal force on body 1");
   file.scalar(theory + "/fy", forces.fy, "N", "lateral force on body 1");
   file.scalar(theory + "/mz", forces.mz, "N m", "spin moment on body 1");
   file.scalar(theory + "/adhesion_area", forces.adhesion_area, "m^2", "area of adhesion");
   file.scalar(theory + "/slip_area", forces.slip_area, "m^2", "area of slip");
-  file.scalar(theory + "/frictional_power", fields.frictional_power, "W", "power lost to friction");
+  file.scalar(theory + "/frictional_power", solution.totals.frictional_power, "W", "power lost to friction");
   file.text(theory + "/status", std::string(to_string(forces.status)), "how the calculation ended");
 
-  const ResultFile::Shape shape = {static_cast<std::size_t>(fields.my), static_cast<std::size_t>(fields.mx)};
+  const ResultFile::Shape shape = shape_of(elements);
   const auto field = [&](const char* name, const std::vector<double>& values, const char* unit, const char* what) {
     file.array(theory + "/fields/" + name, values, unit, what, shape);
   };
-  field("x", fields.x, "m", "x of the cell's centre, from the leading to the trailing edge");
-  field("y", fields.y, "m", "y of the cell's centre");
-  field("area", fields.area, "m^2", "weight of the cell in the forces");
+  field("x", elements.x, "m", "x of the cell's centre");
+  field("y", elements.y, "m", "y of the cell's centre");
+  field("area", elements.area, "m^2", "weight of the cell in the forces");
   field("bound", fields.bound, "Pa", "traction bound g");
-  field("px", fields.px, "Pa", "longitudinal traction on body 1");
-  field("py", fields.py, "Pa", "lateral traction on body 1");
-  field("sx", fields.sx, "-", "relative slip of body 1 over body 2, longitudinal");
-  field("sy", fields.sy, "-", "relative slip of body 1 over body 2, lateral");
+  field("px", fields.traction.x, "Pa", "longitudinal traction on body 1");
+  field("py", fields.traction.y, "Pa", "lateral traction on body 1");
+  field("sx", fields.slip.x, "-", "relative slip of body 1 over body 2, longitudinal");
+  field("sy", fields.slip.y, "-", "relative slip of body 1 over body 2, lateral");
   std::vector<std::uint8_t> states;
   for (const auto state : fields.state) states.push_back(static_cast<std::uint8_t>(state));
   file.array(theory + "/fields/state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
@@ -215,40 +233,42 @@ void write_theory(ResultFile& file, const std::string& theory, const ContactFiel
 
 void write_exact(ResultFile& file, const ExactResult& result) {
   const auto& contact = result.contact;
-  write_theory(file, "exact", contact.fields);
+  write_theory(file, "exact", contact);
   const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("exact/") + name, value, unit, what);
   };
   scalar("creep_x", contact.creepage.longitudinal, "-", "longitudinal creepage; for a shift the shift in m");
   scalar("creep_y", contact.creepage.lateral, "-", "lateral creepage; for a shift the shift in m");
   scalar("approach", contact.approach, "m", "approach of distant points on this grid");
-  scalar("peak_pressure", contact.peak_pressure, "Pa", "largest pressure of an element");
-  scalar("peak_traction", contact.peak_traction, "Pa", "largest traction of an element");
-  scalar("power_by_creepage", contact.power_by_creepage, "W",
+  scalar("peak_pressure", contact.totals.peak_pressure, "Pa", "largest pressure of an element");
+  scalar("peak_traction", contact.totals.peak_traction, "Pa", "largest traction of an element");
+  scalar("power_by_creepage", contact.totals.power_by_creepage, "W",
          "frictional power by the creepages; for a shift work in J");
-  scalar("elastic_energy", contact.elastic_energy, "J", "of the tangential tractions");
-  scalar("residual", contact.residual, "-", "of the tangential problem, relative");
-  scalar("newton_steps", contact.newton_steps, "-", "iterations of Newton's method");
-  if (contact.friction_rounds > 0) {
-    scalar("friction_rounds", contact.friction_rounds, "-", "problems solved until friction went with the slip");
-    scalar("friction_residual", contact.friction_residual, "-", "last change of the slip, relative");
+  scalar("elastic_energy", contact.totals.elastic_energy, "J", "of the tangential tractions");
+  scalar("my", contact.totals.my, "N m", "moment of the pressure about y on body 1: rolling resistance");
+  scalar("residual", contact.report.residual, "-", "of the tangential problem, relative");
+  scalar("newton_steps", contact.report.newton_steps, "-", "iterations of Newton's method");
+  if (contact.report.friction_iterations > 0) {
+    scalar("friction_rounds", contact.report.friction_iterations, "-",
+           "problems solved until friction went with the slip");
+    scalar("friction_residual", contact.report.friction_residual, "-", "last change of the slip, relative");
   }
-  if (!contact.temperature1.empty())
+  if (!contact.fields.temperature1.empty())
     scalar("highest_temperature", contact.highest_temperature, "deg C", "of the surfaces in contact");
-  scalar("products", static_cast<double>(contact.products), "-", "products with the matrix of influence coefficients");
-  const ResultFile::Shape shape = {static_cast<std::size_t>(contact.fields.my),
-                                   static_cast<std::size_t>(contact.fields.mx)};
-  file.array("exact/fields/pn", contact.pressure, "Pa", "pressure", shape);
-  file.array("exact/fields/gap", result.gap, "m", "deformed distance of the bodies", shape);
-  file.array("exact/fields/ux", contact.ux, "m", "displacement difference, longitudinal", shape);
-  file.array("exact/fields/uy", contact.uy, "m", "displacement difference, lateral", shape);
+  scalar("products", static_cast<double>(contact.report.products), "-",
+         "products with the matrix of influence coefficients");
+  const ResultFile::Shape shape = shape_of(contact.elements);
+  file.array("exact/fields/pn", contact.fields.pressure, "Pa", "pressure", shape);
+  file.array("exact/fields/gap", contact.fields.gap, "m", "deformed distance of the bodies", shape);
+  file.array("exact/fields/ux", contact.fields.displacement.x, "m", "displacement difference, longitudinal", shape);
+  file.array("exact/fields/uy", contact.fields.displacement.y, "m", "displacement difference, lateral", shape);
   const auto optional_field = [&](const char* name, const std::vector<double>& values, const char* unit,
                                   const char* what) {
     if (!values.empty()) file.array(std::string("exact/fields/") + name, values, unit, what, shape);
   };
-  optional_field("mu", contact.friction, "-", "coefficient of friction");
-  optional_field("temperature1", contact.temperature1, "deg C", "of body 1's surface");
-  optional_field("temperature2", contact.temperature2, "deg C", "of body 2's surface");
+  optional_field("mu", contact.fields.friction, "-", "coefficient of friction");
+  optional_field("temperature1", contact.fields.temperature1, "deg C", "of body 1's surface");
+  optional_field("temperature2", contact.fields.temperature2, "deg C", "of body 2's surface");
 }
 
 void write_limit(ResultFile& file, const AccurateContact& limit) {
@@ -290,22 +310,22 @@ void write_interior(ResultFile& file, const InteriorGrid& points, const std::vec
 
 /// A number of every step of transient rolling.
 template <class Value>
-void write_history(ResultFile& file, const std::vector<ExactStep>& history, const char* name, const char* unit,
+void write_history(ResultFile& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
                    const Value& value) {
   std::vector<double> values;
   for (const auto& step : history) values.push_back(value(step));
   file.array(std::string("exact/history/") + name, values, unit, std::string(name) + " after each step");
 }
 
-void write_history(ResultFile& file, const std::vector<ExactStep>& history, double step) {
+void write_history(ResultFile& file, const std::vector<SolutionStep>& history, double step) {
   if (history.empty()) return;
   double rolled = 0;
-  write_history(file, history, "distance", "m", [&](const ExactStep&) { return rolled += step; });
-  write_history(file, history, "fx", "N", [](const ExactStep& s) { return s.forces.fx; });
-  write_history(file, history, "fy", "N", [](const ExactStep& s) { return s.forces.fy; });
-  write_history(file, history, "mz", "N m", [](const ExactStep& s) { return s.forces.mz; });
-  write_history(file, history, "creep_x", "-", [](const ExactStep& s) { return s.creepage.longitudinal; });
-  write_history(file, history, "creep_y", "-", [](const ExactStep& s) { return s.creepage.lateral; });
+  write_history(file, history, "distance", "m", [&](const SolutionStep&) { return rolled += step; });
+  write_history(file, history, "fx", "N", [](const SolutionStep& s) { return s.totals.fx; });
+  write_history(file, history, "fy", "N", [](const SolutionStep& s) { return s.totals.fy; });
+  write_history(file, history, "mz", "N m", [](const SolutionStep& s) { return s.totals.mz; });
+  write_history(file, history, "creep_x", "-", [](const SolutionStep& s) { return s.creepage.longitudinal; });
+  write_history(file, history, "creep_y", "-", [](const SolutionStep& s) { return s.creepage.lateral; });
 }
 
 void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& curve) {
@@ -319,6 +339,23 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
   write("fx", "N", &ContactForces::fx);
   write("fy", "N", &ContactForces::fy);
   write("mz", "N m", &ContactForces::mz);
+}
+
+/// Of results for simpler bodies than the case's.
+void write_assumption(ResultFile& file, const std::string& group, const std::string& assumption) {
+  if (!assumption.empty()) file.attribute(group, "assumes", assumption);
+}
+
+/// Which creepage varies, and where on the curve the case is.
+void write_curve_point(ResultFile& file, const CreepCurve& curve, const Creepage& creepage) {
+  const auto write = [&](const char* name, double value, const char* unit) {
+    file.scalar(std::string("creep_curve/") + name, value, unit,
+                "of the case: given, or found where the force is given");
+  };
+  write("creepage_longitudinal", creepage.longitudinal, "-");
+  write("creepage_lateral", creepage.lateral, "-");
+  write("spin", creepage.spin, "1/m");
+  file.attribute("creep_curve", "variable", curve.variable);
 }
 
 } // namespace
@@ -365,16 +402,35 @@ std::string simplified_name(const RollingCase& input) {
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
 }
 
+std::string hertz_assumption(const RollingCase& input) {
+  const Bodies bodies = bodies_of(input);
+  return bodies.are_elastic() && !bodies.are_coupled() ? "" : "elastic bodies of K = 0 without friction";
+}
+
+std::string simplified_assumption(const RollingCase& input) {
+  std::string all;
+  const auto add = [&](bool is_needed, const char* assumption) {
+    if (is_needed) all.append(all.empty() ? "" : ", ").append(assumption);
+  };
+  const Bodies bodies = bodies_of(input);
+  add(!bodies.are_elastic() || bodies.are_coupled(), "elastic bodies of K = 0");
+  add(bodies.layer.flexibility > 0, "no layer");
+  add(input.temperature_effect.has_value(), "friction without heat");
+  add(input.friction_memory.distance > 0, "friction without memory");
+  return all;
+}
+
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
+  result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
   if (const auto& exact = result.exact)
-    result.status = exact->limit ? exact->limit->forces.status : exact->contact.fields.forces.status;
+    result.status = exact->limit ? exact->limit->forces.status : exact->contact.report.status;
   if (input.motion.kind == ContactMotion::steady && result.status == Status::ok) {
     result.simplified = solve_simplified(input, result.contact);
-    if (!result.exact) result.status = result.simplified->fields.forces.status;
+    if (!result.exact) result.status = result.simplified->solution.report.status;
   }
   return result;
 }
@@ -384,6 +440,10 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   ResultFile file(path, provenance);
   write_inputs(file, input, result.contact);
   write(file, hertz_quantities(result.hertz));
+  write_assumption(file, "hertz", hertz_assumption(input));
+  std::string warnings;
+  for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
+  if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   if (const auto& exact = result.exact) {
     write_exact(file, *exact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
@@ -394,10 +454,11 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   }
   if (const auto& simplified = result.simplified) {
     const auto name = simplified_name(input);
-    write_theory(file, name, simplified->fields);
+    write_theory(file, name, simplified->solution);
+    write_assumption(file, name, simplified_assumption(input));
     write_tolerances(file, name, simplified->grid_error, "twice the cells");
     write_curve(file, name, simplified->curve);
-    file.attribute("creep_curve", "variable", simplified->curve.variable);
+    write_curve_point(file, simplified->curve, result.contact.creepage);
   }
   file.commit();
 }

@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// How far totals are from those on another grid.
+/// How far totals are from those on another grid; NaN where there is none, as for a single element.
 struct GridError {
   double fx = 0, fy = 0; ///< in units of mu Fn
   double mz = 0;         ///< in units of mu Fn sqrt(a b)
@@ -20,15 +20,14 @@ struct GridError {
 
 /// What the simplified theory makes of a case.
 struct SimplifiedResult {
-  ContactFields fields;
+  ContactSolution solution;
   GridError grid_error; ///< to the grid with twice the cells in each direction
   CreepCurve curve;
 };
 
 /// What the exact theory makes of a case.
 struct ExactResult {
-  ExactContact contact;
-  std::vector<double> gap;              ///< deformed distance of the bodies at the cells of its fields [m]
+  ContactSolution contact;
   GridError grid_error;                 ///< to the grid with half the elements in each direction
   std::optional<AccurateContact> limit; ///< if an accuracy is asked for; `contact` is its finest then
   std::vector<InteriorState> interior;  ///< at the case's points inside the bodies
@@ -42,6 +41,7 @@ struct RollingContactResult {
   std::optional<ExactResult> exact;
   std::optional<SimplifiedResult> simplified; ///< beside the exact theory if that converges for steady rolling
   Status status = Status::ok;                 ///< of the theory that the case asks for
+  std::vector<std::string> warnings;          ///< of an implausible contact; see implausibilities
 };
 
 /// A number of a result file.
@@ -60,7 +60,13 @@ std::vector<Quantity> hertz_quantities(const HertzContact& hertz);
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const RollingCase& input);
 
+/// Where Hertz's solution and the simplified theory, as they stand beside the exact theory, are those of simpler bodies
+/// than the case's: which. Empty: of the same.
+std::string hertz_assumption(const RollingCase& input);
+std::string simplified_assumption(const RollingCase& input);
+
 /// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
+/// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
 
 /// Writes it as HDF5. Error if that is impossible.

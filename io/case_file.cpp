@@ -2,6 +2,7 @@
 
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -13,9 +14,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr int most_steps = 1000000;
-constexpr std::size_t most_interior_points = 2000000;
 
 constexpr std::string_view thermal_keys[] = {"bulk_temperature", "conductivity", "density", "heat_capacity"};
 
@@ -168,12 +166,6 @@ void refuse_at(const TomlSection& section, std::string_view name, std::string_vi
   section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
 }
 
-bool needs_classical(const RollingCase& input) {
-  const Bodies bodies = bodies_of(input);
-  return input.friction_law != "coulomb" || input.body1.thermal || bodies.are_coupled() || !bodies.are_elastic() ||
-         bodies.layer.flexibility > 0;
-}
-
 /// Limits are those of steady rolling at second order; bodies that differ or flow and falling friction are classical.
 void check_exact(const TomlSection& motion, const TomlSection& solution, RollingCase& input) {
   const bool is_classical = needs_classical(input);
@@ -253,7 +245,7 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   solution.allow({"theory", "grid", "accuracy", "discretisation", "elements", "tolerance", "coupling", "slip_start",
                   "bound", "flexibility", "coefficients", "slope_reduction"});
   input.theory = solution.option("theory", input.theory);
-  solution.counts("grid", 1, largest_field_grid, input.options.mx, input.options.my);
+  solution.counts("grid", 1, most_field_cells, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
   input.elements = solution.option("elements", input.elements);
   if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);
@@ -285,6 +277,12 @@ void read_interior(const TomlSection& interior, RollingCase& input) {
 }
 
 } // namespace
+
+bool needs_classical(const RollingCase& input) {
+  const Bodies bodies = bodies_of(input);
+  return input.friction_law != "coulomb" || input.body1.thermal || bodies.are_coupled() || !bodies.are_elastic() ||
+         bodies.layer.flexibility > 0;
+}
 
 RollingCase parse_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
@@ -336,11 +334,13 @@ Bodies bodies_of(const RollingCase& input) {
   return bodies;
 }
 
+PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2) {
+  return {body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius};
+}
+
 HertzContact hertz_contact(const RollingCase& input) {
-  const auto &body1 = input.body1, &body2 = input.body2;
-  const auto gap =
-      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
-  const auto material = combine(body1.material, body2.material);
+  const auto gap = gap_curvatures(principal_radii(input.body1, input.body2));
+  const auto material = combine(input.body1.material, input.body2.material);
   return input.normal_force ? hertz_from_load(gap, material, *input.normal_force)
                             : hertz_from_approach(gap, material, *input.approach);
 }

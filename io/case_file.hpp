@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/theory.hpp"
+#include "microslip/rolling/theory.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -49,9 +49,6 @@ struct RollingCase {
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
 
-/// Largest number of cells along either side of a grid whose fields are kept.
-inline constexpr int largest_field_grid = 2000;
-
 /// Reads a case from TOML text; `name` is the file's name for messages. Unknown keys, missing keys, wrong types and
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
@@ -65,8 +62,11 @@ InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.
 HertzContact hertz_contact(const RollingCase& input);
+PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2);
 EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz);
 ExactOptions exact_options(const RollingCase& input);
+/// Whether the exact theory can solve the case with the classical discretisation only.
+bool needs_classical(const RollingCase& input);
 
 /// The text of a case file. Error if it cannot be read or is longer than 1 MiB.
 std::string read_case_text(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include <csv.h>
@@ -24,32 +25,49 @@ struct Column {
   constexpr std::string_view name() const { return label.substr(label_start.size()); }
 };
 
-constexpr std::array<Column, 9> known_columns = {{
-    {"column a", [](auto& contact, auto label, double value) { contact.a = require_positive(label, value, "m"); }},
-    {"column b", [](auto& contact, auto label, double value) { contact.b = require_positive(label, value, "m"); }},
+constexpr std::string_view dissimilarity_label = "column dissimilarity";
+
+/// First those that every table has.
+constexpr std::array<Column, 11> known_columns = {{
+    {"column a", [](EllipticContact& c, auto label, double value) { c.a = require_positive(label, value, "m"); }},
+    {"column b", [](EllipticContact& c, auto label, double value) { c.b = require_positive(label, value, "m"); }},
     {"column shear_modulus",
-     [](auto& contact, auto label, double value) { contact.shear_modulus = require_positive(label, value, "Pa"); }},
-    {"column poisson_ratio", [](auto& contact, auto label,
-                                double value) { contact.poisson_ratio = require_between(label, value, "-", 0, 0.5); }},
+     [](EllipticContact& c, auto label, double value) { c.shear_modulus = require_positive(label, value, "Pa"); }},
+    {"column poisson_ratio", [](EllipticContact& c, auto label,
+                                double value) { c.poisson_ratio = require_between(label, value, "-", 0, 0.5); }},
     {"column friction",
-     [](auto& contact, auto label, double value) {
-       contact.friction = FrictionLaw::coulomb(require_between(label, value, "-", 0, FrictionLaw::largest_coefficient));
+     [](EllipticContact& c, auto label, double value) {
+       c.friction = FrictionLaw::coulomb(require_between(label, value, "-", 0, FrictionLaw::largest_coefficient));
      }},
     {"column normal_force",
-     [](auto& contact, auto label, double value) { contact.normal_force = require_positive(label, value, "N"); }},
-    {"column creep_x", [](auto& contact, auto label,
-                          double value) { contact.creepage.longitudinal = require_finite(label, value, "-"); }},
+     [](EllipticContact& c, auto label, double value) { c.normal_force = require_positive(label, value, "N"); }},
+    {"column creep_x",
+     [](EllipticContact& c, auto label, double value) { c.creepage.longitudinal = require_finite(label, value, "-"); }},
     {"column creep_y",
-     [](auto& contact, auto label, double value) { contact.creepage.lateral = require_finite(label, value, "-"); }},
+     [](EllipticContact& c, auto label, double value) { c.creepage.lateral = require_finite(label, value, "-"); }},
     {"column spin",
-     [](auto& contact, auto label, double value) { contact.creepage.spin = require_finite(label, value, "1/m"); }},
+     [](EllipticContact& c, auto label, double value) { c.creepage.spin = require_finite(label, value, "1/m"); }},
+    {dissimilarity_label, [](EllipticContact& c, auto label,
+                             double value) { c.dissimilarity = require_between(label, value, "-", -0.5, 0.5); }},
+    {"column rolling_speed",
+     [](EllipticContact& c, auto label, double value) { c.rolling_speed = require_positive(label, value, "m/s"); }},
 }};
+constexpr std::size_t required_columns = 9;
 
 constexpr auto known_names = [] {
   std::array<std::string_view, known_columns.size()> names{};
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = known_columns[i].name();
   return names;
 }();
+constexpr auto required_names = std::span(known_names).first<required_columns>();
+
+/// K of two bodies is largest when one is rigid: |K| <= 1/2 - nu. A little more is rounding of the table's numbers.
+void require_possible(double dissimilarity, double poisson_ratio) {
+  constexpr double rounding = 1e-4;
+  const double largest = 0.5 - poisson_ratio;
+  if (std::abs(dissimilarity) > largest + rounding)
+    require_between(dissimilarity_label, dissimilarity, "-", -largest, largest);
+}
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t";
@@ -140,7 +158,7 @@ ContactTableReader::ContactTableReader(std::istream& stream, std::string name)
     ++number;
   }
   if (is_blank(line))
-    throw Error(name_ + ": is empty; the first line must name the columns " + listed(known_names, "and"));
+    throw Error(name_ + ": is empty; the first line must name the columns " + listed(required_names, "and"));
   parse_header(line, number);
   rest_.erase(0, rest_.size() - text.size());
   next_line_ = number + 1;
@@ -173,7 +191,7 @@ void ContactTableReader::parse_header(std::string_view line, std::size_t number)
     columns_.push_back(*found);
     kinds_.push_back(static_cast<std::size_t>(found - known_names.begin()));
   }
-  for (const auto name : known_names)
+  for (const auto name : required_names)
     if (std::find(columns_.begin(), columns_.end(), name) == columns_.end())
       fail("column " + std::string(name) + ": is missing");
 }
@@ -213,6 +231,9 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
         if (i > 0) rows.text += ',';
         rows.text += fields[i];
       }
+      require_possible(contact.dissimilarity, contact.poisson_ratio);
+      if (contact.dissimilarity != 0 && !similar_only_.empty())
+        throw Error(dissimilarity_label, contact.dissimilarity, "-", "0 " + similar_only_);
       rows.ends.push_back(rows.text.size());
     } catch (const Error& error) {
       throw Error(name_ + ":" + std::to_string(line_number) + ": " + error.what());

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 
 #include <cstddef>
 #include <istream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace microslip {
@@ -26,13 +27,17 @@ struct ContactRows {
 
 /// Reads a table of contacts from CSV, a chunk at a time, in constant memory. The first line names the columns, in any
 /// order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-], friction [-], normal_force [N], creep_x [-], creep_y
-/// [-], spin [1/m]; each of them once and no other. Blanks around fields, quotes, CRLF, a byte-order mark, blank lines
+/// [-], spin [1/m], each of them once; there may be dissimilarity [-], K with |K| <= 1/2 - poisson_ratio, and
+/// rolling_speed [m/s], and no other. Blanks around fields, quotes, CRLF, a byte-order mark, blank lines
 /// and a last line without its end are fine. Everything else throws an Error with file, line and column: `in.csv:17:
 /// column friction: "abc" is not a number`, `in.csv:18: column poisson_ratio = 0.7 [-]: must be in [0, 0.5]`.
 class ContactTableReader {
 public:
   /// Reads the header. `stream` must outlive the reader; `name` is the file's name for messages.
   ContactTableReader(std::istream& stream, std::string name);
+
+  /// Makes `parse` refuse a dissimilarity other than 0: `reason` ends "must be 0 ...".
+  void refuse_dissimilar_bodies(std::string reason) { similar_only_ = std::move(reason); }
 
   /// Names of the columns in the order of the file.
   const std::vector<std::string_view>& columns() const { return columns_; }
@@ -47,7 +52,7 @@ private:
   void parse_header(std::string_view line, std::size_t number);
 
   std::istream& stream_;
-  std::string name_;
+  std::string name_, similar_only_;
   std::vector<std::string_view> columns_;
   std::vector<std::size_t> kinds_; ///< for each column, which of the known ones it is
   std::string rest_;               ///< bytes that are read and not handed out: the beginning of a line

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/theory.hpp"
+#include "microslip/rolling/theory.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 
 #include <span>

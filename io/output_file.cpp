@@ -2,8 +2,15 @@
 
 #include "microslip/error.hpp"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -38,9 +45,73 @@ bool is_special(const std::filesystem::path& path) {
   return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
+/// The names of temporary files, where a signal handler finds them: memory that is never moved nor given back.
+struct TemporaryName {
+  std::atomic<bool> is_taken = false, is_there = false;
+  std::array<char, PATH_MAX> name;
+};
+std::array<TemporaryName, 8> temporary_names; // a command writes two files at a time
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
+
+/// With more files at a time than there is room for, or a longer name, a signal handler leaves the file to the next
+/// run.
+void register_temporary(const std::string& name) {
+  if (name.size() >= PATH_MAX) return;
+  for (auto& slot : temporary_names) {
+    if (slot.is_taken.exchange(true)) continue;
+    std::memcpy(slot.name.data(), name.c_str(), name.size() + 1);
+    slot.is_there = true;
+    return;
+  }
+}
+
+void forget_temporary(const std::string& name) {
+  for (auto& slot : temporary_names) {
+    if (!slot.is_there || name != slot.name.data()) continue;
+    slot.is_there = false;
+    slot.is_taken = false;
+  }
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// What stands before the process number in the names of this computer's temporary files.
+std::string temporary_mark() {
+  return std::string(".microslip.").append(host_name()).append(".");
+}
+
+/// The process that made a temporary file, or 0 if it is none or another computer's.
+pid_t process_of(const std::string& name, const std::string& mark) {
+  pid_t process = 0;
+  const auto at = name.rfind(mark);
+  if (at != std::string::npos && name.starts_with('.') && name.ends_with(".tmp"))
+    std::from_chars(name.data() + at + mark.size(), name.data() + name.size(), process);
+  return process;
+}
+
+/// Removes what killed processes have left in a folder; once, as a command may write thousands of files there.
+void remove_remains(const std::filesystem::path& folder) {
+  static std::mutex busy;
+  static std::optional<std::filesystem::path> last;
+  const std::scoped_lock lock(busy);
+  if (folder == last) return;
+  last = folder;
+  const auto mark = temporary_mark();
+  std::error_code error;
+  const auto place = folder.empty() ? std::filesystem::path(".") : folder;
+  for (std::filesystem::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+    const pid_t process = process_of(entry->path().filename().string(), mark);
+    const bool is_dead = process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
+    if (is_dead) ::unlink(entry->path().c_str());
+  }
+}
+
 std::filesystem::path temporary_name(const std::filesystem::path& target, int attempt) {
   std::string name = ".";
-  name.append(target.filename().string()).append(".").append(std::to_string(::getpid()));
+  name.append(target.filename().string()).append(temporary_mark()).append(std::to_string(::getpid()));
   if (attempt > 0) name.append("-").append(std::to_string(attempt));
   return target.parent_path() / name.append(".tmp");
 }
@@ -54,17 +125,25 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_
     if (descriptor_ < 0) fail(errno);
     return;
   }
-  // A name may be taken by the remains of a killed program that had the same process number.
+  remove_remains(target_.parent_path());
+  open_temporary();
+}
+
+/// A name may be taken by another OutputFile of this process, or by the remains of one with the same number.
+void OutputFile::open_temporary() {
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
     if (descriptor_ < 0 && (errno != EEXIST || attempt == 100)) fail(errno);
   }
+  register_temporary(temporary_.string());
 }
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  forget_temporary(temporary_.string());
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -84,11 +163,17 @@ void OutputFile::commit() {
   if (::close(descriptor) != 0) fail(errno);
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  forget_temporary(temporary_.string());
   temporary_.clear();
 }
 
 void OutputFile::fail(int error_number) const {
   throw Error(path_.string() + ": cannot be written: " + std::generic_category().message(error_number));
+}
+
+void remove_temporary_files() noexcept {
+  for (const auto& slot : temporary_names)
+    if (slot.is_there) ::unlink(slot.name.data());
 }
 
 void create_folder(const std::filesystem::path& path) {

@@ -8,7 +8,8 @@ namespace microslip {
 /// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by commit().
 /// Without commit() nothing is left and an older file of that name stays as it was. Symbolic links are followed. What
 /// is no regular file (a pipe, a terminal, /dev/null) and what a name such as /dev/stdout stands for is written
-/// directly. Failures throw an Error with the path and the system's reason.
+/// directly. Failures throw an Error with the path and the system's reason. Temporary names end with the computer's
+/// name and the process number; what processes that were killed have left for the same file is removed.
 class OutputFile {
 public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -23,12 +24,17 @@ public:
 
 private:
   [[noreturn]] void fail(int error_number) const;
+  void open_temporary();
 
   std::filesystem::path path_;      ///< as the caller named it, for messages
   std::filesystem::path target_;    ///< where links lead
   std::filesystem::path temporary_; ///< empty if written directly
   int descriptor_ = -1;
 };
+
+/// Removes the temporary files of all OutputFiles of this process; nothing may be written to them afterwards. For
+/// signal handlers that end the process: it only calls unlink.
+void remove_temporary_files() noexcept;
 
 /// Creates a folder and those above it; Error if that is impossible.
 void create_folder(const std::filesystem::path& path);

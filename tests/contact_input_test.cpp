@@ -1,6 +1,7 @@
 // What the simplified theory does with extreme contacts, and with those that make no sense.
 
 #include "microslip/simplified/fastsim.hpp"
+#include "microslip/batch/solve_parallel.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/expect_error.hpp"
 #include "tests/test_cases.hpp"
@@ -70,7 +71,7 @@ TEST(ContactInput, WithoutFrictionThereIsExactlyNoForce) {
       EXPECT_EQ(d.forces.status, Status::ok);
       EXPECT_TRUE(all_finite(d)) << contact.creepage.longitudinal << " " << contact.creepage.lateral << " "
                                  << contact.creepage.spin;
-      for (const double p : solver.fields(contact).px) EXPECT_EQ(p, 0);
+      for (const double p : solver.fields(contact).fields.traction.x) EXPECT_EQ(p, 0);
     }
   }
 }
@@ -125,7 +126,7 @@ TEST(ContactInput, GridsOfAnySize) {
       EXPECT_EQ(d.forces.status, Status::ok);
       EXPECT_TRUE(all_finite(d));
       EXPECT_NEAR(d.forces.fy, expected, 0.5 * force);
-      EXPECT_EQ(solver.fields(contact).px.size(), static_cast<std::size_t>(mx) * my);
+      EXPECT_EQ(solver.fields(contact).fields.traction.x.size(), static_cast<std::size_t>(mx) * my);
     }
 }
 
@@ -160,11 +161,11 @@ TEST(ContactInput, WhatMakesNoSenseIsMarkedAndGivesNoNumbers) {
       const ContactDerivatives d = solver.differentiate(contact);
       EXPECT_EQ(d.forces.status, Status::invalid_input);
       EXPECT_TRUE(all_nan(d));
-      const ContactFields fields = solver.fields(contact);
-      EXPECT_EQ(fields.forces.status, Status::invalid_input);
-      EXPECT_TRUE(all_nan(fields.forces));
-      EXPECT_TRUE(std::isnan(fields.frictional_power));
-      EXPECT_TRUE(fields.px.empty());
+      const ContactSolution fields = solver.fields(contact);
+      EXPECT_EQ(fields.report.status, Status::invalid_input);
+      EXPECT_TRUE(all_nan(fields.forces()));
+      EXPECT_TRUE(std::isnan(fields.totals.frictional_power));
+      EXPECT_TRUE(fields.fields.traction.x.empty());
     }
 }
 

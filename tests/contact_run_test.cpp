@@ -52,7 +52,7 @@ TEST(ContactRun, RollingIsThatOfTheLibrary) {
                                 .normal_force = 100,
                                 .friction = FrictionLaw::coulomb(0.3),
                                 .creepage = {2e-4, -1e-4, 0.1}};
-  const auto expected = EllipticContactSolver(options).solve(contact).fields.forces;
+  const auto expected = EllipticContactSolver(options).solve(contact).forces();
   EXPECT_NEAR(t.fx, expected.fx, 2e-5 * 30); // grids that differ by the digits of SCALE
   EXPECT_NEAR(t.fy, expected.fy, 2e-5 * 30);
   EXPECT_NEAR(t.mz, expected.mz * 1e3, 2e-5 * 30);

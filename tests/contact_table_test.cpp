@@ -72,6 +72,42 @@ TEST(ContactTable, ReadsARow) {
   EXPECT_EQ(contact.creepage.spin, 0.5);
 }
 
+TEST(ContactTable, ReadsDissimilarityAndSpeedWhereTheyAreGiven) {
+  std::istringstream stream("rolling_speed,dissimilarity," + header + "30,-0.22," + row + "40,0," + row);
+  ContactTableReader reader(stream, "in.csv");
+  TextChunk chunk;
+  ASSERT_TRUE(reader.read(chunk));
+  const auto rows = reader.parse(chunk);
+  ASSERT_EQ(rows.contacts.size(), 2u);
+  EXPECT_EQ(rows.contacts[0].dissimilarity, -0.22);
+  EXPECT_EQ(rows.contacts[1].dissimilarity, 0);
+  EXPECT_EQ(rows.contacts[0].rolling_speed, 30);
+  EXPECT_EQ(rows.contacts[1].rolling_speed, 40);
+  EXPECT_EQ(rows.contacts[1].a, 0.006);
+}
+
+TEST(ContactTable, RefusesImpossibleDissimilaritiesAndThoseThatTheSolverCannotHonour) {
+  const auto message = [&](const std::string& dissimilarity) {
+    return message_of("dissimilarity," + header + dissimilarity + "," + row);
+  };
+  EXPECT_EQ(message("0.2"), "no error");
+  EXPECT_EQ(message("0.7"), "in.csv:2: column dissimilarity = 0.7 [-]: must be in [-0.5, 0.5]");
+  EXPECT_EQ(message("-0.3").find("in.csv:2: column dissimilarity = -0.3 [-]: must be in [-0.2"), 0u); // |K| <= 1/2 - nu
+  EXPECT_EQ(message_of("rolling_speed," + header + "0," + row),
+            "in.csv:2: column rolling_speed = 0 [m/s]: must be positive and finite");
+  std::istringstream stream("dissimilarity," + header + "0," + row + "1e-9," + row);
+  ContactTableReader reader(stream, "in.csv");
+  reader.refuse_dissimilar_bodies("unless pigs fly");
+  TextChunk chunk;
+  ASSERT_TRUE(reader.read(chunk));
+  try {
+    reader.parse(chunk);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "in.csv:3: column dissimilarity = 1e-09 [-]: must be 0 unless pigs fly");
+  }
+}
+
 TEST(ContactTable, FindsColumnsByNameInAnyOrder) {
   const auto table = read_table("spin,creep_y,creep_x,normal_force,friction,poisson_ratio,shear_modulus,b,a\n"
                                 "0.5,-0.002,0.001,80e3,0.3,0.28,82e9,0.005,0.006\n");

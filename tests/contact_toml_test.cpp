@@ -41,7 +41,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 /// The forces that a case file gives.
 ContactForces forces_of(const RollingCase& input) {
   const EllipticContact contact = elliptic_contact(input, hertz_contact(input));
-  return EllipticContactSolver(exact_options(input)).solve(contact, input.motion).fields.forces;
+  return EllipticContactSolver(exact_options(input)).solve(contact, input.motion).forces();
 }
 
 TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {

@@ -1,5 +1,7 @@
 #include "microslip/numerics/dual.hpp"
 
+#include "microslip/numerics/lanes.hpp"
+
 #include <cmath>
 #include <vector>
 

@@ -232,9 +232,9 @@ TEST(ElementShape, HertzianContactsTakeIt) {
   EllipticContact contact = steel_contact(1);
   contact.creepage = scaled_creepage(contact, 0.5, 0.2, 0.1);
   ExactOptions options{.mx = 24, .my = 24, .discretisation = Discretisation::classical};
-  const ContactForces constant = EllipticContactSolver(options).solve(contact).fields.forces;
+  const ContactForces constant = EllipticContactSolver(options).solve(contact).forces();
   options.elements = ElementShape::bilinear;
-  const ContactForces tents = EllipticContactSolver(options).solve(contact).fields.forces;
+  const ContactForces tents = EllipticContactSolver(options).solve(contact).forces();
   const double mu_fn = 0.3 * contact.normal_force;
   EXPECT_EQ(tents.status, Status::ok);
   EXPECT_NE(tents.fx, constant.fx);

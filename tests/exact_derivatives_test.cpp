@@ -25,12 +25,12 @@ TEST(ExactDerivatives, AreThoseOfTheForces) {
       const EllipticContact contact = validation::test_set_contacts()[number];
       const double length = std::sqrt(contact.a * contact.b);
       const ExactDerivatives d = solver.differentiate(contact);
-      ASSERT_EQ(d.contact.fields.forces.status, Status::ok);
+      ASSERT_EQ(d.solution.report.status, Status::ok);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto forces = [&](double step) {
           EllipticContact moved = contact;
           moved.creepage.*members[i] += step;
-          return components(precise.differentiate(moved).contact.fields.forces, length);
+          return components(precise.differentiate(moved).solution.forces(), length);
         };
         const auto plus = forces(steps[i]), minus = forces(-steps[i]);
         const std::array column = {d.jacobian[0][i], d.jacobian[1][i], d.jacobian[2][i] / length};
@@ -63,7 +63,7 @@ TEST(ExactDerivatives, DoNotDependOnTheUnitOfLength) {
     other.normal_force *= unit * unit;
     other.creepage.spin /= unit;
     const ExactDerivatives moved = EllipticContactSolver({.mx = 12, .my = 12}).differentiate(other);
-    ASSERT_EQ(moved.contact.fields.forces.status, Status::ok);
+    ASSERT_EQ(moved.solution.report.status, Status::ok);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < 3; ++i) {
         const double scale = std::pow(unit, 2 + (k == 2) + (i == 2));
@@ -75,7 +75,7 @@ TEST(ExactDerivatives, DoNotDependOnTheUnitOfLength) {
 TEST(ExactDerivatives, BadInputIsMarked) {
   EllipticContact contact = validation::test_set_contacts()[500];
   contact.normal_force = -1;
-  EXPECT_EQ(EllipticContactSolver({.mx = 8, .my = 8}).differentiate(contact).contact.fields.forces.status,
+  EXPECT_EQ(EllipticContactSolver({.mx = 8, .my = 8}).differentiate(contact).solution.report.status,
             Status::invalid_input);
 }
 

@@ -85,24 +85,24 @@ TEST(Fastrip, TractionsStayWithinTheBoundAndTotalsAreTheirSums) {
   RandomContacts random(7);
   for (int n = 0; n < 200; ++n) {
     const EllipticContact contact = random.next();
-    const ContactFields f = Fastrip(options(17, 9)).fields(contact);
-    ASSERT_EQ(f.forces.status, Status::ok);
+    const ContactSolution f = Fastrip(options(17, 9)).fields(contact);
+    ASSERT_EQ(f.report.status, Status::ok);
     double fx = 0, fy = 0, mz = 0;
-    for (std::size_t k = 0; k < f.px.size(); ++k) {
-      const double size = std::hypot(f.px[k], f.py[k]);
-      EXPECT_LE(size, f.bound[k] * (1 + 1e-12)) << describe(contact);
-      const bool slides = f.state[k] == CellState::slip;
-      EXPECT_NEAR(slides ? size : f.bound[k], f.bound[k], 1e-12 * f.bound[k]) << describe(contact);
-      EXPECT_EQ(slides ? 0 : std::hypot(f.sx[k], f.sy[k]), 0);
-      fx += f.area[k] * f.px[k];
-      fy += f.area[k] * f.py[k];
-      mz += f.area[k] * (f.x[k] * f.py[k] - f.y[k] * f.px[k]);
+    for (std::size_t k = 0; k < f.fields.traction.x.size(); ++k) {
+      const double size = std::hypot(f.fields.traction.x[k], f.fields.traction.y[k]);
+      EXPECT_LE(size, f.fields.bound[k] * (1 + 1e-12)) << describe(contact);
+      const bool slides = f.fields.state[k] == CellState::slip;
+      EXPECT_NEAR(slides ? size : f.fields.bound[k], f.fields.bound[k], 1e-12 * f.fields.bound[k]) << describe(contact);
+      EXPECT_EQ(slides ? 0 : std::hypot(f.fields.slip.x[k], f.fields.slip.y[k]), 0);
+      fx += f.elements.area[k] * f.fields.traction.x[k];
+      fy += f.elements.area[k] * f.fields.traction.y[k];
+      mz += f.elements.area[k] * (f.elements.x[k] * f.fields.traction.y[k] - f.elements.y[k] * f.fields.traction.x[k]);
     }
-    EXPECT_NEAR(f.forces.fx, fx, 1e-12 * friction_force(contact));
-    EXPECT_NEAR(f.forces.fy, fy, 1e-12 * friction_force(contact));
-    EXPECT_NEAR(f.forces.mz, mz, 1e-12 * friction_moment(contact));
-    EXPECT_NEAR(f.forces.adhesion_area + f.forces.slip_area, ellipse_area(contact), 1e-12 * ellipse_area(contact));
-    EXPECT_GE(f.frictional_power, 0);
+    EXPECT_NEAR(f.totals.fx, fx, 1e-12 * friction_force(contact));
+    EXPECT_NEAR(f.totals.fy, fy, 1e-12 * friction_force(contact));
+    EXPECT_NEAR(f.totals.mz, mz, 1e-12 * friction_moment(contact));
+    EXPECT_NEAR(f.totals.adhesion_area + f.totals.slip_area, ellipse_area(contact), 1e-12 * ellipse_area(contact));
+    EXPECT_GE(f.totals.frictional_power, 0);
   }
 }
 

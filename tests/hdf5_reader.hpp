@@ -25,6 +25,12 @@ public:
     return read;
   }
 
+  /// Whether there is such a group or dataset; the groups above it must be there.
+  bool has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
+  bool has_attribute(const std::string& path, const char* name) const {
+    return H5Aexists_by_name(file_, path.c_str(), name, H5P_DEFAULT) > 0;
+  }
+
   std::vector<hsize_t> shape(const std::string& path) const {
     const auto dataset = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
     const auto space = H5Dget_space(dataset);

@@ -2,6 +2,8 @@
 
 #include "microslip/interior/interior_grid.hpp"
 
+#include "microslip/rolling/elliptic_contact.hpp"
+
 #include "tests/test_cases.hpp"
 
 #include <cmath>
@@ -84,14 +86,13 @@ EllipticContact rolling() {
 TEST(InteriorGrid, OfARollingContact) {
   const EllipticContact contact = rolling();
   const int n = 24;
-  const double dx = 2 * contact.a / n, dy = 2 * contact.b / n;
   const InteriorGrid points = {{-2e-3, 0, 3e-3}, {-1e-3, 1e-3}, {1e-3, 3e-3, -2e-3}};
   const auto solve = [&](Discretisation discretisation, RollingDirection direction, const EllipticContact& c) {
     EllipticContactSolver solver({.mx = n, .my = n, .discretisation = discretisation, .direction = direction});
     InteriorGrid at = points;
     if (direction == RollingDirection::backward)
       for (double& x : at.x) x = -x;
-    return interior_states(steel, steel, solver.solve(c), dx, dy, at);
+    return interior_states(steel, steel, solver.solve(c), at);
   };
   EllipticContact mirror = contact;
   mirror.creepage.longitudinal *= -1;
@@ -120,8 +121,8 @@ TEST(InteriorGrid, ExtremesBelowAHertzianContact) {
   EllipticContactSolver solver({.mx = 32, .my = 32});
   InteriorGrid points = {{0}, {0}, {}};
   for (int k = 0; k <= 60; ++k) points.z.push_back((0.2 + k * 0.01) * contact.a);
-  const double d = 2 * contact.a / 32, p0 = 1.5 * contact.normal_force / ellipse_area(contact);
-  const auto extremes = interior_extremes(interior_states(steel, steel, solver.solve(contact), d, d, points));
+  const double p0 = 1.5 * contact.normal_force / ellipse_area(contact);
+  const auto extremes = interior_extremes(interior_states(steel, steel, solver.solve(contact), points));
   ASSERT_EQ(extremes.size(), 8U);
   EXPECT_EQ(extremes[1].name, "von_mises");
   EXPECT_NEAR(extremes[1].value / p0, 0.626, 0.006);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -71,6 +72,54 @@ TEST(OutputFile, WritesStreamsInPlace) {
   EXPECT_EQ(::write(descriptor, "three", 5), 5);
   ::close(descriptor);
   EXPECT_EQ(contents(folder / "f"), "one two three");
+}
+
+/// Runs `work` in another process, which then ends without cleaning up.
+template <class Work> void run_and_kill(const Work& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+}
+
+TEST(OutputFile, RemovesWhatKilledProgramsHaveLeft) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / ".f.1.tmp") << "the user's";
+  run_and_kill([&] { (new OutputFile(folder / "f"))->write("cut short"); });
+  ASSERT_EQ(folder.entries().size(), 2u);
+  write_file(folder / "f", "whole");
+  EXPECT_EQ(folder.entries(), (Names{".f.1.tmp", "f"}));
+}
+
+TEST(OutputFile, LeavesTheFilesOfRunningProgramsAndOtherComputersAlone) {
+  const TemporaryFolder folder, other;
+  OutputFile running(folder / "f");
+  const auto name = running.temporary().filename().string(), number = std::to_string(::getpid());
+  const auto at = name.rfind("." + number);
+  const auto elsewhere = name.substr(0, at) + "x.1" + name.substr(at + 1 + number.size());
+  std::ofstream(folder / elsewhere) << "of another computer";
+  run_and_kill([&] {
+    write_file(other / "f", "elsewhere first, so that the folder is looked through again");
+    write_file(folder / "f", "whole");
+  });
+  EXPECT_EQ(folder.entries().size(), 3u);
+  running.write("last");
+  running.commit();
+  EXPECT_EQ(folder.entries(), (Names{elsewhere, "f"}));
+  EXPECT_EQ(contents(folder / "f"), "last");
+}
+
+TEST(OutputFile, TemporaryFilesCanAllBeRemovedAtOnce) {
+  const TemporaryFolder folder;
+  run_and_kill([&] {
+    write_file(folder / "done", "whole");
+    new OutputFile(folder / "f");
+    new OutputFile(folder / "g");
+    remove_temporary_files();
+  });
+  EXPECT_EQ(folder.entries(), Names{"done"});
 }
 
 TEST(OutputFile, TakesAnotherNameThanTheRemainsOfAKilledProgram) {

@@ -45,7 +45,7 @@ ElementGrid grid_over(double half_x, double half_y, int n, double x, double y) {
   return {.mx = 2 * nx + 1, .my = 2 * ny + 1, .x0 = (x - nx) * h, .y0 = (y - ny) * h, .dx = h, .dy = h};
 }
 
-Field sampled(const Gap& gap, const ElementGrid& grid) {
+Field gap_on(const Gap& gap, const ElementGrid& grid) {
   Field h;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) h.push_back(gap(grid.x(i), grid.y(j)));
@@ -54,7 +54,7 @@ Field sampled(const Gap& gap, const ElementGrid& grid) {
 
 PatchRolling rolling(const Gap& gap, const ElementGrid& grid, double force = load,
                      RollingDirection direction = RollingDirection::forward) {
-  return {steel, grid, sampled(gap, grid), {NormalLoad::Given::force, force}, direction};
+  return {steel, grid, gap_on(gap, grid), {NormalLoad::Given::force, force}, direction};
 }
 
 PatchRollingMotion motion(double xi, double eta, double phi) {
@@ -70,16 +70,16 @@ double rms_error(const Gap& gap, double half_x, double half_y, double force, int
                  Vec2 exact) {
   double sum = 0;
   for (const auto& [x, y] : positions) {
-    const PatchSolution s = rolling(gap, grid_over(half_x, half_y, n, x, y), force).solve(m);
-    EXPECT_EQ(s.forces.status, Status::ok);
-    sum += (std::pow(s.forces.fx - exact.x, 2) + std::pow(s.forces.fy - exact.y, 2)) / 3;
+    const ContactSolution s = rolling(gap, grid_over(half_x, half_y, n, x, y), force).solve(m);
+    EXPECT_EQ(s.report.status, Status::ok);
+    sum += (std::pow(s.totals.fx - exact.x, 2) + std::pow(s.totals.fy - exact.y, 2)) / 3;
   }
   return std::sqrt(sum) / (friction * force);
 }
 
 Vec2 fine_forces(const Gap& gap, double half_x, double half_y, double force, const PatchRollingMotion& m) {
-  const PatchSolution s = rolling(gap, grid_over(half_x, half_y, 72, 0.3, 0.2), force).solve(m);
-  return {s.forces.fx, s.forces.fy};
+  const ContactSolution s = rolling(gap, grid_over(half_x, half_y, 72, 0.3, 0.2), force).solve(m);
+  return {s.totals.fx, s.totals.fy};
 }
 
 TEST(PatchRolling, IsOfSecondOrderForHertz) {
@@ -111,11 +111,11 @@ TEST(PatchRolling, FindsCartersForceOfCylinders) {
     for (const double place : {0.0, 0.2, 0.4, 0.6, 0.8}) {
       ElementGrid grid = ElementGrid::across_line(half_width, n, 5);
       grid.x0 += place * grid.dx;
-      const Field gap = sampled([](double x, double) { return curvature * x * x; }, grid);
+      const Field gap = gap_on([](double x, double) { return curvature * x * x; }, grid);
       PatchRolling contact(steel, grid, gap, {NormalLoad::Given::force, line_load});
-      const PatchSolution s = contact.solve({.friction = friction, .creepage = {-creepage, 0, 0}});
-      EXPECT_EQ(s.forces.status, Status::ok);
-      sum += std::pow(s.forces.fx / (friction * line_load) - (1 - adhesion * adhesion), 2) / 5;
+      const ContactSolution s = contact.solve({.friction = friction, .creepage = {-creepage, 0, 0}});
+      EXPECT_EQ(s.report.status, Status::ok);
+      sum += std::pow(s.totals.fx / (friction * line_load) - (1 - adhesion * adhesion), 2) / 5;
     }
     return std::sqrt(sum);
   };
@@ -144,47 +144,48 @@ TEST(PatchRolling, AlongMinusXIsTheMirrorImage) {
   const Gap image = [](double x, double y) { return egg(-x, y); };
   const ElementGrid grid = grid_over(1.5 * radius, 1.2 * radius, 16, 0, 0.3);
   PatchRollingMotion m = mixed;
-  const PatchSolution forward = rolling(egg, grid).solve(m);
+  const ContactSolution forward = rolling(egg, grid).solve(m);
   m.creepage.longitudinal *= -1;
   m.creepage.spin *= -1;
-  const PatchSolution backward = rolling(image, grid, load, RollingDirection::backward).solve(m);
-  EXPECT_NEAR(backward.forces.fx, -forward.forces.fx, 1e-5 * capacity);
-  EXPECT_NEAR(backward.forces.fy, forward.forces.fy, 1e-5 * capacity);
-  EXPECT_NEAR(backward.forces.mz, -forward.forces.mz, 1e-5 * capacity * radius);
+  const ContactSolution backward = rolling(image, grid, load, RollingDirection::backward).solve(m);
+  EXPECT_NEAR(backward.totals.fx, -forward.totals.fx, 1e-5 * capacity);
+  EXPECT_NEAR(backward.totals.fy, forward.totals.fy, 1e-5 * capacity);
+  EXPECT_NEAR(backward.totals.mz, -forward.totals.mz, 1e-5 * capacity * radius);
 }
 
 TEST(PatchRolling, FullSlidingGivesFrictionTimesTheLoad) {
   for (const Gap& gap : {Gap(circular), Gap(one_behind_the_other)}) {
     const ElementGrid grid = grid_over(2.7 * radius, 2.7 * radius, 12, 0.2, 0.4);
-    const PatchSolution s = rolling(gap, grid).solve(motion(100, 0, 0));
+    const ContactSolution s = rolling(gap, grid).solve(motion(100, 0, 0));
     double whole = 0;
-    for (std::size_t k = 0; k < s.px.size(); ++k) {
-      whole += s.bound[k] * s.area[k];
-      EXPECT_NEAR(std::hypot(s.px[k], s.py[k]), s.bound[k], 1e-6 * s.bound[k]);
+    for (std::size_t k = 0; k < s.fields.traction.x.size(); ++k) {
+      whole += s.fields.bound[k] * s.elements.area[k];
+      EXPECT_NEAR(std::hypot(s.fields.traction.x[k], s.fields.traction.y[k]), s.fields.bound[k],
+                  1e-6 * s.fields.bound[k]);
     }
     EXPECT_NEAR(whole, capacity, 1e-12 * capacity);
-    EXPECT_NEAR(s.forces.fx, -capacity, 1e-6 * capacity); // slip has a small part across, too
-    EXPECT_EQ(s.forces.adhesion_area, 0);
+    EXPECT_NEAR(s.totals.fx, -capacity, 1e-6 * capacity); // slip has a small part across, too
+    EXPECT_EQ(s.totals.adhesion_area, 0);
   }
 }
 
 TEST(PatchRolling, ForcesGiveTheCreepagesBack) {
   PatchRolling contact = rolling(egg, grid_over(1.5 * radius, 1.2 * radius, 16, 0.2, 0.3));
-  const PatchSolution given = contact.solve(mixed);
+  const ContactSolution given = contact.solve(mixed);
   PatchRollingMotion m = mixed;
   m.creepage.longitudinal = m.creepage.lateral = 0;
-  m.force_x = given.forces.fx, m.force_y = given.forces.fy;
-  const PatchSolution found = contact.solve(m);
-  EXPECT_EQ(found.forces.status, Status::ok);
+  m.force_x = given.totals.fx, m.force_y = given.totals.fy;
+  const ContactSolution found = contact.solve(m);
+  EXPECT_EQ(found.report.status, Status::ok);
   EXPECT_NEAR(found.creepage.longitudinal / mixed.creepage.longitudinal, 1, 2e-3);
   EXPECT_NEAR(found.creepage.lateral / mixed.creepage.lateral, 1, 2e-3);
 }
 
 TEST(PatchRolling, WithoutContactIsAStatus) {
   const ElementGrid grid = grid_over(radius, radius, 8, 0, 0);
-  PatchRolling apart(steel, grid, sampled(circular, grid), {NormalLoad::Given::approach, -1e-6});
+  PatchRolling apart(steel, grid, gap_on(circular, grid), {NormalLoad::Given::approach, -1e-6});
   EXPECT_EQ(apart.contact(), nullptr);
-  EXPECT_EQ(apart.solve(mixed).forces.status, Status::no_contact);
+  EXPECT_EQ(apart.solve(mixed).report.status, Status::no_contact);
 }
 
 TEST(ContactEdges, AreExactWherePressureSquaredIsAPolynomial) {

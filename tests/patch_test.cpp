@@ -76,23 +76,24 @@ TEST(Patch, EllipseAsAPatchIsTheEllipse) {
     if (options.bound != TractionBound::parabolic) continue;
     SCOPED_TRACE(describe(solver));
     for (const EllipticContact& contact : contacts) {
-      const ContactFields f = solver.fields(contact);
-      const ContactFields p = solver.fields(ellipse(contact, options).rows(), motion_of(contact, options.flexibility));
-      const double peak = *std::max_element(f.bound.begin(), f.bound.end());
-      const double weight = f.area[0] / p.area[0];
-      for (std::size_t k = 0; k < f.x.size(); ++k) {
-        ASSERT_NEAR(p.x[k], f.x[k], 1e-15 * contact.a);
-        ASSERT_NEAR(p.y[k], f.y[k], 1e-15 * contact.b);
-        ASSERT_NEAR(p.bound[k], f.bound[k], 1e-12 * peak);
-        ASSERT_NEAR(p.px[k], f.px[k], 1e-12 * peak);
-        ASSERT_NEAR(p.py[k], f.py[k], 1e-12 * peak);
-        ASSERT_NEAR(p.area[k] * weight, f.area[k], 1e-13 * f.area[k]);
+      const ContactSolution f = solver.fields(contact);
+      const ContactSolution p =
+          solver.fields(ellipse(contact, options).rows(), motion_of(contact, options.flexibility));
+      const double peak = *std::max_element(f.fields.bound.begin(), f.fields.bound.end());
+      const double weight = f.elements.area[0] / p.elements.area[0];
+      for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
+        ASSERT_NEAR(p.elements.x[k], f.elements.x[k], 1e-15 * contact.a);
+        ASSERT_NEAR(p.elements.y[k], f.elements.y[k], 1e-15 * contact.b);
+        ASSERT_NEAR(p.fields.bound[k], f.fields.bound[k], 1e-12 * peak);
+        ASSERT_NEAR(p.fields.traction.x[k], f.fields.traction.x[k], 1e-12 * peak);
+        ASSERT_NEAR(p.fields.traction.y[k], f.fields.traction.y[k], 1e-12 * peak);
+        ASSERT_NEAR(p.elements.area[k] * weight, f.elements.area[k], 1e-13 * f.elements.area[k]);
       }
       const double force = friction_force(contact);
-      ASSERT_NEAR(p.forces.fx * weight, f.forces.fx, 1e-12 * force);
-      ASSERT_NEAR(p.forces.fy * weight, f.forces.fy, 1e-12 * force);
-      ASSERT_NEAR(p.forces.mz * weight, f.forces.mz, 1e-12 * force * std::max(contact.a, contact.b));
-      ASSERT_NEAR(p.frictional_power * weight, f.frictional_power, 1e-10 * f.frictional_power);
+      ASSERT_NEAR(p.totals.fx * weight, f.totals.fx, 1e-12 * force);
+      ASSERT_NEAR(p.totals.fy * weight, f.totals.fy, 1e-12 * force);
+      ASSERT_NEAR(p.totals.mz * weight, f.totals.mz, 1e-12 * force * std::max(contact.a, contact.b));
+      ASSERT_NEAR(p.totals.frictional_power * weight, f.totals.frictional_power, 1e-10 * f.totals.frictional_power);
     }
   }
 }
@@ -127,7 +128,7 @@ std::vector<ContactForces> patch_forces(MarchingScheme scheme, RollingDirection 
   const Patch patch = shape(n, direction);
   std::vector<ContactForces> forces;
   for (const Creepage& creepage : creepages)
-    forces.push_back(solver.fields(patch.rows(), steel_motion(creepage)).forces);
+    forces.push_back(solver.fields(patch.rows(), steel_motion(creepage)).forces());
   return forces;
 }
 
@@ -172,7 +173,7 @@ TEST(Patch, FullSlidingGivesFrictionTimesTheIntegralOfThePressure) {
               .fields(rectangle(n, RollingDirection::forward).rows(), {.flexibilities = {1e-14, 1e-14, 1e-14},
                                                                        .friction = FrictionLaw::coulomb(0.25),
                                                                        .creepage = {.longitudinal = -1e3}})
-              .forces;
+              .forces();
       const double force = 0.25 * 1e9 * 2. / 3 * 8e-3 * 12e-3;
       EXPECT_NEAR(f.fx, force * (1 + 0.5 / (n * n)), 1e-13 * force);
       EXPECT_EQ(f.fy, 0);
@@ -194,17 +195,17 @@ TEST(Patch, RowsDoNotInfluenceEachOther) {
                     .leading = {both.leading[j]},
                     .trailing = {both.trailing[j]},
                     .pressure = {both.pressure[2 * j], both.pressure[2 * j + 1]}};
-    const ContactFields f = solver.fields(one.rows(), motion);
-    fx += f.forces.fx;
-    fy += f.forces.fy;
-    mz += f.forces.mz;
-    power += f.frictional_power;
+    const ContactSolution f = solver.fields(one.rows(), motion);
+    fx += f.totals.fx;
+    fy += f.totals.fy;
+    mz += f.totals.mz;
+    power += f.totals.frictional_power;
   }
-  const ContactFields f = solver.fields(both.rows(), motion);
-  EXPECT_DOUBLE_EQ(f.forces.fx, fx);
-  EXPECT_DOUBLE_EQ(f.forces.fy, fy);
-  EXPECT_DOUBLE_EQ(f.forces.mz, mz);
-  EXPECT_DOUBLE_EQ(f.frictional_power, power);
+  const ContactSolution f = solver.fields(both.rows(), motion);
+  EXPECT_DOUBLE_EQ(f.totals.fx, fx);
+  EXPECT_DOUBLE_EQ(f.totals.fy, fy);
+  EXPECT_DOUBLE_EQ(f.totals.mz, mz);
+  EXPECT_DOUBLE_EQ(f.totals.frictional_power, power);
 }
 
 /// A row of pressure zero carries nothing; pressures that are no parabola do no harm.
@@ -215,13 +216,13 @@ TEST(Patch, AnyPressureIsTaken) {
       Patch patch = rectangle(mx, RollingDirection::forward);
       for (std::size_t k = 0; k < patch.pressure.size(); ++k)
         patch.pressure[k] = (k / mx) % 2 == 0 ? 0 : 1e9 * static_cast<double>((k * 7) % 5);
-      const ContactFields f = solver.fields(patch.rows(), steel_motion({1e-3, 2e-3, 0.4}));
-      EXPECT_EQ(f.forces.status, Status::ok);
+      const ContactSolution f = solver.fields(patch.rows(), steel_motion({1e-3, 2e-3, 0.4}));
+      EXPECT_EQ(f.report.status, Status::ok);
       for (std::size_t k = 0; k < patch.pressure.size(); ++k) {
-        ASSERT_LE(std::hypot(f.px[k], f.py[k]), f.bound[k] * (1 + 4e-16));
-        ASSERT_TRUE(std::isfinite(f.sx[k]) && std::isfinite(f.sy[k]));
+        ASSERT_LE(std::hypot(f.fields.traction.x[k], f.fields.traction.y[k]), f.fields.bound[k] * (1 + 4e-16));
+        ASSERT_TRUE(std::isfinite(f.fields.slip.x[k]) && std::isfinite(f.fields.slip.y[k]));
         if (patch.pressure[k] == 0) {
-          ASSERT_EQ(f.px[k], 0);
+          ASSERT_EQ(f.fields.traction.x[k], 0);
         }
       }
     }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,9 +46,10 @@ void run_in_child(const TemporaryFolder& folder, Names words) {
   _exit(127);
 }
 
-/// Starts the program in a folder, sends SIGINT to it and its children, as a terminal does, once it is `ready`, and
-/// returns the exit code as a shell has it.
-int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::function<bool(pid_t)>& ready) {
+/// Starts the program in a folder, sends SIGINT `times` to it and its children, as a terminal does, once it is `ready`,
+/// and returns the exit code as a shell has it.
+int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::function<bool(pid_t)>& ready,
+              int times = 1) {
   Names words = {"microslip"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t child = fork();
@@ -61,7 +63,10 @@ int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::
   }
   EXPECT_FALSE(ended) << "ended before it could be interrupted";
   if (!ended) {
-    kill(-child, SIGINT);
+    for (int k = 0; k < times; ++k) {
+      kill(-child, SIGINT);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10)); // two at a time would be one
+    }
     waitpid(child, &status, 0);
   }
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
@@ -79,6 +84,29 @@ TEST(ProgramInterrupt, Solve) {
   save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[300, 300]"));
   EXPECT_EQ(interrupt(folder, {"solve", "c.toml", "-o", "out"}, handles_interrupt), 130);
   EXPECT_EQ(folder.entries(), Names{"c.toml"});
+}
+
+/// `batch` waits for more of its table, as work that looks for no signals does.
+void expect_end_without_answer(int signals) {
+  const TemporaryFolder folder;
+  const auto table = (folder / "in.csv").string();
+  ASSERT_EQ(mkfifo(table.c_str(), 0600), 0);
+  const int pipe = open(table.c_str(), O_RDWR | O_CLOEXEC); // never closed while the program runs
+  const std::string rows = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
+  const std::string more = rows + std::string(40 * 1024, '\n');
+  ASSERT_EQ(write(pipe, more.data(), more.size()), static_cast<ssize_t>(more.size()));
+  const auto writes = [&](pid_t) { return has_ending(folder, ".tmp"); };
+  EXPECT_EQ(interrupt(folder, {"batch", "in.csv", "-o", "out.csv"}, writes, signals), 130);
+  EXPECT_EQ(folder.entries(), Names{"in.csv"});
+  close(pipe);
+}
+
+TEST(ProgramInterrupt, EndsSoonWithoutAnAnswer) {
+  expect_end_without_answer(1);
+}
+
+TEST(ProgramInterrupt, SecondSignalLeavesNoTemporaryFile) {
+  expect_end_without_answer(2);
 }
 
 TEST(ProgramInterrupt, Validate) {

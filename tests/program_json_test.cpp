@@ -83,6 +83,40 @@ TEST(ProgramJson, NumbersThatAreNotFiniteAreWords) {
   EXPECT_EQ(json.at("inputs").at("creepage_longitudinal"), 1e300);
 }
 
+/// A coarser grid than one element there is not.
+TEST(ProgramJson, OneElementHasNoErrorEstimate) {
+  const TemporaryFolder folder;
+  auto text = contents(example);
+  save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[1, 1]"));
+  const auto json = document(folder, "solve c.toml -o out --no-pictures");
+  for (const char* name : {"grid_fx", "grid_fy", "grid_mz"})
+    EXPECT_EQ(json.at("tolerances").at("exact").at(name), "nan") << name;
+  EXPECT_GT(json.at("tolerances").at("fastsim2").at("grid_fx").get<double>(), 0);
+}
+
+/// Moduli in MPa: the ellipse is larger than the wheel, and the reader is told what to check.
+TEST(ProgramJson, WarnsOfImplausibleContacts) {
+  const TemporaryFolder folder;
+  auto text = contents(example);
+  text.replace(text.find("[40, 40]"), 8, "[8, 8]");
+  for (auto at = text.find("210e9"); at != std::string::npos; at = text.find("210e9")) text.replace(at, 5, "210e3");
+  save(folder / "c.toml", text);
+  for (const std::string command : {"solve c.toml -o out --no-pictures", "hertz c.toml"}) {
+    const auto outcome = run_program(folder, command + " --json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    const auto warnings = Json::parse(outcome.output).at("warnings").get<Names>();
+    ASSERT_FALSE(warnings.empty());
+    for (const auto& warning : warnings) {
+      EXPECT_NE(warning.find("check units, lengths in m, moduli in Pa"), std::string::npos) << warning;
+      EXPECT_NE(outcome.errors.find("microslip: warning: c.toml: " + warning + "\n"), std::string::npos);
+    }
+  }
+  const auto stored = Hdf5Reader(folder / "out/result.h5").attribute("/", "warnings");
+  EXPECT_NE(stored.find("rolling radius of body 1, 0.46 m"), std::string::npos) << stored;
+  EXPECT_EQ(document(folder, "solve " + example + " -o out --no-pictures").at("warnings"), Json::array());
+  EXPECT_FALSE(Hdf5Reader(folder / "out/result.h5").has_attribute("/", "warnings"));
+}
+
 TEST(ProgramJson, HertzAgreesWithSolve) {
   const TemporaryFolder folder;
   const auto solved = document(folder, "solve " + example + " -o out --no-pictures");

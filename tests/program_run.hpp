@@ -29,15 +29,18 @@ struct Outcome {
   std::string output, errors;
 };
 
-/// Runs the program in a folder; `before` is what the shell does first.
+/// Runs the program in a folder; `before` is what the shell does first. Standard output goes to the file `output`, or
+/// else is returned.
 inline Outcome run_program(const TemporaryFolder& folder, const std::string& arguments,
-                           const std::string& before = "true") {
+                           const std::string& before = "true", std::filesystem::path output = {}) {
   const TemporaryFolder streams;
-  const auto output = streams / "output", errors = streams / "errors";
+  const auto errors = streams / "errors";
+  const bool is_returned = output.empty();
+  if (is_returned) output = streams / "output";
   std::string command = "cd '" + folder.path().string() + "' && " + before + " && exec '" + MICROSLIP_PROGRAM + "' ";
   command += arguments + " >'" + output.string() + "' 2>'" + errors.string() + "'";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(output), contents(errors)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, is_returned ? contents(output) : "", contents(errors)};
 }
 
 } // namespace microslip

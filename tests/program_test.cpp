@@ -119,18 +119,18 @@ TEST(Program, WritesWhatTheLibraryComputes) {
   EXPECT_EQ(reader.text("inputs/bound"), "parabolic");
   EXPECT_EQ(scalar("hertz/a"), hertz.a);
   EXPECT_EQ(scalar("hertz/peak_pressure"), hertz.peak_pressure);
-  EXPECT_EQ(scalar("fastsim2/fx"), expected.forces.fx);
-  EXPECT_EQ(scalar("fastsim2/mz"), expected.forces.mz);
+  EXPECT_EQ(scalar("fastsim2/fx"), expected.totals.fx);
+  EXPECT_EQ(scalar("fastsim2/mz"), expected.totals.mz);
   const auto exact = EllipticContactSolver(exact_options(input)).solve(elliptic_contact(input, hertz));
-  EXPECT_EQ(scalar("exact/fx"), exact.fields.forces.fx);
-  EXPECT_EQ(scalar("exact/products"), static_cast<double>(exact.products));
-  EXPECT_EQ(reader.values<double>("exact/fields/px", H5T_NATIVE_DOUBLE), exact.fields.px);
-  EXPECT_EQ(reader.values<double>("exact/fields/gap", H5T_NATIVE_DOUBLE).size(), exact.pressure.size());
+  EXPECT_EQ(scalar("exact/fx"), exact.totals.fx);
+  EXPECT_EQ(scalar("exact/products"), static_cast<double>(exact.report.products));
+  EXPECT_EQ(reader.values<double>("exact/fields/px", H5T_NATIVE_DOUBLE), exact.fields.traction.x);
+  EXPECT_EQ(reader.values<double>("exact/fields/gap", H5T_NATIVE_DOUBLE).size(), exact.fields.pressure.size());
   EXPECT_EQ(reader.text("exact/status"), "ok");
   EXPECT_GT(scalar("tolerances/exact/grid_fx"), 0);
   EXPECT_LT(scalar("tolerances/exact/grid_fx"), 0.02);
   EXPECT_EQ(reader.text("fastsim2/status"), "ok");
-  EXPECT_EQ(reader.values<double>("fastsim2/fields/px", H5T_NATIVE_DOUBLE), expected.px);
+  EXPECT_EQ(reader.values<double>("fastsim2/fields/px", H5T_NATIVE_DOUBLE), expected.fields.traction.x);
   EXPECT_EQ(reader.shape("fastsim2/fields/state"), (std::vector<hsize_t>{40, 40}));
   EXPECT_GT(scalar("tolerances/fastsim2/grid_fx"), 0);
   EXPECT_LT(scalar("tolerances/fastsim2/grid_fx"), 1e-3);
@@ -172,7 +172,9 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   {
     const Hdf5Reader reader(folder / "out/result.h5");
     EXPECT_NEAR(reader.values<double>("exact/fx", H5T_NATIVE_DOUBLE).at(0), -12e3, 0.1);
-    EXPECT_GT(reader.values<double>("inputs/shift_longitudinal", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_GT(reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_FALSE(reader.has("inputs/shift_longitudinal")); // the force is what was given
+    EXPECT_EQ(reader.values<double>("inputs/shift_lateral", H5T_NATIVE_DOUBLE).at(0), 1e-6);
     EXPECT_EQ(reader.text("inputs/motion"), "shift");
   }
   ASSERT_EQ(solve("kind = \"transient\"\nforce_longitudinal = -12e3\nsteps = 4\nrolling_speed = 2").exit_code, 0);
@@ -185,9 +187,18 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
     EXPECT_EQ(creep.back(), reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0));
     EXPECT_NE(creep[0], creep[3]);
   }
+  ASSERT_EQ(solve("force_longitudinal = -12e3\nspin = 0.2\nrolling_speed = 2").exit_code, 0);
+  {
+    const Hdf5Reader reader(folder / "out/result.h5");
+    const auto number = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
+    EXPECT_FALSE(reader.has("inputs/creepage_longitudinal"));
+    EXPECT_EQ(number("inputs/creepage_lateral"), 0);
+    EXPECT_EQ(number("creep_curve/creepage_longitudinal"), number("exact/creep_x"));
+    EXPECT_EQ(number("creep_curve/spin"), number("inputs/spin"));
+  }
   const auto too_much = solve("force_longitudinal = -30e3\nrolling_speed = 2");
   EXPECT_EQ(too_much.exit_code, 1);
-  EXPECT_NE(too_much.errors.find("beyond what friction can carry"), std::string::npos);
+  EXPECT_NE(too_much.errors.find("prescribed force exceeds mu Fn"), std::string::npos);
 }
 
 /// Falling friction may have several solutions: a result says from which start it was found.
@@ -208,6 +219,39 @@ TEST(Program, SaysWhereFallingFrictionBegan) {
     EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
     EXPECT_EQ(Hdf5Reader(folder / "out/result.h5").text("inputs/slip_start"), start);
   }
+}
+
+/// Hertz and FASTSIM2 stand beside the exact theory for simpler bodies than it has: the reader is told.
+TEST(Program, SaysWhatHertzAndFastsim2Assume) {
+  const TemporaryFolder folder;
+  const auto solve = [&](const std::string& from, const std::string& to) {
+    auto text = contents(example);
+    for (const auto& [old, now] :
+         {std::pair{from, to}, {"[40, 40]", "[9, 9]"}, {"= \"second_order\"", "= \"classical\""}})
+      text.replace(text.find(old), old.size(), now);
+    save(folder / "c.toml", text);
+    return run_program(folder, "solve c.toml -o out --no-pictures").output;
+  };
+  const auto expect_attributes = [&](bool hertz, const std::string& fastsim2) {
+    const Hdf5Reader reader(folder / "out/result.h5");
+    EXPECT_EQ(reader.has_attribute("hertz", "assumes"), hertz);
+    ASSERT_EQ(reader.has_attribute("fastsim2", "assumes"), !fastsim2.empty());
+    if (!fastsim2.empty()) {
+      EXPECT_EQ(reader.attribute("fastsim2", "assumes"), fastsim2);
+    }
+  };
+  const auto plain = solve("[load]", "[load]");
+  EXPECT_EQ(plain.find("assumes"), std::string::npos);
+  EXPECT_NE(plain.find("\nHertz\n"), std::string::npos);
+  expect_attributes(false, "");
+  const auto viscoelastic = solve("[body2]", "creep_ratio = 0.5\ncreep_time = 1e-3\n\n[body2]");
+  EXPECT_NE(viscoelastic.find("\nHertz, elastic bodies of K = 0 without friction\n"), std::string::npos)
+      << viscoelastic;
+  EXPECT_NE(viscoelastic.find("fastsim2 assumes"), std::string::npos) << viscoelastic;
+  expect_attributes(true, "elastic bodies of K = 0");
+  const auto layered = solve("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n\n[load]");
+  EXPECT_NE(layered.find("\nHertz\n"), std::string::npos) << layered;
+  expect_attributes(false, "no layer");
 }
 
 TEST(Program, SolvesEveryExampleWithPictures) {
@@ -407,13 +451,73 @@ TEST(Program, BatchByTheExactTheory) {
     EXPECT_EQ(row.at(14), i == 10 ? "invalid_input" : "ok");
     if (i == 10) continue;
     const auto expected = solver.solve(contact_of(row));
-    EXPECT_EQ(std::stod(row.at(9)), expected.fields.forces.fx);
-    EXPECT_EQ(std::stod(row.at(11)), expected.fields.forces.mz);
-    EXPECT_EQ(std::stod(row.at(15)), expected.residual);
-    EXPECT_LE(expected.residual, 1e-6);
-    EXPECT_EQ(row.at(16), std::to_string(expected.newton_steps));
+    EXPECT_EQ(std::stod(row.at(9)), expected.totals.fx);
+    EXPECT_EQ(std::stod(row.at(11)), expected.totals.mz);
+    EXPECT_EQ(std::stod(row.at(15)), expected.report.residual);
+    EXPECT_LE(expected.report.residual, 1e-6);
+    EXPECT_EQ(row.at(16), std::to_string(expected.report.newton_steps));
   }
   EXPECT_NE(run_program(folder, "batch in.csv -o x.csv --theory exact --grid 0x12").exit_code, 0);
+}
+
+TEST(Program, BatchOfDissimilarBodies) {
+  const TemporaryFolder folder;
+  const std::vector<double> dissimilarities = {0, 0.1, 0.1, -0.1, 0};
+  std::string rows = "dissimilarity," + header;
+  for (const double k : dissimilarities)
+    rows += std::to_string(k) + ",0.006,0.005,82e9,0.28,0.3,80e3,0.001,0.0005,0.2\n";
+  save(folder / "in.csv", rows);
+  ASSERT_EQ(run_program(folder, "batch in.csv -o out.csv --theory exact --grid 8x8").exit_code, 0);
+  const auto table = rows_of(folder / "out.csv");
+  ASSERT_EQ(table.size(), dissimilarities.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    ExactOptions options = {.mx = 8, .my = 8};
+    if (dissimilarities[i] != 0) options.bodies = CombinedMaterial{82e9, 0.28, dissimilarities[i]};
+    const Names without_k(table[i].begin() + 1, table[i].end());
+    const auto expected = EllipticContactSolver(options).solve(contact_of(without_k));
+    EXPECT_EQ(std::stod(table[i].at(10)), expected.totals.fx);
+    EXPECT_EQ(std::stod(table[i].at(11)), expected.totals.fy);
+  }
+  EXPECT_NE(table[1].at(10), table[0].at(10));
+  EXPECT_NE(table[1].at(10), table[3].at(10));
+  const std::string column = "in.csv:3: column dissimilarity = 0.1 [-]: must be 0 ";
+  expect_refused(folder, "batch in.csv -o x.csv", column + "unless --theory is exact");
+  expect_refused(folder, "batch in.csv -o x.csv --theory exact --discretisation second_order",
+                 column + "with --discretisation second_order");
+}
+
+TEST(Program, BatchTakesTheOptionsOfTheExactTheory) {
+  const TemporaryFolder folder;
+  const std::string row = "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0.0005,0.9\n";
+  save(folder / "in.csv", header + row);
+  const auto solved = [&](const std::string& options) {
+    const auto outcome = run_program(folder, "batch in.csv -o out.csv --grid 8x8 " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return rows_of(folder / "out.csv").at(0);
+  };
+  const auto expect = [&](const Names& found, const ExactOptions& options) {
+    const auto expected = EllipticContactSolver(options).solve(contact_of(found));
+    EXPECT_EQ(std::stod(found.at(9)), expected.totals.fx);
+    EXPECT_EQ(std::stod(found.at(15)), expected.report.residual);
+  };
+  expect(solved("--theory exact --tolerance 1e-9"), {.mx = 8, .my = 8, .tolerance = 1e-9});
+  expect(solved("--theory exact --direction backward"), {.mx = 8, .my = 8, .direction = RollingDirection::backward});
+  expect(solved("--theory exact --discretisation classical --elements bilinear"),
+         {.mx = 8, .my = 8, .discretisation = Discretisation::classical, .elements = ElementShape::bilinear});
+  const auto backward = solved("--direction backward");
+  Fastsim2 fastsim2({.mx = 8, .my = 8, .direction = RollingDirection::backward});
+  EXPECT_EQ(std::stod(backward.at(9)), fastsim2.solve(contact_of(backward)).fx);
+  const auto refused = [&](const std::string& options, const std::string& message) {
+    expect_refused(folder, "batch in.csv -o x.csv " + options, message);
+  };
+  refused("--tolerance 1e-9", "--tolerance: needs --theory exact");
+  refused("--elements bilinear", "--elements: needs --theory exact");
+  refused("--discretisation classical", "--discretisation: needs --theory exact");
+  refused("--theory exact --bound elliptic", "--bound: needs the simplified theory");
+  refused("--theory exact --flexibility one", "--flexibility: needs the simplified theory");
+  refused("--theory exact --coefficients computed", "--coefficients: needs the simplified theory");
+  refused("--theory exact --elements bilinear", "--elements: bilinear ones need --discretisation classical");
+  refused("--theory exact --tolerance 1", "--tolerance = 1 [-]: must be in [1e-14, 0.1]");
 }
 
 TEST(Program, MarksWhatCannotBeComputed) {
@@ -502,6 +606,27 @@ TEST(Program, LeavesNothingOnAFullDisk) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors, "microslip: out.csv: cannot be written: File too large\n");
   EXPECT_EQ(folder.entries(), Names{"in.csv"});
+}
+
+TEST(Program, SaysWhenItsOutputIsLost) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, "init wheel.toml").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "solve wheel.toml -o out --no-pictures").exit_code, 0);
+  const std::string inp = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
+  for (const std::string& arguments :
+       {std::string("--version"), std::string("--help"), std::string("solve wheel.toml --no-pictures"),
+        std::string("solve wheel.toml --no-pictures --json"), std::string("hertz wheel.toml"),
+        std::string("hertz wheel.toml --json"), "batch '" + example_table + "' -o forces.csv --json",
+        std::string("init other.toml"), "run '" + inp + "'", "run '" + inp + "' --json", "convert '" + inp + "'",
+        "convert '" + inp + "' --json", std::string("plot out/result.h5 --cut 0"),
+        std::string("plot out/result.h5 --cut 0 --json"), std::string("validate --list"),
+        std::string("validate model-problem --no-pictures"), std::string("completion bash"), std::string("manual")}) {
+    const auto outcome = run_program(folder, arguments, "true", "/dev/full");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.errors.find("microslip: standard output cannot be written\n"), std::string::npos)
+        << arguments << "\n"
+        << outcome.errors;
+  }
 }
 
 TEST(Program, LeavesNothingAfterAnInterrupt) {

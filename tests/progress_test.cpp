@@ -5,10 +5,12 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "steel_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -38,6 +40,7 @@ private:
 /// to 1, and not_converged with one who ends the work at its second call: no further one comes.
 template <class Solve> void expect_heard(const Solve& solve) {
   Listener patient, impatient(2);
+  EXPECT_EQ(solve({}), Status::ok); // what is kept for the next solve is there then
   EXPECT_EQ(solve(patient.progress()), Status::ok);
   ASSERT_GE(patient.told.size(), 3u);
   EXPECT_GE(*std::min_element(patient.told.begin(), patient.told.end()), 0);
@@ -59,7 +62,7 @@ TEST(Progress, OfHertzianContacts) {
       EllipticContact moved = contact();
       if (kind == ContactMotion::shift) moved.creepage = {5e-6, 3e-6, 0};
       expect_heard([&](const Progress& progress) {
-        return solver.solve(moved, {.kind = kind, .steps = 5}, progress).fields.forces.status;
+        return solver.solve(moved, {.kind = kind, .steps = 5}, progress).report.status;
       });
     }
   }
@@ -69,18 +72,24 @@ TEST(Progress, TransientRollingKeepsTheStepsSoFar) {
   EllipticContactSolver solver({.mx = 12, .my = 12});
   const ExactMotion motion{.kind = ContactMotion::transient, .steps = 6};
   const auto whole = solver.solve(contact(), motion);
-  Listener listener(4);
-  const auto part = solver.solve(contact(), motion, listener.progress());
-  EXPECT_EQ(part.fields.forces.status, Status::not_converged);
-  EXPECT_EQ(listener.told, (std::vector<double>{1.0 / 6, 2.0 / 6, 3.0 / 6, 4.0 / 6}));
-  ASSERT_EQ(part.history.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(part.history[i].forces.fx, whole.history[i].forces.fx);
-    EXPECT_EQ(part.history[i].forces.status, Status::ok);
+  for (const double end : {4.01 / 6, 4.3 / 6, 4.999 / 6}) { // within the fifth step
+    const auto part = solver.solve(contact(), motion, [&](double fraction) { return fraction < end; });
+    EXPECT_EQ(part.report.status, Status::not_converged);
+    ASSERT_EQ(part.history.size(), 4u) << end;
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(part.history[i].totals.fx, whole.history[i].totals.fx);
+      EXPECT_EQ(part.history[i].report.status, Status::ok);
+    }
+    EXPECT_EQ(part.totals.fx, whole.history[3].totals.fx);
+    EXPECT_EQ(part.fields.traction.x, solver.solve(contact(), {.kind = motion.kind, .steps = 4}).fields.traction.x);
   }
-  EXPECT_EQ(part.fields.forces.fx, whole.history[3].forces.fx);
-  Listener last(6); // all steps are done
-  EXPECT_EQ(solver.solve(contact(), motion, last.progress()).fields.forces.status, Status::ok);
+  const auto nothing = solver.solve(contact(), motion, [](double) { return false; });
+  EXPECT_EQ(nothing.report.status, Status::not_converged);
+  EXPECT_TRUE(std::isnan(nothing.totals.fx));
+  Listener listener; // after its last step work cannot be ended any more
+  solver.solve(contact(), motion, listener.progress());
+  Listener last(listener.told.size());
+  EXPECT_EQ(solver.solve(contact(), motion, last.progress()).report.status, Status::ok);
 }
 
 TEST(Progress, TransientRollingWithFallingFriction) {
@@ -90,13 +99,101 @@ TEST(Progress, TransientRollingWithFallingFriction) {
   options.friction_memory = {1e-3, 1e-3};
   EllipticContactSolver solver(options);
   const ExactMotion motion{.kind = ContactMotion::transient, .steps = 4};
-  expect_heard([&](const Progress& progress) { return solver.solve(falling, motion, progress).fields.forces.status; });
+  expect_heard([&](const Progress& progress) { return solver.solve(falling, motion, progress).report.status; });
 }
 
 TEST(Progress, OfDerivatives) {
   EllipticContactSolver solver({.mx = 16, .my = 16});
   expect_heard(
-      [&](const Progress& progress) { return solver.differentiate(contact(), progress).contact.fields.forces.status; });
+      [&](const Progress& progress) { return solver.differentiate(contact(), progress).solution.report.status; });
+}
+
+/// `solve(progress)` is work that begins with a new grid. It must tell of its progress at least `often`, and end with
+/// not_converged wherever the progress function returns false: at once while it prepares, in the midst, at its end.
+template <class Solve> void expect_ended_anywhere(std::size_t often, const Solve& solve) {
+  Listener patient;
+  EXPECT_EQ(solve(patient.progress()), Status::ok);
+  EXPECT_GE(patient.told.size(), often);
+  for (const std::size_t last : {std::size_t(1), patient.told.size() / 3, patient.told.size() / 2,
+                                 patient.told.size() * 2 / 3, patient.told.size() - 1}) {
+    Listener impatient(last);
+    EXPECT_EQ(solve(impatient.progress()), Status::not_converged) << last << " of " << patient.told.size();
+    EXPECT_EQ(impatient.told.size(), last) << "of " << patient.told.size();
+  }
+}
+
+TEST(Progress, OfPreparationsAndProducts) {
+  for (const auto discretisation : {Discretisation::second_order, Discretisation::classical}) {
+    const ExactOptions options{.mx = 20, .my = 20, .discretisation = discretisation};
+    long products = 0;
+    expect_ended_anywhere(40, [&](const Progress& progress) {
+      const auto solved = EllipticContactSolver(options).solve(contact(), {}, progress);
+      if (solved.report.status == Status::ok) products = solved.report.products;
+      return solved.report.status;
+    });
+    Listener listener;
+    EllipticContactSolver(options).solve(contact(), {}, listener.progress());
+    // One for each product of the linear solvers and for each row of coefficients; residuals take products without.
+    EXPECT_GE(listener.told.size(), static_cast<std::size_t>(products) / 2 + 20);
+  }
+}
+
+TEST(Progress, OfCoarserGridsAndGivenForces) {
+  const ExactOptions options{.mx = 64, .my = 64};
+  Listener once;
+  EllipticContactSolver solver(options);
+  solver.solve(contact(), {}, {});
+  const auto solved = solver.solve(contact(), {}, once.progress());
+  EXPECT_GT(once.told.size(), static_cast<std::size_t>(solved.report.products) + 10); // those of the coarser grid as well
+  EXPECT_TRUE(std::is_sorted(once.told.begin(), once.told.end()));
+  expect_ended_anywhere(200, [&](const Progress& progress) {
+    return EllipticContactSolver(options).solve(contact(), {.force_x = 5e3}, progress).report.status;
+  });
+}
+
+TEST(Progress, OfBodiesAndFrictionThatNeedASequence) {
+  const Material steel{82e9, 0.28}, aluminium{26e9, 0.34};
+  const auto pair = combine(steel, aluminium);
+  EllipticContact unlike = contact(), falling = contact();
+  unlike.shear_modulus = pair.shear_modulus;
+  unlike.poisson_ratio = pair.poisson_ratio;
+  falling.friction = FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 0.1});
+  ExactOptions of_unlike{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
+  ExactOptions viscoelastic_bodies = of_unlike, layered = of_unlike, plain = of_unlike, alternating = of_unlike;
+  of_unlike.bodies = alternating.bodies = Bodies(pair);
+  alternating.coupling = Coupling::alternating;
+  viscoelastic_bodies.bodies = viscoelastic(steel, {0.5, 1e-3}, steel, {}, 10);
+  layered.bodies = Bodies(combine(steel, steel));
+  layered.bodies->layer = {.flexibility = 1e-14};
+  const auto ended_anywhere = [](const ExactOptions& options, const EllipticContact& rolling) {
+    expect_ended_anywhere(60, [&](const Progress& progress) {
+      return EllipticContactSolver(options).solve(rolling, {}, progress).report.status;
+    });
+  };
+  ended_anywhere(of_unlike, unlike);
+  ended_anywhere(alternating, unlike);
+  ended_anywhere(viscoelastic_bodies, contact());
+  ended_anywhere(layered, contact());
+  ended_anywhere(plain, falling);
+}
+
+TEST(Progress, OfAccurateContacts) {
+  expect_ended_anywhere(100, [&](const Progress& progress) {
+    const auto solved = AccurateContactSolver(1e-2).solve(contact(), {}, progress);
+    if (solved.forces.status != Status::ok && solved.elements == 0) {
+      EXPECT_TRUE(std::isnan(solved.forces.fx));
+    }
+    return solved.forces.status;
+  });
+}
+
+TEST(Progress, OfTheDeformedGap) {
+  EllipticContactSolver solver({.mx = 16, .my = 16});
+  Listener patient, impatient(10);
+  const auto gap = solver.deformed_gap(contact(), {}, patient.progress());
+  EXPECT_GE(patient.told.size(), 20u);
+  EXPECT_THROW(solver.deformed_gap(contact(), {}, impatient.progress()), Stopped);
+  EXPECT_EQ(solver.deformed_gap(contact()), gap);
 }
 
 /// The contact above on a grid.
@@ -135,10 +232,10 @@ TEST(Progress, OfPatches) {
   std::optional<PatchRolling> rolling;
   expect_heard([&](const Progress& progress) {
     rolling.emplace(on.material, on.grid, on.gap, on.load, RollingDirection::forward, progress);
-    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage}).forces.status;
+    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage}).report.status;
   });
   expect_heard([&](const Progress& progress) {
-    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage, .progress = progress}).forces.status;
+    return rolling->solve({.friction = 0.3, .creepage = on.elliptic.creepage, .progress = progress}).report.status;
   });
 }
 

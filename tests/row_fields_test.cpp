@@ -29,10 +29,10 @@ std::vector<EllipticContact> contacts() {
 struct MarchedSlip {
   double x, y;
 };
-MarchedSlip marched_slip(const ContactFields& f, std::size_t k, const EllipticContact& contact,
+MarchedSlip marched_slip(const ContactSolution& f, std::size_t k, const EllipticContact& contact,
                          const Flexibilities& l) {
-  const double cell = 2 * contact.a * std::sqrt(1 - std::pow(f.y[k] / contact.b, 2)) / f.mx;
-  return {f.sx[k] * cell / l.longitudinal, f.sy[k] * cell / l.lateral};
+  const double cell = 2 * contact.a * std::sqrt(1 - std::pow(f.elements.y[k] / contact.b, 2)) / f.elements.mx();
+  return {f.fields.slip.x[k] * cell / l.longitudinal, f.fields.slip.y[k] * cell / l.lateral};
 }
 
 /// Calls check(solver, contact, fields).
@@ -44,33 +44,32 @@ template <class Check> void for_all_fields(int mx, int my, Check check) {
   }
 }
 
-/// (F12): rows from -b to b, cells from the leading to the trailing edge.
+/// (F12): rows from -b to b, cells from the left to the right edge, whatever the direction.
 TEST(RowFields, CellsAreWhereThePaperPutsThem) {
-  for_all_fields(4, 7, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
-    ASSERT_EQ(f.mx, 4);
-    ASSERT_EQ(f.my, 7);
-    const double sign = solver.options().direction == RollingDirection::forward ? 1 : -1;
+  for_all_fields(4, 7, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
+    ASSERT_EQ(f.elements.mx(), 4);
+    ASSERT_EQ(f.elements.my(), 7);
     for (int j = 0; j < 7; ++j)
       for (int i = 0; i < 4; ++i) {
         const double y = -contact.b + (j + 0.5) * 2 * contact.b / 7;
         const double edge = contact.a * std::sqrt(1 - y * y / (contact.b * contact.b));
-        ASSERT_NEAR(f.y[4 * j + i], y, 1e-15 * contact.b);
-        ASSERT_NEAR(f.x[4 * j + i], sign * (edge - (i + 0.5) * edge / 2), 1e-15 * contact.a);
+        ASSERT_NEAR(f.elements.y[4 * j + i], y, 1e-15 * contact.b);
+        ASSERT_NEAR(f.elements.x[4 * j + i], (i + 0.5) * edge / 2 - edge, 1e-15 * contact.a);
       }
   });
 }
 
 TEST(RowFields, BoundIsThatOfTheFrictionLayer) {
-  for_all_fields(5, 4, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(5, 4, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     const auto shape = solver.options().bound;
     const double peak = traction_bound(shape, contact.a, contact.b, contact.normal_force, 1, 0, 0);
-    for (std::size_t k = 0; k < f.x.size(); ++k) {
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
       const auto& [xi, eta, phi] = contact.creepage;
-      const double slip = std::hypot(xi - phi * f.y[k], eta + phi * f.x[k]);
+      const double slip = std::hypot(xi - phi * f.elements.y[k], eta + phi * f.elements.x[k]);
       const double friction = contact.friction.coefficient(slip * contact.rolling_speed);
       const double expected =
-          traction_bound(shape, contact.a, contact.b, contact.normal_force, friction, f.x[k], f.y[k]);
-      ASSERT_NEAR(f.bound[k], expected, 1e-14 * peak);
+          traction_bound(shape, contact.a, contact.b, contact.normal_force, friction, f.elements.x[k], f.elements.y[k]);
+      ASSERT_NEAR(f.fields.bound[k], expected, 1e-14 * peak);
     }
   });
 }
@@ -78,31 +77,33 @@ TEST(RowFields, BoundIsThatOfTheFrictionLayer) {
 /// The weights make up the load exactly: with Coulomb friction the bound's sum is mu Fn.
 TEST(RowFields, WeightsMakeUpTheLoad) {
   for (const int n : {1, 2, 5, 10, 31})
-    for_all_fields(n, n, [](const RowSolver&, const EllipticContact& contact, const ContactFields& f) {
+    for_all_fields(n, n, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
       if (contact.friction.kind() != FrictionLaw::Kind::coulomb) return;
       double sum = 0;
-      for (std::size_t k = 0; k < f.x.size(); ++k) sum += f.area[k] * f.bound[k];
+      for (std::size_t k = 0; k < f.elements.x.size(); ++k) sum += f.elements.area[k] * f.fields.bound[k];
       ASSERT_NEAR(sum, friction_force(contact), 1e-14 * friction_force(contact));
     });
 }
 
 TEST(RowFields, TractionIsWithinTheBound) {
-  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact&, const ContactFields& f) {
-    for (std::size_t k = 0; k < f.x.size(); ++k) ASSERT_LE(std::hypot(f.px[k], f.py[k]), f.bound[k] * (1 + 4e-16));
+  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact&, const ContactSolution& f) {
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k)
+      ASSERT_LE(std::hypot(f.fields.traction.x[k], f.fields.traction.y[k]), f.fields.bound[k] * (1 + 4e-16));
   });
 }
 
 TEST(RowFields, CellsAdhereWithoutSlipOrSlipOnTheBound) {
   int adhesion = 0, slip = 0;
-  for_all_fields(9, 8, [&](const RowSolver&, const EllipticContact&, const ContactFields& f) {
-    for (std::size_t k = 0; k < f.x.size(); ++k) {
-      if (f.state[k] == CellState::adhesion) {
-        ASSERT_EQ(f.sx[k], 0);
-        ASSERT_EQ(f.sy[k], 0);
+  for_all_fields(9, 8, [&](const RowSolver&, const EllipticContact&, const ContactSolution& f) {
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
+      if (f.fields.state[k] == CellState::adhesion) {
+        ASSERT_EQ(f.fields.slip.x[k], 0);
+        ASSERT_EQ(f.fields.slip.y[k], 0);
         ++adhesion;
       } else {
-        ASSERT_EQ(f.state[k], CellState::slip);
-        ASSERT_NEAR(std::hypot(f.px[k], f.py[k]), f.bound[k], 1e-15 * f.bound[k]);
+        ASSERT_EQ(f.fields.state[k], CellState::slip);
+        ASSERT_NEAR(std::hypot(f.fields.traction.x[k], f.fields.traction.y[k]), f.fields.bound[k],
+                    1e-15 * f.fields.bound[k]);
         ++slip;
       }
     }
@@ -113,66 +114,69 @@ TEST(RowFields, CellsAdhereWithoutSlipOrSlipOnTheBound) {
 
 /// p = -g S/|S|, to the rounding of the tractions whose difference S is; with equal flexibilities S is parallel to s.
 TEST(RowFields, TractionOpposesSlip) {
-  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     const auto l = flexibilities(solver.options().flexibility, {}, contact);
-    for (std::size_t k = 0; k < f.x.size(); ++k) {
-      if (f.state[k] != CellState::slip) continue;
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
+      if (f.fields.state[k] != CellState::slip) continue;
       const auto s = marched_slip(f, k, contact, l);
-      const double p2 = f.px[k] * f.px[k] + f.py[k] * f.py[k], size = std::hypot(f.px[k], f.py[k]);
+      const double p2 = f.fields.traction.x[k] * f.fields.traction.x[k] +
+                        f.fields.traction.y[k] * f.fields.traction.y[k],
+                   size = std::hypot(f.fields.traction.x[k], f.fields.traction.y[k]);
       // The tractions before and after the bound is applied can be larger than the bound by |S|.
       const double rounding = 1e-15 * size * (size + std::hypot(s.x, s.y));
-      ASSERT_NEAR(f.px[k] * s.y - f.py[k] * s.x, 0, rounding);
-      ASSERT_LE(f.px[k] * s.x + f.py[k] * s.y, 1e-15 * p2);
+      ASSERT_NEAR(f.fields.traction.x[k] * s.y - f.fields.traction.y[k] * s.x, 0, rounding);
+      ASSERT_LE(f.fields.traction.x[k] * s.x + f.fields.traction.y[k] * s.y, 1e-15 * p2);
     }
   });
 }
 
 TEST(RowFields, TractionsAddUpToTheForces) {
-  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
     double fx = 0, fy = 0, mz = 0;
-    for (std::size_t k = 0; k < f.x.size(); ++k) {
-      fx += f.area[k] * f.px[k];
-      fy += f.area[k] * f.py[k];
-      mz += f.area[k] * (f.x[k] * f.py[k] - f.y[k] * f.px[k]);
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
+      fx += f.elements.area[k] * f.fields.traction.x[k];
+      fy += f.elements.area[k] * f.fields.traction.y[k];
+      mz += f.elements.area[k] * (f.elements.x[k] * f.fields.traction.y[k] - f.elements.y[k] * f.fields.traction.x[k]);
     }
     const double force = friction_force(contact);
-    ASSERT_NEAR(f.forces.fx, fx, 1e-14 * force);
-    ASSERT_NEAR(f.forces.fy, fy, 1e-14 * force);
-    ASSERT_NEAR(f.forces.mz, mz, 1e-14 * force * std::max(contact.a, contact.b));
+    ASSERT_NEAR(f.totals.fx, fx, 1e-14 * force);
+    ASSERT_NEAR(f.totals.fy, fy, 1e-14 * force);
+    ASSERT_NEAR(f.totals.mz, mz, 1e-14 * force * std::max(contact.a, contact.b));
   });
 }
 
 TEST(RowFields, ForcesAreThoseOfTheForcesAlone) {
-  for_all_fields(9, 8, [](RowSolver solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](RowSolver solver, const EllipticContact& contact, const ContactSolution& f) {
     const ContactForces expected = solver.solve(contact);
     const double force = friction_force(contact);
-    ASSERT_NEAR(f.forces.fx, expected.fx, 1e-14 * force);
-    ASSERT_NEAR(f.forces.fy, expected.fy, 1e-14 * force);
-    ASSERT_NEAR(f.forces.mz, expected.mz, 1e-14 * friction_moment(contact));
-    ASSERT_NEAR(f.forces.slip_area, expected.slip_area, 1e-10 * ellipse_area(contact));
+    ASSERT_NEAR(f.totals.fx, expected.fx, 1e-14 * force);
+    ASSERT_NEAR(f.totals.fy, expected.fy, 1e-14 * force);
+    ASSERT_NEAR(f.totals.mz, expected.mz, 1e-14 * friction_moment(contact));
+    ASSERT_NEAR(f.totals.slip_area, expected.slip_area, 1e-10 * ellipse_area(contact));
   });
 }
 
 /// FASTSIM knows no boundary within a cell: the slip area is that of the sliding cells.
 TEST(RowFields, SlipAreaIsThatOfTheSlidingCells) {
-  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactFields& f) {
+  for_all_fields(9, 8, [](const RowSolver& solver, const EllipticContact& contact, const ContactSolution& f) {
     if (solver.scheme() != MarchingScheme::fastsim) return;
     double sliding = 0, all = 0;
-    for (std::size_t k = 0; k < f.x.size(); ++k) {
-      all += f.area[k];
-      if (f.state[k] == CellState::slip) sliding += f.area[k];
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
+      all += f.elements.area[k];
+      if (f.fields.state[k] == CellState::slip) sliding += f.elements.area[k];
     }
-    ASSERT_NEAR(f.forces.slip_area, sliding / all * ellipse_area(contact), 1e-14 * ellipse_area(contact));
+    ASSERT_NEAR(f.totals.slip_area, sliding / all * ellipse_area(contact), 1e-14 * ellipse_area(contact));
   });
 }
 
 TEST(RowFields, FrictionDissipates) {
-  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactFields& f) {
-    ASSERT_GE(f.frictional_power, 0);
+  for_all_fields(9, 8, [](const RowSolver&, const EllipticContact& contact, const ContactSolution& f) {
+    ASSERT_GE(f.totals.frictional_power, 0);
     double power = 0;
-    for (std::size_t k = 0; k < f.x.size(); ++k)
-      power -= contact.rolling_speed * f.area[k] * (f.px[k] * f.sx[k] + f.py[k] * f.sy[k]);
-    ASSERT_NEAR(f.frictional_power, power, 1e-13 * power);
+    for (std::size_t k = 0; k < f.elements.x.size(); ++k)
+      power -= contact.rolling_speed * f.elements.area[k] *
+               (f.fields.traction.x[k] * f.fields.slip.x[k] + f.fields.traction.y[k] * f.fields.slip.y[k]);
+    ASSERT_NEAR(f.totals.frictional_power, power, 1e-13 * power);
   });
 }
 
@@ -186,12 +190,12 @@ double power_unit(const EllipticContact& contact) {
 /// s = w + du/dq along the way q of a particle, so integral p.s = integral p.w + [L p^2/2], and p is zero where
 /// particles enter and leave. With one flexibility integral p.w is xi Fx + eta Fy + phi Mz: what friction takes is what
 /// drives the bodies. With three it is integral (L1 px w~x + L2 py w~y) with the effective rigid slip w~ of (F18).
-double driving_power(const ContactFields& f, const EllipticContact& contact, const Flexibilities& l) {
+double driving_power(const ContactSolution& f, const EllipticContact& contact, const Flexibilities& l) {
   const auto& [xi, eta, phi] = contact.creepage;
   double power = 0;
-  for (std::size_t k = 0; k < f.x.size(); ++k)
-    power -= f.area[k] * (f.px[k] * (xi - phi * f.y[k] * l.longitudinal / l.spin) +
-                          f.py[k] * (eta + phi * f.x[k] * l.lateral / l.spin));
+  for (std::size_t k = 0; k < f.elements.x.size(); ++k)
+    power -= f.elements.area[k] * (f.fields.traction.x[k] * (xi - phi * f.elements.y[k] * l.longitudinal / l.spin) +
+                                   f.fields.traction.y[k] * (eta + phi * f.elements.x[k] * l.lateral / l.spin));
   return power * contact.rolling_speed;
 }
 
@@ -202,14 +206,14 @@ double power_misfit(MarchingScheme scheme, FlexibilityModel model, int n) {
   std::vector<double> misfits;
   for (const EllipticContact& contact : every_nth_case(29)) {
     if (!(power_unit(contact) > 0)) continue;
-    const ContactFields f = solver.fields(contact);
+    const ContactSolution f = solver.fields(contact);
     const double driving = driving_power(f, contact, flexibilities(model, {}, contact));
     if (model == FlexibilityModel::one) {
       const auto& [xi, eta, phi] = contact.creepage;
-      const double expected = -contact.rolling_speed * (xi * f.forces.fx + eta * f.forces.fy + phi * f.forces.mz);
+      const double expected = -contact.rolling_speed * (xi * f.totals.fx + eta * f.totals.fy + phi * f.totals.mz);
       EXPECT_NEAR(driving, expected, 1e-13 * power_unit(contact));
     }
-    misfits.push_back(std::abs(f.frictional_power - driving) / power_unit(contact));
+    misfits.push_back(std::abs(f.totals.frictional_power - driving) / power_unit(contact));
   }
   std::nth_element(misfits.begin(), misfits.begin() + misfits.size() / 2, misfits.end());
   return misfits[misfits.size() / 2];

@@ -102,16 +102,16 @@ TEST(Symmetry, FieldsAreMirroredToo) {
     for (std::size_t n = 0; n < all.size(); n += 11) {
       const EllipticContact& contact = all[n];
       const double peak = friction_force(contact) / ellipse_area(contact);
-      const ContactFields f = solver.fields(contact), m = solver.fields(with_signs(contact, {1, -1, -1}));
+      const ContactSolution f = solver.fields(contact), m = solver.fields(with_signs(contact, {1, -1, -1}));
       for (int j = 0; j < 6; ++j)
         for (int i = 0; i < 5; ++i) {
           const int here = j * 5 + i, there = (5 - j) * 5 + i;
-          ASSERT_NEAR(f.x[here], m.x[there], 1e-15 * contact.a);
-          ASSERT_NEAR(f.y[here], -m.y[there], 1e-15 * contact.b);
-          ASSERT_NEAR(f.px[here], m.px[there], 1e-12 * peak);
-          ASSERT_NEAR(f.py[here], -m.py[there], 1e-12 * peak);
+          ASSERT_NEAR(f.elements.x[here], m.elements.x[there], 1e-15 * contact.a);
+          ASSERT_NEAR(f.elements.y[here], -m.elements.y[there], 1e-15 * contact.b);
+          ASSERT_NEAR(f.fields.traction.x[here], m.fields.traction.x[there], 1e-12 * peak);
+          ASSERT_NEAR(f.fields.traction.y[here], -m.fields.traction.y[there], 1e-12 * peak);
         }
-      ASSERT_NEAR(f.frictional_power, m.frictional_power, 1e-12 * f.frictional_power);
+      ASSERT_NEAR(f.totals.frictional_power, m.totals.frictional_power, 1e-12 * f.totals.frictional_power);
     }
   }
 }

@@ -89,8 +89,8 @@ double second_order_creepage(int n) {
   contact.friction = FrictionLaw::coulomb(friction);
   ExactMotion motion;
   motion.force_x = -force_share * friction * normal_force;
-  const ExactContact s = EllipticContactSolver({.mx = n, .my = n, .tolerance = tolerance}).solve(contact, motion);
-  if (s.fields.forces.status != Status::ok) throw Error("steady rolling at second order: not converged");
+  const ContactSolution s = EllipticContactSolver({.mx = n, .my = n, .tolerance = tolerance}).solve(contact, motion);
+  if (s.report.status != Status::ok) throw Error("steady rolling at second order: not converged");
   return s.creepage.longitudinal;
 }
 

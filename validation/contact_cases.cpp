@@ -194,7 +194,7 @@ bool compare_discretisations(Report& report, const std::vector<SteadyCase>& case
   for (const SteadyCase& c : cases) {
     const double limit = c.contact.friction.static_coefficient() * c.contact.normal_force;
     const AccurateContact exact = AccurateContactSolver(accuracy, c.options).solve(c.contact);
-    const ContactForces second = EllipticContactSolver(c.options).solve(c.contact).fields.forces;
+    const ContactForces second = EllipticContactSolver(c.options).solve(c.contact).forces();
     const Vec2 to_classical = {c.fx - exact.forces.fx / limit, c.fy - exact.forces.fy / limit};
     const Vec2 to_second = {(second.fx - exact.forces.fx) / limit, (second.fy - exact.forces.fy) / limit};
     const double classical = std::hypot(to_classical.x, to_classical.y), own = std::hypot(to_second.x, to_second.y);

@@ -2,7 +2,7 @@
 
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
-#include "microslip/simplified/row_solver.hpp"
+#include "microslip/batch/solve_parallel.hpp"
 #include "validation/error_statistics.hpp"
 #include "validation/relative_forces.hpp"
 #include "validation/report.hpp"

@@ -115,9 +115,9 @@ double paper_force(int n, double creepage) {
   contact.normal_force = 1.3e-6 * steel.shear_modulus;
   contact.friction = FrictionLaw::coulomb(friction);
   contact.creepage.longitudinal = creepage;
-  const ExactContact s = EllipticContactSolver({.mx = n, .my = n, .tolerance = 1e-8}).solve(contact);
-  if (s.fields.forces.status != Status::ok) throw Error("the refinement paper's test: not converged");
-  return -s.fields.forces.fx / (friction * contact.normal_force);
+  const ContactSolution s = EllipticContactSolver({.mx = n, .my = n, .tolerance = 1e-8}).solve(contact);
+  if (s.report.status != Status::ok) throw Error("the refinement paper's test: not converged");
+  return -s.totals.fx / (friction * contact.normal_force);
 }
 
 /// Prints errors on order_grids and their ratios from n to 2 n elements, and judges the mean order from the first to

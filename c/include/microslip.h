@@ -168,8 +168,8 @@ typedef enum microslip_motion {
   MICROSLIP_SHIFT = 2      /* the creepages are a rigid shift [m] and a rotation [rad] */
 } microslip_motion;
 
-/* Fields over the cells of a grid: my rows, y ascending, of mx cells from the leading to the trailing edge; cell i of
- * row j has the index j mx + i. */
+/* Fields over the elements of a grid: my rows, y ascending, of mx elements, x ascending whatever the rolling direction;
+ * element i of row j has the index j mx + i. */
 typedef enum microslip_field {
   MICROSLIP_FIELD_X = 0,        /* cell centres [m] */
   MICROSLIP_FIELD_Y = 1,        /* [m] */
@@ -240,8 +240,8 @@ typedef struct microslip_exact_options {
   /* If not 0: steady rolling to this accuracy, a fraction of mu Fn in [1e-5, 0.1]. Grids are chosen, mx and my not
    * used, and forces and creepages are extrapolated to the limit. */
   double accuracy;
-  /* If not NULL: called now and then by long solves with the fraction done, 0 to 1; another return than 0 ends the
-   * solve with MICROSLIP_NOT_CONVERGED. It must not call the same handle. */
+  /* If not NULL: called often by long solves with the fraction done, 0 to 1; another return than 0 ends the solve with
+   * MICROSLIP_NOT_CONVERGED, and NaN where there is no result yet. It must not call the same handle. */
   int (*progress)(double fraction, void* progress_data);
   void* progress_data;
 } microslip_exact_options;

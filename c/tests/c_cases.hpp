@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip.h"
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 
 #include <cstring>
 #include <limits>

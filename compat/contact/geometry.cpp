@@ -1,12 +1,14 @@
 #include "compat/contact/geometry.hpp"
 
+#include "microslip/contact/limits.hpp"
+
 #include <algorithm>
 #include <string>
 
 namespace microslip::contact_program {
 namespace {
 
-constexpr int most_elements_along = 10000, most_points = 9999, most_heights = 10000, most_patches = 100;
+constexpr int most_points = 9999, most_heights = 10000, most_patches = 100;
 constexpr int any_element = 999999; ///< indices of points may lie beyond the grid, which cuts them off
 
 /// Names of the numbers behind MX and MY.
@@ -152,8 +154,8 @@ PotentialContact read_potential_contact(Words& words) {
   PotentialContact p;
   p.kind = read_choice<Potential>(words);
   words.end_record();
-  p.mx = words.integer("MX", 1, most_elements_along);
-  p.my = words.integer("MY", 1, most_elements_along);
+  p.mx = words.integer("MX", 1, most_cells);
+  p.my = words.integer("MY", 1, most_cells);
   if (p.is_hertzian())
     read_hertzian(words, p);
   else

@@ -1,6 +1,7 @@
 #include "compat/contact/interior.hpp"
 
 #include "compat/contact/set_up.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6, newton_per_mm2 = 1e6;
-constexpr std::size_t most_points = 2000000;
 
 /// The columns, or rows, of elements that a block names, from 0, as far as the grid has them; `part` is 0 for x, 1 for
 /// y.
@@ -54,7 +54,7 @@ InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
     for (int k = 0; k < static_cast<int>(block.z[0]); ++k) points.z.push_back((block.z[1] + k * block.z[2]) * mm);
   else
     points.z = places(block.z);
-  if (points.x.size() * points.y.size() > most_points / points.z.size())
+  if (points.x.size() * points.y.size() > most_interior_points / points.z.size())
     throw Error("ISUBS: more than two million points in a block");
   return points;
 }

@@ -5,6 +5,7 @@
 #include "compat/contact/support.hpp"
 #include "io/case_file.hpp"
 #include "io/option_words.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ GapCurvatures curvatures(const Case& c) {
 
 /// Elements across the ellipse.
 int across(double axis, double element) {
-  return std::clamp(static_cast<int>(std::lround(2 * axis / element)), 1, largest_field_grid);
+  return std::clamp(static_cast<int>(std::lround(2 * axis / element)), 1, most_field_cells);
 }
 
 /// A number that reads back as the same.

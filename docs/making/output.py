@@ -3,7 +3,7 @@
 import re
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-RELATIVE = 1e-3  # other processors round otherwise, and iterations end elsewhere
+RELATIVE = 1e-5  # other processors round otherwise, and iterations end elsewhere
 
 
 def words_and_numbers(line):

@@ -31,7 +31,7 @@ figure, panels = plt.subplots(
     1, 2, num="Tractions of coarse grids along a row 0.75 mm beside the middle",
     figsize=(9.5, 3.8))
 for name, (solver, colour, style) in rows.items():
-    cells = solver.fields(contact)
+    cells = solver.fields(contact).fields
     row = np.argmin(np.abs(cells.y[:, 0] - 0.75e-3))
     for axes, values in zip(panels, (cells.px, cells.py)):
         axes.plot(1e3 * cells.x[row], 1e-6 * values[row], style, color=colour, markersize=4, label=name)

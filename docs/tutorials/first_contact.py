@@ -58,7 +58,7 @@ print(f"{forces.slip_area / (forces.slip_area + forces.adhesion_area):.0%} of th
 # `fields` gives the tractions of every cell.
 
 # %%
-cells = microslip.Fastsim2(40, 40).fields(contact)
+cells = microslip.Fastsim2(40, 40).fields(contact).fields
 state = np.asarray(cells.state)
 figure, axes = plt.subplots(
     num="Adhesion (blue) and slip (orange); arrows are the tractions on the wheel",

@@ -1,5 +1,6 @@
 #include "microslip/contact/element_grid.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 namespace microslip {
@@ -7,8 +8,8 @@ namespace microslip {
 ElementGrid ElementGrid::across_ellipse(double a, double b, int n, int m, int margin) {
   require_positive("a", a, "m");
   require_positive("b", b, "m");
-  require_count("elements across", n, 1, 10000);
-  require_count("elements across", m, 1, 10000);
+  require_count("elements across", n, 1, most_cells);
+  require_count("elements across", m, 1, most_cells);
   ElementGrid grid;
   grid.mx = n + 2 * margin;
   grid.my = m + 2 * margin;
@@ -21,7 +22,7 @@ ElementGrid ElementGrid::across_ellipse(double a, double b, int n, int m, int ma
 
 ElementGrid ElementGrid::across_line(double a, int n, int margin, double length) {
   require_positive("a", a, "m");
-  require_count("elements across", n, 1, 10000);
+  require_count("elements across", n, 1, most_cells);
   require_positive("length", length, "m");
   ElementGrid grid;
   grid.mx = n + 2 * margin;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <tuple>
 
 namespace microslip {
 namespace {
@@ -98,6 +100,31 @@ GapCurvatures gap_curvatures(const PrincipalRadii& radii) {
   const double y = curvature_of_pair("transverse1", radii.transverse1, "transverse2", radii.transverse2);
   return {.x = require_positive("(1/rolling1 + 1/rolling2)/2", x / 2, "1/m"),
           .y = require_positive("(1/transverse1 + 1/transverse2)/2", y / 2, "1/m")};
+}
+
+std::vector<std::string> implausibilities(const HertzContact& contact, const PrincipalRadii& radii) {
+  constexpr double largest_semi_axis = 0.5, largest_approach = 0.1; // of a radius
+  constexpr const char* check = " is too large for a half-space: check units, lengths in m, moduli in Pa, forces in N";
+  std::vector<std::string> texts;
+  double smallest = HUGE_VAL;
+  for (const auto& [semi_axis, name, radius, of_body] :
+       {std::tuple{contact.a, "a", radii.rolling1, "rolling radius of body 1"},
+        {contact.a, "a", radii.rolling2, "rolling radius of body 2"},
+        {contact.b, "b", radii.transverse1, "transverse radius of body 1"},
+        {contact.b, "b", radii.transverse2, "transverse radius of body 2"}}) {
+    smallest = std::min(smallest, std::abs(radius));
+    if (!(semi_axis > largest_semi_axis * std::abs(radius))) continue;
+    std::ostringstream text;
+    text << "contact ellipse: semi-axis " << name << " = " << semi_axis << " m beside the " << of_body << ", " << radius
+         << " m," << check;
+    texts.push_back(text.str());
+  }
+  if (contact.approach > largest_approach * smallest) {
+    std::ostringstream text;
+    text << "approach " << contact.approach << " m beside the smallest radius, " << smallest << " m," << check;
+    texts.push_back(text.str());
+  }
+  return texts;
 }
 
 double HertzContact::pressure(double x, double y) const {

@@ -2,6 +2,9 @@
 
 #include "microslip/elasticity/material.hpp"
 
+#include <string>
+#include <vector>
+
 namespace microslip {
 
 /// Shape of the gap between two bodies in first contact: h(x, y) = A x^2 + B y^2.
@@ -43,6 +46,11 @@ HertzContact hertz_from_load(const GapCurvatures& gap, const CombinedMaterial& m
 HertzContact hertz_from_approach(const GapCurvatures& gap, const CombinedMaterial& material, double approach);
 /// The same from the ellipse and the load: finds the curvatures. Throws Error for a/b outside [1e-5, 1e5].
 HertzContact hertz_from_ellipse(double a, double b, const CombinedMaterial& material, double normal_force);
+
+/// What makes a contact implausible for half-spaces: an ellipse with a semi-axis beyond half of a body's radius of
+/// curvature in its direction, an approach beyond a tenth of a radius. Each text has the numbers and says which inputs
+/// to check; none for a plausible contact. Lengths in mm or moduli in MPa make such contacts.
+std::vector<std::string> implausibilities(const HertzContact& contact, const PrincipalRadii& radii);
 
 /// Two cylinders with parallel axes (line contact), per unit length.
 struct LineContact {

@@ -1,5 +1,6 @@
 #include "microslip/interior/interior_field.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/elasticity/bilinear_interior_influence.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/halfspace/delayed_influence.hpp"
@@ -69,7 +70,7 @@ constexpr double memory_for_point = 700, memory_for_late_point = 1200;
 
 ElementGrid with_margin(const InteriorField& field, int margin) {
   ElementGrid grid = field.grid();
-  require_count("margin", margin, 0, 10000);
+  require_count("margin", margin, 0, most_cells);
   grid.mx += 2 * margin;
   grid.x0 -= margin * grid.dx;
   if (!grid.line) {

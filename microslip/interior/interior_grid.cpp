@@ -1,5 +1,7 @@
 #include "microslip/interior/interior_grid.hpp"
 
+#include "microslip/error.hpp"
+
 #include <cmath>
 #include <optional>
 
@@ -102,24 +104,19 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
 }
 
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
-                                           const ExactContact& contact, double dx, double dy,
-                                           const InteriorGrid& points) {
-  const ContactFields& f = contact.fields;
-  const auto n = static_cast<std::size_t>(f.mx), count = f.px.size(), middle = count / n / 2 * n;
-  if (count == 0) return {};
-  // Rows run from the leading to the trailing edge, whose last cell is a regular one.
-  const bool forward = f.x[middle] >= f.x[middle + n - 1];
-  const double last = f.x[middle + n - 1];
-  const ElementGrid elements = {f.mx, f.my, forward ? last : last - (f.mx - 1) * dx, f.y[0], dx, dy};
-  std::vector<double> px(count), py(count), pn(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t column = k % n, to = forward ? k + n - 1 - 2 * column : k;
-    const double share = f.area[k] / (dx * dy);
-    px[to] = f.px[k] * share;
-    py[to] = f.py[k] * share;
-    pn[to] = contact.pressure[k] * share;
+                                           const ContactSolution& solution, const InteriorGrid& points) {
+  const Elements& e = solution.elements;
+  const SurfaceFields& f = solution.fields;
+  if (f.pressure.size() != e.size()) throw Error("solution: has no pressures; stresses need one of the exact theory");
+  std::vector<double> px(f.traction.x), py(f.traction.y), pn(f.pressure);
+  for (std::size_t k = 0; k < e.size(); ++k) {
+    const double share = e.area[k] / e.grid.element_area();
+    px[k] *= share;
+    py[k] *= share;
+    pn[k] *= share;
   }
-  return interior_states(body1, body2, elements, {px, py, pn}, points);
+  if (e.size() == 0) return {};
+  return interior_states(body1, body2, e.grid, {px, py, pn}, points);
 }
 
 std::vector<InteriorExtreme> interior_extremes(const std::vector<InteriorState>& states) {

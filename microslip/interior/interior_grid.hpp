@@ -1,7 +1,7 @@
 #pragma once
 
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/interior/interior_field.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
 
 #include <string>
 #include <vector>
@@ -33,11 +33,11 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
                                            const ElementGrid& elements, const SurfaceTractions& tractions,
                                            const InteriorGrid& points);
 
-/// The same for what EllipticContactSolver has found on elements of the sides dx, dy [m]. A leading element of another
-/// width counts as one of the grid's with the same forces, which is felt less than an element deep only.
+/// The same for a solution of the exact theory, whatever solved it. An element that is fitted to the edge counts as one
+/// of the grid's with the same forces, which is felt less than an element deep only. Throws Error for a solution
+/// without pressures (the simplified theory's) or with numbers that are not finite.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
-                                           const ExactContact& contact, double dx, double dy,
-                                           const InteriorGrid& points);
+                                           const ContactSolution& solution, const InteriorGrid& points);
 
 /// The largest value of a measure of stress among points, or the smallest of one that is a compression.
 struct InteriorExtreme {

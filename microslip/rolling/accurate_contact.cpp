@@ -5,17 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace microslip {
 namespace {
 
 constexpr int coarsest = 4, finest = 512;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The largest difference of two results, as a fraction of mu Fn.
-double difference(const EllipticContact& contact, const ExactContact& a, const ExactContact& b) {
+double difference(const EllipticContact& contact, const ContactSolution& a, const ContactSolution& b) {
   const double full = contact.friction.static_coefficient() * contact.normal_force;
   if (!(full > 0)) return 0;
-  const ContactForces &f = a.fields.forces, &g = b.fields.forces;
+  const ContactForces f = a.forces(), g = b.forces();
   const auto c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
   const double stiffness = contact.shear_modulus * contact.a * contact.b;
   return std::max({std::abs(f.fx - g.fx), std::abs(f.fy - g.fy),
@@ -25,9 +27,9 @@ double difference(const EllipticContact& contact, const ExactContact& a, const E
          full;
 }
 
-AccurateContact extrapolate(const ExactContact& coarse, ExactContact fine) {
+AccurateContact extrapolate(const ContactSolution& coarse, ContactSolution fine) {
   AccurateContact out;
-  const ContactForces &f = coarse.fields.forces, &g = fine.fields.forces;
+  const ContactForces f = coarse.forces(), g = fine.forces();
   out.coarser = f;
   out.forces = g;
   out.forces.fx = limit_of_second_order(f.fx, g.fx);
@@ -52,10 +54,11 @@ AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions
   options_.tolerance = std::min(options_.tolerance, accuracy / 100);
 }
 
-ExactContact AccurateContactSolver::solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion) {
+ContactSolution AccurateContactSolver::solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion,
+                                                const Progress& progress) {
   ExactOptions options = options_;
   options.mx = options.my = elements;
-  return solvers_.try_emplace(elements, options).first->second.solve(contact, motion);
+  return solvers_.try_emplace(elements, options).first->second.solve(contact, motion, progress);
 }
 
 AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
@@ -63,23 +66,34 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
   if (motion.kind != ContactMotion::steady || motion.step != 0)
     throw Error("motion: must be steady rolling without a step of its own to be extrapolated");
   AccurateContact out;
-  const ExactContact first = solve_on(coarsest, contact, motion);
-  ExactContact coarse = solve_on(2 * coarsest, contact, motion);
+  out.forces = {nan, nan, nan, nan, nan, Status::not_converged};
+  double done = 0;
+  bool stopped = false;
+  const Progress on_grid = [&](double) {
+    stopped = stopped || (progress && !progress(done));
+    return !stopped;
+  };
+  const ContactSolution first = solve_on(coarsest, contact, motion, on_grid);
+  ContactSolution coarse = solve_on(2 * coarsest, contact, motion, on_grid);
   double last_change = difference(contact, first, coarse);
-  long products = first.products + coarse.products;
+  long products = first.report.products + coarse.report.products;
   for (int elements = 4 * coarsest;; elements *= 2) {
-    ExactContact fine = solve_on(elements, contact, motion);
-    products += fine.products;
+    ContactSolution fine = solve_on(elements, contact, motion, on_grid);
+    if (stopped) {
+      out.forces.status = Status::not_converged;
+      return out;
+    }
+    products += fine.report.products;
     const double change = difference(contact, coarse, fine), error = std::max(change, last_change / 4);
     last_change = change;
     out = extrapolate(coarse, fine);
     out.error = error;
     out.elements = elements;
     out.products = products;
-    const bool solved = coarse.fields.forces.status == Status::ok && fine.fields.forces.status == Status::ok;
+    const bool solved = coarse.report.status == Status::ok && fine.report.status == Status::ok;
     if (!solved || error <= accuracy_) return out;
-    const bool go_on = !progress || progress(std::min(1.0, accuracy_ / error)); // the error falls to the accuracy
-    if (elements == finest || !go_on) {
+    done = std::min(1.0, accuracy_ / error); // the error falls to the accuracy
+    if (elements == finest || !on_grid(1)) {
       out.forces.status = Status::not_converged;
       return out;
     }

@@ -8,13 +8,13 @@ namespace microslip {
 
 /// Steady rolling on two nested grids and its limit.
 struct AccurateContact {
-  ExactContact finest;   ///< on the finer grid
-  ContactForces coarser; ///< on half the elements
-  ContactForces forces;  ///< the limit, extrapolated; areas and status of the finer grid
-  Creepage creepage;     ///< the limit, where a force is given
-  double error = 0;      ///< estimated error of the limit, see AccurateContactSolver
-  int elements = 0;      ///< across the ellipse, of the finer grid
-  long products = 0;     ///< on all grids
+  ContactSolution finest; ///< on the finer grid
+  ContactForces coarser;  ///< on half the elements
+  ContactForces forces;   ///< the limit, extrapolated; areas and status of the finer grid
+  Creepage creepage;      ///< the limit, where a force is given
+  double error = 0;       ///< estimated error of the limit, see AccurateContactSolver
+  int elements = 0;       ///< across the ellipse, of the finer grid
+  long products = 0;      ///< on all grids
 };
 
 /// The limit of a force or creepage, F(h/2) + (F(h/2) - F(h))/4, from its values on a grid and on one with twice as
@@ -34,11 +34,13 @@ public:
   AccurateContactSolver(double accuracy, const ExactOptions& options = {});
 
   /// Steady rolling with creepages or forces given. If not even the finest grid of 512 x 512 elements is good enough
-  /// the status is not_converged and the result is the one from there.
+  /// the status is not_converged and the result is the one from there. `progress` may end the work: with the same
+  /// status and the result from the grids before, NaN if there are none.
   AccurateContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
 private:
-  ExactContact solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion);
+  ContactSolution solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion,
+                           const Progress& progress);
 
   double accuracy_;
   ExactOptions options_;

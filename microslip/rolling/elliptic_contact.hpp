@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
@@ -9,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace microslip {
@@ -49,42 +51,15 @@ struct ExactMotion {
   int steps = 1; ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
 };
 
-/// One of the steps of transient rolling.
-struct ExactStep {
-  Creepage creepage;
-  ContactForces forces;
-  double residual = 0;
-  int newton_steps = 0;
-  long products = 0;
-};
-
-/// What the exact theory finds for a Hertzian contact. In transient rolling it belongs to the last step.
-struct ExactContact {
-  ContactFields fields; ///< rows with y ascending, in each from the leading to the trailing edge; with margins outside
-                        ///< the contact
-  std::vector<double> pressure; ///< p_n at the cells of `fields` [Pa]
-  std::vector<double> ux, uy;   ///< displacement difference u1 - u2 [m]
-  Creepage creepage;            ///< as given, or as found where a force is given
-  double approach = 0;          ///< [m]; second order: Hertz's, classical: of the discrete normal problem
-  double peak_pressure = 0;     ///< of the elements [Pa]
-  double peak_traction = 0;     ///< of the elements [Pa]
-  double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) [W]; for a shift the work, without V [J]
-  double elastic_energy = 0;    ///< of the tangential tractions [J]
-  double residual = 0;
-  int newton_steps = 0; ///< of all steps together
-  long products = 0;
-  int friction_rounds = 0; ///< as in ContactStepSolution, of the last step; and so is the residual
-  double friction_residual = 0;
-  std::vector<double> friction; ///< mu of the cells [-], if it depends on slip or temperature; else empty
-  std::vector<double> temperature1, temperature2; ///< of the surfaces at the cells [deg C], with thermal bodies
-  double highest_temperature = 0;                 ///< in contact
-  std::vector<double> gap;        ///< deformed distance of the bodies [m]; empty at second order, see deformed_gap
-  std::vector<ExactStep> history; ///< transient rolling: the steps in their order
+/// Distance of the deformed bodies at the elements of a grid [m].
+struct DeformedGap {
+  ElementGrid grid;
+  std::vector<double> gap;
 };
 
 /// Forces in steady rolling and their derivatives: row k belongs to fx, fy, mz, columns to xi [-], eta [-], phi [1/m].
 struct ExactDerivatives {
-  ExactContact contact;
+  ContactSolution solution;
   double jacobian[3][3] = {};
   long products = 0; ///< that the derivatives took
 };
@@ -100,40 +75,39 @@ public:
   const ExactOptions& options() const { return options_; }
 
   /// Input out of range gives Status::invalid_input and NaN. `progress` is told of the steps of transient rolling, else
-  /// of the Newton steps, and may end them: with status not_converged and the tractions so far. It is not told of the
-  /// Newton steps for bodies of different materials and for friction that depends on the slip.
-  ExactContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
+  /// of the Newton steps, and within them, and may end them: with status not_converged and the tractions so far, in
+  /// transient rolling those of the last whole step. Where there are none yet, and for bodies of different materials
+  /// and friction that depends on the slip, with NaN.
+  ContactSolution solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
   /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
-  /// `progress` is told of the Newton steps; false ends them, with status not_converged and derivatives that mean
-  /// nothing.
+  /// `progress` is told of the Newton steps and of the linear solves; false ends them, with status not_converged and
+  /// NaN.
   ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
 
-  /// Deformed distance of the bodies h - delta + u_n [m] at the cells of the results, zero in contact: the normal
-  /// problem on their grid. Throws Error for a contact out of range.
-  std::vector<double> deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {});
+  /// Deformed distance of the bodies h - delta + u_n [m] at the elements of the solution, zero in contact: the normal
+  /// problem on their grid. Throws Error for a contact out of range, and Stopped if `progress` returns false.
+  DeformedGap deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {},
+                           const Progress& progress = {});
 
 private:
   bool is_second_order(const EllipticContact& contact, const ExactMotion& motion) const;
   bool needs_sequence(const EllipticContact& contact) const;
   void require_memory_for(ContactProblem problem) const;
-  void prepare_classical(const EllipticContact& contact);
-  void prepare_second_order(const EllipticContact& contact);
+  void prepare_classical(const EllipticContact& contact, const Progress& progress);
+  void prepare_second_order(const EllipticContact& contact, const Progress& progress);
   bool is_prepared_for(const EllipticContact& contact, bool second_order);
-  ExactContact solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
+  ContactSolution solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
-                          const Progress& progress, std::vector<ExactStep>& history);
-  template <class Field> Field in_rows(Field field) const;
-  ExactContact results(TangentialSolution solution, const NormalSolution& normal, double normal_force) const;
+                          const Progress& progress, std::vector<SolutionStep>& history);
   ContactStep sequence_step(const EllipticContact& contact, const ExactMotion& motion) const;
-  ExactContact solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
+  ContactSolution solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   EllipticContact mirrored(EllipticContact contact) const;
-  ExactContact solve_second_order(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
-  TangentialState fitted_start(const EllipticContact& contact, const std::vector<double>& bound) const;
-  ExactContact results(const SecondOrderSolution& solution, const EllipticContact& contact,
-                       const std::vector<double>& bound) const;
+  ContactSolution solve_second_order(const EllipticContact& contact, const ExactMotion& motion,
+                                     const Progress& progress);
+  ContactSolution fitted_solution(const SecondOrderSolution& found, const EllipticContact& contact) const;
 
   ExactOptions options_;
   double a_ = 0, b_ = 0;

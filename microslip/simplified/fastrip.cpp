@@ -10,8 +10,6 @@
 namespace microslip {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 double square(double x) {
   return x * x;
 }
@@ -29,40 +27,43 @@ SimplifiedOptions checked(const SimplifiedOptions& options) {
 }
 
 /// The cells of row j of a grid.
-StripRow row_of(ContactFields& f, int j, const EllipticContact& contact) {
-  const auto n = static_cast<std::size_t>(f.mx), first = n * static_cast<std::size_t>(j);
+StripRow row_of(ContactSolution& solution, int j, const EllipticContact& contact) {
+  const Elements& e = solution.elements;
+  SurfaceFields& f = solution.fields;
+  const std::size_t n = static_cast<std::size_t>(e.mx()), first = e.index(0, j);
   const auto part = [&](auto& field) { return std::span(field).subspan(first, n); };
-  const double y = f.y[first], half_length = contact.a * root(1 - square(y / contact.b));
-  return {y, 0, half_length, part(f.x), part(f.bound), part(f.px), part(f.py), part(f.sx), part(f.sy), part(f.state)};
+  const double y = e.y[first], half_length = contact.a * root(1 - square(y / contact.b));
+  return {y,
+          0,
+          half_length,
+          std::span(e.x).subspan(first, n),
+          part(f.bound),
+          part(f.traction.x),
+          part(f.traction.y),
+          part(f.slip.x),
+          part(f.slip.y),
+          part(f.state)};
 }
 
 /// Tractions above the bound are drawn back to it.
-void keep_within_bound(ContactFields& f) {
-  for (std::size_t k = 0; k < f.px.size(); ++k) {
-    const double size = std::sqrt(square(f.px[k]) + square(f.py[k]));
+void keep_within_bound(SurfaceFields& f) {
+  auto& [px, py] = f.traction;
+  for (std::size_t k = 0; k < px.size(); ++k) {
+    const double size = std::sqrt(square(px[k]) + square(py[k]));
     if (!(size > f.bound[k])) continue;
-    f.px[k] *= f.bound[k] / size;
-    f.py[k] *= f.bound[k] / size;
+    px[k] *= f.bound[k] / size;
+    py[k] *= f.bound[k] / size;
     f.state[k] = CellState::slip;
   }
 }
 
-void find_totals(ContactFields& f, const EllipticContact& contact) {
-  ContactForces t;
-  double area = 0, slip_area = 0, power = 0;
-  for (std::size_t k = 0; k < f.px.size(); ++k) {
-    t.fx += f.area[k] * f.px[k];
-    t.fy += f.area[k] * f.py[k];
-    t.mz += f.area[k] * (f.x[k] * f.py[k] - f.y[k] * f.px[k]);
-    power -= f.area[k] * (f.px[k] * f.sx[k] + f.py[k] * f.sy[k]);
-    area += f.area[k];
-    if (f.state[k] == CellState::slip) slip_area += f.area[k];
-  }
+/// The cells' areas do not add up to the ellipse's.
+void set_totals(ContactSolution& solution, const EllipticContact& contact) {
+  Totals& t = solution.totals =
+      find_totals(solution.elements, solution.fields, solution.creepage, contact.rolling_speed);
   const double ellipse = std::numbers::pi * contact.a * contact.b;
-  t.slip_area = ellipse * slip_area / area;
+  t.slip_area *= ellipse / (t.adhesion_area + t.slip_area);
   t.adhesion_area = ellipse - t.slip_area;
-  f.forces = t;
-  f.frictional_power = power * contact.rolling_speed;
 }
 
 } // namespace
@@ -140,18 +141,17 @@ void Fastrip::solve(std::span<const EllipticContact> contacts, std::span<Contact
   for (std::size_t k = 0; k < contacts.size(); ++k) forces[k] = solve(contacts[k]);
 }
 
-ContactFields Fastrip::fields(const EllipticContact& contact) {
-  const bool is_coulomb = contact.friction.kind() == FrictionLaw::Kind::coulomb;
-  ContactFields f = is_coulomb ? fastsim_.fields(contact) : ContactFields();
-  if (!is_coulomb) f.forces = {nan, nan, nan, nan, nan, Status::invalid_input};
-  if (f.forces.status != Status::ok) return f;
+ContactSolution Fastrip::fields(const EllipticContact& contact) {
+  if (contact.friction.kind() != FrictionLaw::Kind::coulomb)
+    return solution_without_result(Status::invalid_input, "friction: must be Coulomb's for FaStrip");
+  ContactSolution out = fastsim_.fields(contact);
   const double friction = contact.friction.static_coefficient();
-  if (!(friction > 0)) return f;
+  if (out.report.status != Status::ok || !(friction > 0)) return out;
   const StripTheory theory(contact, friction, options().direction, options().creepage_table);
-  for (int j = 0; j < f.my; ++j) theory.solve(row_of(f, j, contact));
-  keep_within_bound(f);
-  find_totals(f, contact);
-  return f;
+  for (int j = 0; j < out.elements.my(); ++j) theory.solve(row_of(out, j, contact));
+  keep_within_bound(out.fields);
+  set_totals(out, contact);
+  return out;
 }
 
 } // namespace microslip

@@ -55,10 +55,10 @@ public:
   const SimplifiedOptions& options() const { return fastsim_.options(); }
 
   /// Input out of range, or friction other than Coulomb's, gives Status::invalid_input and NaN.
-  ContactForces solve(const EllipticContact& contact) { return fields(contact).forces; }
+  ContactForces solve(const EllipticContact& contact) { return fields(contact).forces(); }
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces);
   /// Slip is FASTSIM's, and zero where only strip theory slides; so is the frictional power.
-  ContactFields fields(const EllipticContact& contact);
+  ContactSolution fields(const EllipticContact& contact);
 
 private:
   RowSolver fastsim_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 
 namespace microslip {

@@ -1,9 +1,13 @@
 #include "microslip/simplified/kernel/patch_march.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/simplified/kernel/field_recorder.hpp"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace microslip::detail {
 namespace {
@@ -13,7 +17,7 @@ std::string indexed(const char* name, std::size_t index) {
 }
 
 void check(const PatchRows& patch, const PatchMotion& motion, double travel) {
-  require_count("mx", patch.mx, 1, 10000);
+  require_count("mx", patch.mx, 1, most_cells);
   require_positive("row_width", patch.row_width, "m");
   const std::size_t rows = patch.y.size();
   if (patch.leading.size() != rows || patch.trailing.size() != rows)
@@ -43,7 +47,8 @@ void check(const PatchRows& patch, const PatchMotion& motion, double travel) {
 /// edges. All of it is exact for a parabolic pressure.
 class RowPressure {
 public:
-  explicit RowPressure(std::span<const double> centres) : p_(centres), n_(static_cast<int>(centres.size())) {}
+  /// p_n at the centres, from the leading edge on.
+  explicit RowPressure(std::vector<double> centres) : p_(std::move(centres)), n_(static_cast<int>(p_.size())) {}
 
   /// At the edge, i = 0, and at the centre of cell i.
   double centre(int i) const { return i == 0 ? 0 : p_[i - 1]; }
@@ -65,14 +70,29 @@ public:
   double slope() const { return n_ == 1 ? 4 * p_[0] : std::max(3 * p_[0] - p_[1] / 3, 0.0); }
 
 private:
-  std::span<const double> p_;
+  std::vector<double> p_;
   int n_;
 };
 
+std::vector<double> from_leading_edge(const PatchRows& patch, int j, double travel) {
+  const auto row = patch.pressure.subspan(static_cast<std::size_t>(j) * patch.mx, patch.mx);
+  std::vector<double> centres(row.begin(), row.end());
+  if (direction_of(travel) == RollingDirection::forward) std::reverse(centres.begin(), centres.end());
+  return centres;
+}
+
+/// The regular grid over all rows, as if they were evenly spaced.
+ElementGrid covering_grid(const PatchRows& patch) {
+  const auto [low, high] = std::ranges::minmax(patch.trailing);
+  const auto [other_low, other_high] = std::ranges::minmax(patch.leading);
+  const double left = std::min(low, other_low), right = std::max(high, other_high), dx = (right - left) / patch.mx;
+  return {patch.mx, static_cast<int>(patch.y.size()), left + dx / 2, patch.y[0], dx, patch.row_width};
+}
+
 } // namespace
 
-ContactFields march_patch(const MarchingKernels& kernels, double travel, const PatchRows& patch,
-                          const PatchMotion& motion) {
+ContactSolution march_patch(const MarchingKernels& kernels, double travel, const PatchRows& patch,
+                            const PatchMotion& motion) {
   check(patch, motion, travel);
   const int mx = patch.mx, my = static_cast<int>(patch.y.size()), width = kernels.width;
   const Drive<double> drive = {motion.creepage.longitudinal, motion.creepage.lateral, motion.creepage.spin, 0};
@@ -82,17 +102,20 @@ ContactFields march_patch(const MarchingKernels& kernels, double travel, const P
     return RowGeometry{patch.y[j], patch.leading[j], std::abs(patch.leading[j] - patch.trailing[j]) / mx};
   };
 
-  ContactFields f(mx, my);
+  ContactSolution out;
+  out.elements = Elements(covering_grid(patch));
+  out.fields = SurfaceFields(out.elements.size());
+  out.creepage = motion.creepage;
   RowArrays rows(my, mx);
   FieldRecorder recorder(mx, width);
-  Totals totals;
+  RowSums totals;
   double area = 0, slip_area = 0;
   for (int first = 0; first < my; first += width) {
     for (int lane = 0; lane < width; ++lane) {
       const int j = std::min(first + lane, my - 1); // lanes beyond the last row repeat it
       const RowGeometry at = row(j);
       put_row(rows, first + lane, 0, w, at, travel);
-      const RowPressure pressure(patch.pressure.subspan(static_cast<std::size_t>(j) * mx, mx));
+      const RowPressure pressure(from_leading_edge(patch, j, travel));
       const auto friction = [&](double position) {
         const double x = at.leading + travel * position * at.cell;
         return friction_coefficient(motion.friction, drive, motion.rolling_speed, x, at.y);
@@ -108,18 +131,17 @@ ContactFields march_patch(const MarchingKernels& kernels, double travel, const P
     kernels.fields_with_table(view);
     for (int j = first; j < std::min(first + width, my); ++j) {
       const RowGeometry at = row(j);
-      recorder.copy_row(f, j, j - first, at, travel, motion.flexibilities);
-      recorder.copy_bound(f, j, j - first, rows.table_centre);
-      std::fill_n(&f.area[std::size_t(j) * mx], mx, at.cell * patch.row_width);
+      recorder.copy_row(out, j, j - first, at, travel, motion.flexibilities);
+      recorder.copy_bound(out, j, j - first, travel, rows.table_centre);
+      std::fill_n(&out.elements.area[out.elements.index(0, j)], mx, at.cell * patch.row_width);
       totals.add_row(rows, j, 0, at, travel);
       area += mx * at.cell * patch.row_width;
       slip_area += rows.slip_cells[j] * at.cell * patch.row_width;
     }
   }
   const double dy = patch.row_width;
-  f.forces = forces_of({totals.fx * dy, totals.fy * dy, totals.mz * dy}, slip_area, area);
-  f.frictional_power = frictional_power(f, motion.rolling_speed);
-  return f;
+  set_totals(out, forces_of({totals.fx * dy, totals.fy * dy, totals.mz * dy}, slip_area, area), motion.rolling_speed);
+  return out;
 }
 
 } // namespace microslip::detail

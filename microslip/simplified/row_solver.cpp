@@ -1,5 +1,6 @@
 #include "microslip/simplified/row_solver.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/numerics/dual.hpp"
 #include "microslip/simplified/ellipse_grid.hpp"
@@ -37,16 +38,6 @@ template <class Real> Drive<Real> drive_of(const Creepage& c, double normal_forc
   }
 }
 
-bool is_positive(double value) {
-  return value > 0 && std::isfinite(value);
-}
-
-bool is_valid(const EllipticContact& c) {
-  return is_positive(c.a) && is_positive(c.b) && is_positive(c.shear_modulus) && is_positive(c.normal_force) &&
-         is_positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 &&
-         std::isfinite(c.creepage.longitudinal) && std::isfinite(c.creepage.lateral) && std::isfinite(c.creepage.spin);
-}
-
 bool is_coulomb(const FrictionLaw& law) {
   return law.kind() == FrictionLaw::Kind::coulomb;
 }
@@ -56,12 +47,12 @@ double peak_factor(TractionBound shape, double a, double b) {
   return (shape == TractionBound::parabolic ? 2.0 : 1.5) / (std::numbers::pi * a * b);
 }
 
-void finish(std::span<const Totals, 1> totals, double slip_area, double area, const EllipticContact&,
+void finish(std::span<const RowSums, 1> totals, double slip_area, double area, const EllipticContact&,
             ContactForces& result) {
   result = forces_of(totals[0], slip_area, area);
 }
 template <std::size_t N>
-void finish(std::span<const Totals, N> totals, double slip_area, double area, const EllipticContact& contact,
+void finish(std::span<const RowSums, N> totals, double slip_area, double area, const EllipticContact& contact,
             ContactDerivatives& result) {
   result.forces = forces_of(totals[0], slip_area, area);
   const double valid = result.forces.status == Status::ok ? 1 : nan;
@@ -128,10 +119,10 @@ struct RowSolver::Workspace {
 
   template <class Real, class Result>
   void collect(const EllipticContact& contact, int first_row, Result& result) const {
-    std::array<Totals, numbers_of<Real>> totals;
+    std::array<RowSums, numbers_of<Real>> totals;
     const double width = 2 * contact.b / options.my, scale = weight * width;
     for (int k = 0; k < numbers_of<Real>; ++k) {
-      Totals sum;
+      RowSums sum;
       for (int j = 0; j < options.my; ++j) sum.add_row(rows, first_row + j, k, row(contact, j), travel);
       totals[k] = {sum.fx * scale, sum.fy * scale, sum.mz * scale};
     }
@@ -140,7 +131,7 @@ struct RowSolver::Workspace {
     const double area = std::numbers::pi * contact.a * contact.b;
     // The cells' areas do not add up to the ellipse's either.
     const double slip_area = sliding * cell_per_half * contact.a * width * (std::numbers::pi / grid.area);
-    finish(std::span<const Totals, numbers_of<Real>>(totals), slip_area, area, contact, result);
+    finish(std::span<const RowSums, numbers_of<Real>>(totals), slip_area, area, contact, result);
   }
 
   /// Contacts with Coulomb friction, at most `block` of them.
@@ -193,13 +184,13 @@ struct RowSolver::Workspace {
   /// Walks through many contacts: blocks of those with Coulomb friction, one by one the others.
   template <class Result, class Block, class One>
   void walk(std::span<const EllipticContact> contacts, std::span<Result> results, Block solve_many, One solve_one) {
-    const auto fits = [](const EllipticContact& c) { return is_valid(c) && is_coulomb(c.friction); };
+    const auto fits = [](const EllipticContact& c) { return is_valid_simplified(c) && is_coulomb(c.friction); };
     for (std::size_t i = 0; i < contacts.size();) {
       std::size_t n = 0;
       while (n < static_cast<std::size_t>(block) && i + n < contacts.size() && fits(contacts[i + n])) ++n;
       if (n > 0)
         solve_many(contacts.subspan(i, n), results.subspan(i, n));
-      else if (is_valid(contacts[i]))
+      else if (is_valid_simplified(contacts[i]))
         solve_one(contacts[i], results[i]);
       else
         set_invalid(results[i]);
@@ -218,8 +209,11 @@ struct RowSolver::Workspace {
         [&](auto& c, auto& r) { solve_with_table<FullGradient>(kernels.derivatives_with_table, c, r); });
   }
 
-  ContactFields fields(const EllipticContact& contact) {
-    ContactFields f(options.mx, options.my);
+  ContactSolution fields(const EllipticContact& contact) {
+    ContactSolution out;
+    out.elements = Elements(ElementGrid::across_ellipse(contact.a, contact.b, options.mx, options.my, 0));
+    out.fields = SurfaceFields(out.elements.size());
+    out.creepage = contact.creepage;
     FieldRecorder recorder(options.mx, kernels.width);
     const Flexibilities l =
         flexibilities(options.flexibility, options.slope_reduction, contact, options.creepage_table);
@@ -231,20 +225,22 @@ struct RowSolver::Workspace {
       kernels.fields_with_table(view);
       for (int j = first; j < std::min(first + kernels.width, options.my); ++j) {
         const RowGeometry at = row(contact, j);
-        recorder.copy_row(f, j, j - first, at, travel, l);
-        recorder.copy_bound(f, j, j - first, rows.table_centre);
-        std::fill_n(&f.area[std::size_t(j) * options.mx], options.mx, weight * at.cell * (2 * contact.b / options.my));
+        recorder.copy_row(out, j, j - first, at, travel, l);
+        recorder.copy_bound(out, j, j - first, travel, rows.table_centre);
+        std::fill_n(&out.elements.area[out.elements.index(0, j)], options.mx,
+                    weight * at.cell * (2 * contact.b / options.my));
       }
     }
-    collect<double>(contact, 0, f.forces);
-    f.frictional_power = frictional_power(f, contact.rolling_speed);
-    return f;
+    ContactForces forces;
+    collect<double>(contact, 0, forces);
+    set_totals(out, forces, contact.rolling_speed);
+    return out;
   }
 };
 
 RowSolver::RowSolver(MarchingScheme scheme, const SimplifiedOptions& options) {
-  require_count("mx", options.mx, 1, 10000);
-  require_count("my", options.my, 1, 10000);
+  require_count("mx", options.mx, 1, most_cells);
+  require_count("my", options.my, 1, most_cells);
   require_between("slope_reduction.initial", options.slope_reduction.initial, "-", 1e-6, 1);
   require_between("slope_reduction.at_infinity", options.slope_reduction.at_infinity, "-", 0, 1);
   require_between("slope_reduction.decay", options.slope_reduction.decay, "-", 0, 1e6);
@@ -284,32 +280,16 @@ void RowSolver::differentiate(std::span<const EllipticContact> contacts,
   workspace_->differentiate(contacts, derivatives);
 }
 
-ContactFields RowSolver::fields(const EllipticContact& contact) {
-  if (is_valid(contact)) return workspace_->fields(contact);
-  ContactFields nothing;
-  set_invalid(nothing.forces);
-  nothing.frictional_power = nan;
-  return nothing;
-}
-ContactFields RowSolver::fields(const PatchRows& patch, const PatchMotion& motion) {
-  return march_patch(workspace_->kernels, workspace_->travel, patch, motion);
-}
-
-void solve_parallel(const RowSolver& solver, std::span<const EllipticContact> contacts, std::span<ContactForces> forces,
-                    int threads) {
-  require_count("threads", threads, 1, 1024);
-  const std::size_t chunk = 256;
-  const auto chunks = static_cast<long>((contacts.size() + chunk - 1) / chunk);
-#pragma omp parallel num_threads(threads)
-  {
-    RowSolver mine(solver);
-#pragma omp for schedule(dynamic)
-    for (long k = 0; k < chunks; ++k) {
-      const std::size_t first = static_cast<std::size_t>(k) * chunk;
-      const std::size_t n = std::min(chunk, contacts.size() - first);
-      mine.solve(contacts.subspan(first, n), forces.subspan(first, n));
-    }
+ContactSolution RowSolver::fields(const EllipticContact& contact) {
+  try {
+    check_simplified(contact);
+  } catch (const Error& refusal) {
+    return solution_without_result(Status::invalid_input, refusal.what());
   }
+  return workspace_->fields(contact);
+}
+ContactSolution RowSolver::fields(const PatchRows& patch, const PatchMotion& motion) {
+  return march_patch(workspace_->kernels, workspace_->travel, patch, motion);
 }
 
 } // namespace microslip

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/simplified/options.hpp"
 #include "microslip/simplified/rows.hpp"
 
@@ -39,19 +40,15 @@ public:
   ContactDerivatives differentiate(const EllipticContact& contact) noexcept;
   void differentiate(std::span<const EllipticContact> contacts, std::span<ContactDerivatives> derivatives) noexcept;
 
-  /// Forces with the tractions, slip and state of every cell.
-  ContactFields fields(const EllipticContact& contact);
+  /// Forces with the tractions, slip, bound and state of every cell.
+  ContactSolution fields(const EllipticContact& contact);
   /// The same for a patch of any outline; only mx is taken from the patch, and the weights are the cells' areas.
   /// Throws Error if the patch makes no sense.
-  ContactFields fields(const PatchRows& patch, const PatchMotion& motion);
+  ContactSolution fields(const PatchRows& patch, const PatchMotion& motion);
 
 private:
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
 };
-
-/// Forces of many contacts on `threads` threads, to the last bit the same for every number of them.
-void solve_parallel(const RowSolver& solver, std::span<const EllipticContact> contacts, std::span<ContactForces> forces,
-                    int threads);
 
 } // namespace microslip

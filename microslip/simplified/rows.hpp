@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/simplified/flexibility.hpp"
 
 #include <span>
@@ -14,7 +14,7 @@ struct PatchRows {
   std::span<const double> y;        ///< centre of each row [m]
   std::span<const double> leading;  ///< x of each row's leading edge [m]
   std::span<const double> trailing; ///< x of each row's trailing edge [m]
-  /// p_n [Pa] at the cell centres, rows one after the other, from the leading to the trailing edge; >= 0.
+  /// p_n [Pa] at the cell centres in the order of Elements: row after row, in each x ascending; >= 0.
   std::span<const double> pressure;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/surface_fields.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -4,9 +4,11 @@
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
 #include "cases/rolling_contact_result.hpp"
+#include "microslip/error.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace microslip::python {
 namespace {
@@ -34,9 +36,15 @@ std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
 }
 
 SolvedCase solve(const std::shared_ptr<Case>& given) {
-  const py::gil_scoped_release release;
-  SignalCheck signals;
-  return {given, solve_case(given->input, signals.progress())};
+  SolvedCase solved{given, {}};
+  {
+    const py::gil_scoped_release release;
+    SignalCheck signals;
+    solved.result = solve_case(given->input, signals.progress());
+  }
+  for (const auto& warning : solved.result.warnings)
+    if (PyErr_WarnEx(PyExc_UserWarning, (given->name + ": " + warning).c_str(), 1) != 0) throw py::error_already_set();
+  return solved;
 }
 
 /// Holds Python's lock throughout: the HDF5 library keeps global state, which other modules may share.
@@ -49,6 +57,39 @@ void write(const SolvedCase& self, const py::object& path) {
                 .case_file = self.of->name,
                 .case_text = self.of->text},
                path_from(path));
+}
+
+using ExactSolver = OneAtATime<EllipticContactSolver>;
+using AccurateSolver = OneAtATime<AccurateContactSolver>;
+
+void require_second_order(const RollingCase& input) {
+  if (needs_classical(input))
+    throw Error("second order is for similar elastic bodies with Coulomb friction, without a layer or temperatures");
+}
+
+std::unique_ptr<ExactSolver> exact_solver(const Case& self, std::optional<int> elements,
+                                          std::optional<Discretisation> discretisation) {
+  auto options = exact_options(self.input);
+  if (elements) options.mx = options.my = *elements;
+  if (discretisation == Discretisation::second_order) require_second_order(self.input);
+  if (needs_classical(self.input)) options.discretisation = Discretisation::classical;
+  if (discretisation) options.discretisation = *discretisation;
+  if (options.discretisation == Discretisation::second_order) options.elements = ElementShape::constant;
+  return std::make_unique<ExactSolver>(options);
+}
+
+std::unique_ptr<AccurateSolver> accurate_solver(const Case& self, double accuracy) {
+  require_second_order(self.input);
+  auto options = exact_options(self.input);
+  options.elements = ElementShape::constant;
+  return std::make_unique<AccurateSolver>(accuracy, options);
+}
+
+RowSolver simplified_solver(const Case& self, std::optional<int> cells) {
+  if (self.input.theory == Theory::fastrip) throw Error("solution.theory: FaStrip has no solver in Python");
+  auto options = self.input.options;
+  if (cells) options.mx = options.my = *cells;
+  return {marching_scheme(self.input.theory), options};
 }
 
 template <class T> auto of_input(T RollingCase::*member) {
@@ -76,6 +117,19 @@ void bind_case(py::module_& module) {
           "The EllipticContact for the solvers of either theory.")
       .def_property_readonly(
           "text", [](const Case& self) { return self.text; }, "The text of the file.");
+  rolling_case
+      .def("exact_solver", &exact_solver, py::kw_only(), "cells"_a = py::none(), "discretisation"_a = py::none(),
+           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-], on its "
+           "grid "
+           "or with\n"
+           "`cells` elements across the ellipse in each direction. Error if it cannot have that discretisation.")
+      .def("accurate_solver", &accurate_solver, "accuracy"_a,
+           "An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation.")
+      .def("simplified_solver", &simplified_solver, py::kw_only(), "cells"_a = py::none(),
+           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with "
+           "`cells` "
+           "in each\n"
+           "direction. Error for FaStrip, which has no such solver in Python.");
   add_text(rolling_case, {"title", "theory", "contact"});
 
   module.def(
@@ -124,25 +178,17 @@ void bind_theories(py::module_& module) {
   add_text(error, {"fx", "fy", "mz"});
 
   py::class_<SimplifiedResult>(module, "SimplifiedResult", "What the simplified theory makes of a case.")
-      .def_readonly("fields", &SimplifiedResult::fields, "Tractions, slip and states, as ContactFields.")
+      .def_readonly("solution", &SimplifiedResult::solution, "The ContactSolution.")
       .def_property_readonly(
-          "forces", [](const SimplifiedResult& self) -> const ContactForces& { return self.fields.forces; },
+          "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
       .def_readonly("grid_error", &SimplifiedResult::grid_error, "To the grid with twice the cells [-].")
       .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
 
   py::class_<ExactResult>(module, "ExactResult", "What the exact theory makes of a case.")
-      .def_readonly("contact", &ExactResult::contact, "The solution, as ExactContact.")
+      .def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
       .def_property_readonly(
-          "forces", [](const ExactResult& self) -> const ContactForces& { return self.contact.fields.forces; },
-          "The totals, as ContactForces.")
-      .def_property_readonly(
-          "gap",
-          [](const py::object& self) {
-            const auto& exact = self.cast<const ExactResult&>();
-            return view(exact.gap, {exact.contact.fields.my, exact.contact.fields.mx}, self);
-          },
-          "Deformed distance of the bodies, shape (my, mx) [m].")
+          "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
       .def_readonly("grid_error", &ExactResult::grid_error, "To the grid with half the elements [-].")
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
       .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
@@ -171,6 +217,11 @@ void bind_case_files(py::module_& module) {
                              "SimplifiedResult, also beside the exact theory in steady rolling; else None.")
       .def_property_readonly("status", result(&RollingContactResult::status),
                              "Of the theory that the case asks for, a Status [-].")
+      .def_property_readonly(
+          "warnings", result(&RollingContactResult::warnings),
+          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often "
+          "a length\n"
+          "in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
            "be written.");

@@ -1,5 +1,7 @@
 #include "binding/codes.hpp"
 
+#include "microslip/contact/surface_fields.hpp"
+
 #include <string>
 
 namespace microslip::python {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/status.hpp"
 
 #include <pybind11/pybind11.h>

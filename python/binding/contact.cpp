@@ -136,37 +136,6 @@ void bind_forces(py::module_& module) {
           "ellipse as it is.");
 }
 
-template <class T> auto field(std::vector<T> ContactFields::*member) {
-  return [member](const py::object& self) {
-    const auto& fields = self.cast<const ContactFields&>();
-    return view(fields.*member, {fields.my, fields.mx}, self);
-  };
-}
-
-void bind_fields(py::module_& module) {
-  py::class_<ContactFields>(module, "ContactFields",
-                            "Fields over the cells of a grid: my rows, y ascending, of mx cells, from the leading to "
-                            "the trailing edge. Arrays are\n"
-                            "read-only views of shape (my, mx).")
-      .def_readonly("mx", &ContactFields::mx, "Cells of a row [-].")
-      .def_readonly("my", &ContactFields::my, "Rows [-].")
-      .def_property_readonly("x", field(&ContactFields::x), "Centres of the cells, shape (my, mx) [m].")
-      .def_property_readonly("y", field(&ContactFields::y), "Centres of the cells, shape (my, mx) [m].")
-      .def_property_readonly("area", field(&ContactFields::area),
-                             "Weights: the sum of area px is fx, shape (my, mx) [m^2].")
-      .def_property_readonly("bound", field(&ContactFields::bound), "Traction bound g, shape (my, mx) [Pa].")
-      .def_property_readonly("px", field(&ContactFields::px), "Longitudinal tractions on body 1, shape (my, mx) [Pa].")
-      .def_property_readonly("py", field(&ContactFields::py), "Lateral tractions on body 1, shape (my, mx) [Pa].")
-      .def_property_readonly("sx", field(&ContactFields::sx),
-                             "Relative slip of body 1 over body 2, shape (my, mx) [-]; for a shift [m].")
-      .def_property_readonly("sy", field(&ContactFields::sy),
-                             "Lateral relative slip, shape (my, mx) [-]; for a shift [m].")
-      .def_property_readonly("state", field(&ContactFields::state), "Codes of CellState as uint8, shape (my, mx) [-].")
-      .def_readonly("forces", &ContactFields::forces, "The totals, as ContactForces.")
-      .def_readonly("frictional_power", &ContactFields::frictional_power,
-                    "-V times the sum of area (px sx + py sy) [W], >= 0; for a shift the work [J].");
-}
-
 } // namespace
 
 void bind_contact(py::module_& module) {
@@ -174,7 +143,7 @@ void bind_contact(py::module_& module) {
   bind_creepage(module);
   bind_elliptic_contact(module);
   bind_forces(module);
-  bind_fields(module);
+  bind_solution(module);
   bind_contact_batch(module);
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "binding/arrays.hpp"
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 
 #include <optional>
 
 namespace microslip::python {
+
+/// ContactSolution and what it consists of.
+void bind_solution(pybind11::module_& module);
 
 /// A FrictionLaw, or a number for Coulomb's. Throws TypeError otherwise.
 FrictionLaw friction_from(const pybind11::object& friction);

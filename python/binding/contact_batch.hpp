@@ -1,7 +1,7 @@
 #pragma once
 
 #include "binding/arrays.hpp"
-#include "microslip/simplified/contact.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 
 #include <array>
 #include <vector>

@@ -4,6 +4,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
+#include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 namespace microslip::python {
@@ -15,8 +16,8 @@ using Solver = OneAtATime<EllipticContactSolver>;
 using AccurateSolver = OneAtATime<AccurateContactSolver>;
 using Force = std::optional<double>;
 
-ExactContact solve(Solver& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
-                   double step, int steps) {
+ContactSolution solve(Solver& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
+                      double step, int steps) {
   return self.run([&, contact](EllipticContactSolver& solver) {
     SignalCheck signals;
     return solver.solve(contact, {motion, force_x, force_y, step, steps}, signals.progress());
@@ -24,14 +25,12 @@ ExactContact solve(Solver& self, const EllipticContact& contact, ContactMotion m
 }
 
 py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMotion motion) {
-  const auto gap =
-      self.run([&, contact](EllipticContactSolver& solver) { return solver.deformed_gap(contact, {.kind = motion}); });
-  const ExactOptions& options = self.object.options();
-  const bool fitted = options.discretisation == Discretisation::second_order && motion == ContactMotion::steady;
-  const std::size_t to_spare = fitted ? 0 : 4; // rows of the classical grid beside the ellipse
-  const auto rows = static_cast<std::size_t>(options.my) + to_spare;
-  py::array_t<double> out({rows, gap.size() / rows});
-  std::copy(gap.begin(), gap.end(), out.mutable_data());
+  const auto found = self.run([&, contact](EllipticContactSolver& solver) {
+    SignalCheck signals;
+    return solver.deformed_gap(contact, {.kind = motion}, signals.progress());
+  });
+  py::array_t<double> out({found.grid.my, found.grid.mx});
+  std::copy(found.gap.begin(), found.gap.end(), out.mutable_data());
   return out;
 }
 
@@ -44,63 +43,25 @@ ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, co
       like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force, friction, rolling_speed});
   ExactForceArrays out(batch);
   const ExactOptions options = self.object.options();
+  if (options.bodies && !(shear_modulus.is_none() && poisson_ratio.is_none()))
+    throw Error("shear_modulus, poisson_ratio: the solver's material has its own; make a solver for each material");
   const int count = thread_count(threads);
   const py::gil_scoped_release release;
-  share_out(batch.count(), 1, count, [&]() -> Worker {
+  run_batch(batch.count(), 1, count, [&]() -> BatchWorker {
     return [&, solver = std::make_shared<EllipticContactSolver>(options)](std::size_t i, std::size_t,
                                                                           const Progress& progress) {
-      const ExactContact solved = solver->solve(batch[i], {}, progress);
-      out.forces.put(i, solved.fields.forces);
-      out.residual[i] = solved.residual;
-      out.newton_steps[i] = solved.newton_steps;
+      const ContactSolution solved = solver->solve(batch[i], {}, progress);
+      out.forces.put(i, solved.forces());
+      out.residual[i] = solved.report.residual;
+      out.newton_steps[i] = solved.report.newton_steps;
     };
   });
   return out;
 }
 
-template <class T> auto field(std::vector<T> ExactContact::*member) {
-  return [member](const py::object& self) {
-    const auto& contact = self.cast<const ExactContact&>();
-    return view(contact.*member, {contact.fields.my, contact.fields.mx}, self);
-  };
-}
-
 void bind_results(py::module_& module) {
-  py::class_<ExactStep>(module, "ExactStep", "One of the steps of transient rolling.")
-      .def_readonly("creepage", &ExactStep::creepage, "Given, or found where a force is given [-], [-], [1/m].")
-      .def_readonly("forces", &ExactStep::forces, "The totals, as ContactForces.")
-      .def_readonly("residual", &ExactStep::residual, "Relative residual [-].")
-      .def_readonly("newton_steps", &ExactStep::newton_steps, "Steps of Newton's method [-].")
-      .def_readonly("products", &ExactStep::products, "Products with the matrix [-].");
-
-  py::class_<ExactContact>(module, "ExactContact",
-                           "What the exact theory finds for a Hertzian contact; in transient rolling after the last "
-                           "step. Arrays are read-only views\n"
-                           "of shape (my, mx), with margins outside the contact; rows with y ascending, from the "
-                           "leading to the trailing edge.")
-      .def_readonly("fields", &ExactContact::fields, "Tractions, slip and states, as ContactFields.")
-      .def_property_readonly(
-          "forces", [](const ExactContact& self) -> const ContactForces& { return self.fields.forces; },
-          "The totals, as ContactForces.")
-      .def_property_readonly("pressure", field(&ExactContact::pressure), "p_n at the cells, shape (my, mx) [Pa].")
-      .def_property_readonly("ux", field(&ExactContact::ux), "Displacement difference u1 - u2, shape (my, mx) [m].")
-      .def_property_readonly("uy", field(&ExactContact::uy), "Displacement difference u1 - u2, shape (my, mx) [m].")
-      .def_readonly("creepage", &ExactContact::creepage,
-                    "As given, or as found where a force is given [-], [-], [1/m].")
-      .def_readonly("approach", &ExactContact::approach,
-                    "Approach [m]: Hertz's at second order, else of the discrete problem.")
-      .def_readonly("peak_pressure", &ExactContact::peak_pressure, "Largest pressure of an element [Pa].")
-      .def_readonly("peak_traction", &ExactContact::peak_traction, "Largest traction of an element [Pa].")
-      .def_readonly("power_by_creepage", &ExactContact::power_by_creepage,
-                    "-V (xi fx + eta fy + phi mz) [W]; for a shift the work [J].")
-      .def_readonly("elastic_energy", &ExactContact::elastic_energy, "Of the tangential tractions [J].")
-      .def_readonly("residual", &ExactContact::residual, "Relative residual [-].")
-      .def_readonly("newton_steps", &ExactContact::newton_steps, "Steps of Newton's method, of all steps together [-].")
-      .def_readonly("products", &ExactContact::products, "Products with the matrix [-].")
-      .def_readonly("history", &ExactContact::history, "Transient rolling: a list of ExactStep, in their order.");
-
   py::class_<ExactDerivatives>(module, "ExactDerivatives", "Forces in steady rolling and their derivatives.")
-      .def_readonly("contact", &ExactDerivatives::contact, "The solution, as ExactContact.")
+      .def_readonly("solution", &ExactDerivatives::solution, "The solution, as ContactSolution.")
       .def_property_readonly(
           "jacobian",
           [](const py::object& self) {
@@ -117,7 +78,7 @@ void bind_results(py::module_& module) {
       .def_readonly("error", &AccurateContact::error,
                     "Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-].")
       .def_readonly("elements", &AccurateContact::elements, "Elements across the ellipse, of the finer grid [-].")
-      .def_readonly("finest", &AccurateContact::finest, "The solution on the finer grid, as ExactContact.")
+      .def_readonly("finest", &AccurateContact::finest, "The solution on the finer grid, as ContactSolution.")
       .def_readonly("coarser", &AccurateContact::coarser, "The totals on half the elements, as ContactForces.")
       .def_readonly("products", &AccurateContact::products, "Products on all grids [-].");
 }
@@ -169,7 +130,7 @@ void bind_solver(py::module_& module) {
            "elements' length)\n"
            "from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on "
            "body 1 take the\n"
-           "place of the creepage in that direction. Returns ExactContact; input out of range gives\n"
+           "place of the creepage in that direction. Returns ContactSolution; input out of range gives\n"
            "Status.invalid_input and NaN. Cost O(N log N) in the number of elements, 2 ms at 24 x 24.")
       .def(
           "differentiate",

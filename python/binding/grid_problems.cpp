@@ -228,37 +228,7 @@ void bind_tangential(py::module_& module) {
           "range.");
 }
 
-template <class T> auto patch_field(std::vector<T> PatchSolution::*member) {
-  return [member](const py::object& self) {
-    const auto& patch = self.cast<const PatchSolution&>();
-    const auto& values = patch.*member;
-    return view(values, {static_cast<py::ssize_t>(values.size())}, self);
-  };
-}
-
 void bind_patch(py::module_& module) {
-  py::class_<PatchSolution>(module, "PatchSolution",
-                            "Steady rolling of a contact of any shape: arrays with a value for each of n elements, "
-                            "whose lengths along x differ at the\n"
-                            "leading edge; read-only views.")
-      .def_property_readonly("x", patch_field(&PatchSolution::x), "Centres, shape (n) [m].")
-      .def_property_readonly("y", patch_field(&PatchSolution::y), "Centres, shape (n) [m].")
-      .def_property_readonly("area", patch_field(&PatchSolution::area), "Areas, shape (n) [m^2].")
-      .def_property_readonly("bound", patch_field(&PatchSolution::bound), "g, shape (n) [Pa].")
-      .def_property_readonly("px", patch_field(&PatchSolution::px), "Tractions on body 1, shape (n) [Pa].")
-      .def_property_readonly("py", patch_field(&PatchSolution::py), "Tractions on body 1, shape (n) [Pa].")
-      .def_property_readonly("sx", patch_field(&PatchSolution::sx), "Relative slip, shape (n) [-].")
-      .def_property_readonly("sy", patch_field(&PatchSolution::sy), "Relative slip, shape (n) [-].")
-      .def_property_readonly("ux", patch_field(&PatchSolution::ux), "u1 - u2, shape (n) [m].")
-      .def_property_readonly("uy", patch_field(&PatchSolution::uy), "u1 - u2, shape (n) [m].")
-      .def_property_readonly("state", patch_field(&PatchSolution::state), "Codes of CellState as uint8, shape (n) [-].")
-      .def_readonly("forces", &PatchSolution::forces, "The totals, as ContactForces.")
-      .def_readonly("creepage", &PatchSolution::creepage,
-                    "As given, or as found where a force is given [-], [-], [1/m].")
-      .def_readonly("residual", &PatchSolution::residual, "Relative residual [-].")
-      .def_readonly("newton_steps", &PatchSolution::newton_steps, "Steps of Newton's method [-].")
-      .def_readonly("products", &PatchSolution::products, "Products with the matrix [-].");
-
   struct Problem {
     Problem(const CombinedMaterial& material, const ElementGrid& on, std::span<const double> gap,
             const NormalLoad& load, RollingDirection direction, const Progress& progress)
@@ -293,8 +263,13 @@ void bind_patch(py::module_& module) {
       .def(
           "solve",
           [](Problem& self, double friction, const py::object& creepage, Force force_x, Force force_y,
-             double tolerance) {
-            PatchRollingMotion motion{friction, creepage_from(creepage), force_x, force_y, tolerance};
+             double rolling_speed, double tolerance) {
+            PatchRollingMotion motion{.friction = friction,
+                                      .creepage = creepage_from(creepage),
+                                      .force_x = force_x,
+                                      .force_y = force_y,
+                                      .rolling_speed = rolling_speed,
+                                      .tolerance = tolerance};
             return self.rolling.run([&](PatchRolling& rolling) {
               SignalCheck signals;
               motion.progress = signals.progress();
@@ -302,10 +277,13 @@ void bind_patch(py::module_& module) {
             });
           },
           "friction"_a, "creepage"_a, py::kw_only(), "force_x"_a = py::none(), "force_y"_a = py::none(),
-          "tolerance"_a = 1e-6,
+          "rolling_speed"_a = 1.0, "tolerance"_a = 1e-6,
           "friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x, force_y [N] on "
           "body 1 in the\n"
-          "place of the creepage in that direction; tolerance of the relative residual [-]. Returns PatchSolution.");
+          "place of the creepage in that direction; rolling_speed V [m/s] for the frictional power; tolerance of the "
+          "relative residual "
+          "[-]. Returns\n"
+          "ContactSolution.");
 }
 
 } // namespace

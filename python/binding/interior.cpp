@@ -96,7 +96,7 @@ States at_points(const InteriorField& field, const py::object& x, const py::obje
   out.states.resize(count);
   const auto elements = std::max<std::size_t>(1, field.grid().count());
   const py::gil_scoped_release release;
-  share_out(count, std::clamp<std::size_t>(50000 / elements, 1, 1000), thread_count(0), [&]() -> Worker {
+  run_batch(count, std::clamp<std::size_t>(50000 / elements, 1, 1000), thread_count(0), [&]() -> BatchWorker {
     return [&](std::size_t first, std::size_t n, const Progress&) {
       for (std::size_t i = first; i < first + n; ++i) out.states[i] = field.at({xs[i], ys[i], depths[i]});
     };

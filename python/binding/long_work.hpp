@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/progress.hpp"
+#include "microslip/batch/batch.hpp"
 
 #include <pybind11/pybind11.h>
 
@@ -48,10 +48,7 @@ template <class Object> struct OneAtATime {
 /// The number of threads for an argument where 0 means one for each processor. Throws Error unless it is in [0, 1024].
 int thread_count(int threads);
 
-/// Works on items 0 to count - 1 in chunks, on several threads: `make_worker()` gives each of them a function (first,
-/// n). The calling thread takes part and looks for Ctrl-C between its chunks, so these should take some milliseconds.
-/// Passes on the first exception. Python's lock must not be held.
-using Worker = std::function<void(std::size_t first, std::size_t n, const Progress& progress)>;
-void share_out(std::size_t count, std::size_t chunk, int threads, const std::function<Worker()>& make_worker);
+/// A batch that Ctrl-C ends: the calling thread looks for it. Python's lock must not be held.
+void run_batch(std::size_t count, std::size_t chunk, int threads, const std::function<BatchWorker()>& make_worker);
 
 } // namespace microslip::python

@@ -3,6 +3,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/words.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
@@ -41,7 +42,7 @@ template <class Work>
 void for_batch(const RowSolver& solver, const ContactBatch& batch, int threads, const Work& work) {
   const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
   const py::gil_scoped_release release;
-  share_out(batch.count(), chunk_of(own), threads, [&]() -> Worker {
+  run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
     return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
                                                                                  const Progress&) mutable {
       contacts.clear();
@@ -95,16 +96,16 @@ EllipticContact moved(EllipticContact contact, double longitudinal, double later
 RealArray pressures(const py::object& pressure, std::size_t rows) {
   auto array = real_array("pressure", pressure);
   if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(0)) != rows || array.shape(1) < 1 ||
-      array.shape(1) > 10000)
+      array.shape(1) > most_cells)
     throw Error("pressure has shape " + to_text({array.shape(), array.shape() + array.ndim()}) + ": must be (" +
                 std::to_string(rows) + ", mx), a row for each of y");
   return array;
 }
 
-ContactFields patch_fields(RowSolver& solver, const py::object& y, const py::object& leading,
-                           const py::object& trailing, const py::object& pressure, double row_width,
-                           const std::array<double, 3>& flexibilities, const py::object& friction,
-                           const py::object& creepage, double rolling_speed) {
+ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::object& leading,
+                             const py::object& trailing, const py::object& pressure, double row_width,
+                             const std::array<double, 3>& flexibilities, const py::object& friction,
+                             const py::object& creepage, double rolling_speed) {
   const auto rows = real_array("y", y);
   if (rows.ndim() != 1) throw Error("y: must be one number for each row");
   const auto front = real_array("leading", leading, {rows.size()}),
@@ -166,14 +167,14 @@ void bind_row_solver(py::module_& module) {
           "The same with other creepages [-], [-] and spin [1/m] than the contact's own.")
       .def(
           "fields", [](RowSolver& self, const EllipticContact& contact) { return self.fields(contact); }, "contact"_a,
-          "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactFields.")
+          "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution.")
       .def("patch_fields", &patch_fields, "y"_a, "leading"_a, "trailing"_a, "pressure"_a, py::kw_only(), "row_width"_a,
            "flexibilities"_a, "friction"_a, "creepage"_a, "rolling_speed"_a = 1.0,
-           "The fields of a patch of any outline, as ContactFields: rows at y [m], shape (my), from their leading to "
+           "The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their leading to "
            "their trailing\n"
-           "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), from "
-           "the leading\n"
-           "edge on; row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, "
+           "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), x "
+           "ascending;\n"
+           "row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, "
            "friction [-] or a\n"
            "law, creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense.")
       .def_property_readonly(

@@ -1,7 +1,7 @@
 """microslip: frictional rolling contact of two bodies. All in SI units, all forces on body 1 (the wheel).
 
-The names of the compiled module (`help(microslip.Fastsim2)`) are loaded when the first of them is used, so that the pictures
-(`microslip.plot`) work without it.
+The names of the compiled module (`help(microslip.Fastsim2)`) and the pictures (`microslip.plot`) are loaded when they are
+first used, so that the pictures work without the module and the module without matplotlib.
 """
 
 from typing import TYPE_CHECKING
@@ -11,7 +11,10 @@ if TYPE_CHECKING:
 
 
 def __getattr__(name):
-    """Loads the compiled module on the first use of a name that is not here."""
+    """Loads the pictures, or the compiled module, on the first use of a name that is not here."""
+    if name == "plot":
+        import importlib
+        return importlib.import_module("microslip.plot")
     if name.startswith("_"):
         raise AttributeError(f"module 'microslip' has no attribute '{name}'")
     try:

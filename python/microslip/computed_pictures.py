@@ -7,27 +7,32 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 import microslip
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, new_figure, number, open_axes,
-                                     quantity)
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, heading, new_figure, number,
+                                     open_axes, quantity)
 from microslip.result_file import ResultError
 
 LINE_COLOURS = (BLUE, ORANGE, GREEN, VERMILION, SKY_BLUE, BLACK)
-CURVE_GRID = 16  # elements across: a picture needs no more
+CURVE_GRID, CURVE_CELLS = 16, 20  # elements and cells across: a picture needs no more
 GRIDS = (8, 12, 16, 24, 32, 48)
 LEVELS = 16
 
 
-def contact_of(result):
-    """The contact of a result file; Coulomb friction, which the exact theory needs."""
-    law = result.text("/inputs/friction_law")
-    if law != "coulomb":
-        raise ResultError(f"{result.path}: friction law '{law}': this picture needs coulomb")
+def case_of(result):
+    """The case that the result file holds. The pictures are of rolling that is steady."""
+    case = microslip.parse_case(result.attribute("case_text"), f"{result.path}: case_text")
     if result.text("/inputs/motion") != "steady":
         raise ResultError(f"{result.path}: this picture needs steady rolling")
-    names = ("/hertz/a", "/hertz/b", "/inputs/shear_modulus", "/inputs/poisson_ratio", "/inputs/normal_force",
-             "/inputs/friction_coefficient")
-    creepage = tuple(result.number(f"/inputs/{name}") for name in ("creepage_longitudinal", "creepage_lateral", "spin"))
-    return microslip.EllipticContact(*map(result.number, names), creepage, result.number("/inputs/rolling_speed"))
+    if "/inputs/step" in result:
+        raise ResultError(f"{result.path}: this picture needs rolling without motion.step")
+    return case
+
+
+def contact_of(result, case):
+    """The case's contact with its creepages, as found where a force is given."""
+    contact = case.contact
+    if "exact" in result:
+        contact.creepage = (result.number("/exact/creep_x"), result.number("/exact/creep_y"), contact.creepage.spin)
+    return contact
 
 
 def default_spins(contact):
@@ -39,24 +44,24 @@ def default_spins(contact):
 
 
 def creep_curves_picture(result, spins=()):
-    """Fx and Fy over the longitudinal creepage for several spins [1/m]: the exact theory and FASTSIM2."""
-    contact = contact_of(result)
+    """Fx and Fy over the longitudinal creepage for several spins [1/m]: the exact theory and the case's simplified one."""
+    case = case_of(result)
+    contact = contact_of(result, case)
     spins = list(spins) or default_spins(contact)
     limit = contact.friction.static_coefficient * contact.normal_force
     c = microslip.creepage_coefficients(contact.a / contact.b, contact.poisson_ratio)
     far = 3 * limit / (contact.shear_modulus * contact.a * contact.b * c.c11)
     creepages = np.linspace(-far, far, 61)
-    direction = result.text("/inputs/direction")
-    exact = microslip.EllipticContactSolver(CURVE_GRID, CURVE_GRID, direction=direction)
-    forces = {"exact": exact.solve_batch(contact, creepages, 0, np.array(spins)[:, None]).forces,
-              "fastsim2": microslip.Fastsim2(20, 20, direction=direction).solve_batch(contact, creepages, 0,
-                                                                                     np.array(spins)[:, None])}
+    simplified = {"exact": "fastsim2"}.get(case.theory, case.theory)
+    solvers = {"exact": case.exact_solver(cells=CURVE_GRID), simplified: case.simplified_solver(cells=CURVE_CELLS)}
+    forces = {"exact": solvers["exact"].solve_batch(contact, creepages, 0, np.array(spins)[:, None]).forces,
+              simplified: solvers[simplified].solve_batch(contact, creepages, 0, np.array(spins)[:, None])}
     figure = new_figure(11, 4.8)
-    figure.suptitle(f"Creep curves, no lateral creepage: {result.attribute('title', 'rolling contact')}")
+    figure.suptitle(heading("Creep curves, no lateral creepage", result, forces))
     for axes, name, label in zip(figure.subplots(1, 2, sharex=True), ("fx", "fy"), ("$F_x$", "$F_y$")):
         open_axes(axes)
         for row, (spin, colour) in enumerate(zip(spins, LINE_COLOURS * len(spins))):
-            for theory, style in (("exact", "-"), ("fastsim2", "--")):
+            for theory, style in (("exact", "-"), (simplified, "--")):
                 axes.plot(1e3 * creepages, getattr(forces[theory], name)[row] / limit, style, color=colour, linewidth=2,
                           label=f"{THEORIES[theory]}, spin {number(spin)} 1/m" if name == "fx" else None)
         axes.set_xlabel(r"longitudinal creepage $\xi$ [$10^{-3}$]")
@@ -67,15 +72,15 @@ def creep_curves_picture(result, spins=()):
 
 def convergence_picture(result):
     """Distance of the forces to their limit over the number of elements, log-log, with slopes of first and second order."""
-    contact = contact_of(result)
-    direction = result.text("/inputs/direction")
+    case = case_of(result)
+    contact = contact_of(result, case)
     limit = contact.friction.static_coefficient * contact.normal_force
-    best = microslip.AccurateContactSolver(1e-4, direction=direction).solve(contact)
+    best = case.accurate_solver(1e-4).solve(contact)
     figure = new_figure(7.2, 5)
     axes = figure.subplots()
     open_axes(axes)
     for name, colour in (("second_order", BLUE), ("classical", VERMILION)):
-        solved = [microslip.EllipticContactSolver(n, n, discretisation=name, direction=direction).solve(contact).forces for n in GRIDS]
+        solved = [case.exact_solver(cells=n, discretisation=name).solve(contact).forces for n in GRIDS]
         for force, style, marker in (("fx", "-", "o"), ("fy", "--", "s")):
             errors = [abs(getattr(one, force) - getattr(best.forces, force)) / limit for one in solved]
             axes.loglog(GRIDS, errors, style, color=colour, marker=marker, linewidth=2,

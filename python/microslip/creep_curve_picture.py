@@ -1,7 +1,7 @@
 """The creep curve through a case: forces over one creepage, the others held."""
 
-from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, new_figure, number, open_axes,
-                                     quantity)
+from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, heading, new_figure, number,
+                                     open_axes, quantity)
 from microslip.result_file import ResultError
 
 # Name of the varied creepage: title, symbol, factor from SI, unit for an axis and behind a number.
@@ -42,7 +42,7 @@ def creep_curve_picture(result, theories):
     axes.set_ylabel("force on the wheel [kN]")
     relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
     relative.set_ylabel(r"force / ($\mu F_n$) [-]")
-    figure.suptitle(f"Creep curve: {result.attribute('title', 'rolling contact')}")
+    figure.suptitle(heading("Creep curve", result, theories))
     who = " and ".join(THEORIES[theory] for theory in theories)
     axes.set_title(f"{who}, held: {held_creepages(result, varied)}")
     if len(theories) == 1:
@@ -52,9 +52,14 @@ def creep_curve_picture(result, theories):
     return figure
 
 
+def creepage_of_case(result, name):
+    """As given, or as found where a force is given; older files have it among the inputs only."""
+    return result.number(f"/creep_curve/{name}" if f"/creep_curve/{name}" in result else f"/inputs/{name}")
+
+
 def mark_points(axes, result, theories, varied):
     """The case itself as each theory has it; the last one's as filled markers."""
-    here = CREEPAGES[varied][2] * result.number(f"/inputs/{varied}")
+    here = CREEPAGES[varied][2] * creepage_of_case(result, varied)
     for theory in theories:
         for name, (label, colour) in FORCES.items():
             force = 1e-3 * result.number(f"/{theory}/{name}")
@@ -79,7 +84,7 @@ def held_creepages(result, varied):
     """The creepages that the curve keeps, as text."""
     texts = []
     for name, (_, symbol, factor, _, unit) in CREEPAGES.items():
-        value = factor * result.number(f"/inputs/{name}")
+        value = factor * creepage_of_case(result, name)
         if name != varied:
             texts.append(f"{symbol} = {number(value)}" + (unit if value else ""))
     return ",  ".join(texts)

@@ -35,6 +35,13 @@ THEORIES = {
 }
 
 
+def heading(what, result, theories=()):
+    """A figure's title: what it shows, the case's title, and which theory is of simpler bodies than the case's."""
+    lines = [f"{what}: {result.attribute('title', 'rolling contact')}"]
+    lines += [f"{THEORIES[theory]}: {result.assumption(theory)}" for theory in theories if result.assumption(theory)]
+    return "\n".join(lines)
+
+
 def new_figure(width, height, layout="constrained"):
     """An empty figure of a size in inches, drawn without a window system. Layout `compressed` suits equal scales."""
     figure = Figure(figsize=(width, height), layout=layout)

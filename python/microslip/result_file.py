@@ -49,6 +49,10 @@ class ResultFile:
             raise ResultError(f"{self.path}: no attribute '{name}' of {group}")
         return _decoded(self._file[group].attrs[name])
 
+    def assumption(self, group):
+        """What Hertz or a theory assumes that is not so in the case, as text; empty: nothing."""
+        return self.group_attribute(group, "assumes") if group in self and "assumes" in self._file[group].attrs else ""
+
     def _dataset(self, name):
         dataset = self._file.get(name)
         if not isinstance(dataset, h5py.Dataset):

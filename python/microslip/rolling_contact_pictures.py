@@ -10,7 +10,7 @@ from matplotlib.patches import Ellipse, Patch
 from microslip.contact_cells import ADHESION, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
-from microslip.picture_style import BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, new_figure, number, quantity, round_down
+from microslip.picture_style import BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, heading, new_figure, number, quantity, round_down
 from microslip.result_file import ResultError
 
 # The light part of a map of one hue: black arrows stand out on all of it.
@@ -99,7 +99,7 @@ def contact_panels(result, cells, what):
     width = 4.8
     height = width * (half_y / half_x if true_to_scale else 1)
     figure = new_figure(width * len(cells) + 1.7, height + 1.5, layout="compressed")
-    figure.suptitle(f"{what}: {result.attribute('title', 'rolling contact')}")
+    figure.suptitle(heading(what, result, cells))
     panels = figure.subplots(1, len(cells), sharey=True, squeeze=False)[0]
     backward = result.text("/inputs/direction") == "backward"
     for axes in panels:

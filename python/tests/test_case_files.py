@@ -51,7 +51,7 @@ class CaseFilesTest(unittest.TestCase):
         result = microslip.solve_case(case)
         self.assertEqual(result.exact.forces.fx, microslip.EllipticContactSolver(8, 8).solve(case.contact).forces.fx)
         self.assertEqual(result.simplified.forces.fx, microslip.Fastsim2(8, 8).solve(case.contact).fx)
-        self.assertEqual(result.exact.gap.shape, result.exact.contact.pressure.shape)
+        self.assertEqual(result.exact.solution.fields.gap.shape, result.exact.solution.fields.pressure.shape)
         self.assertEqual(result.simplified.curve.variable, "creepage_longitudinal")
         self.assertEqual(result.simplified.curve.fx.shape, result.simplified.curve.value.shape)
         self.assertIsNone(result.exact.limit)

@@ -4,7 +4,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 import microslip
@@ -65,17 +64,73 @@ class ComputedPicturesTest(unittest.TestCase):
         # Without traction .62 p0 for nu = .3; traction raises it a little.
         self.assertAlmostEqual(peak / (1e-6 * self.result.hertz.peak_pressure), 0.65, delta=0.04)
 
-    def test_what_cannot_be_computed_is_named(self):
-        with h5py.File(self.path, "a") as file:
-            del file["/inputs/friction_law"]
-            file["/inputs/friction_law"] = "polach"
-        try:
-            with self.assertRaisesRegex(ResultError, "'polach'.*needs coulomb"):
-                self.chosen(convergence=True)
-        finally:
-            with h5py.File(self.path, "a") as file:
-                del file["/inputs/friction_law"]
-                file["/inputs/friction_law"] = "coulomb"
+    def solved(self, *changes):
+        """The path of a result of the case with changes of its text."""
+        text = CASE
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        case = microslip.parse_case(text)
+        path = self.path.with_name("changed.h5")
+        microslip.solve_case(case).write(path)
+        return case, path
+
+    def curves(self, path):
+        """The figure of creep curves without spin, and Fx at a creepage by each theory."""
+        (figure,) = plot.figures(path, spins=[0.0]).values()
+        lines = figure.axes[0].lines
+        return figure, {line.get_label().split(",")[0]: line.get_xydata()[40] for line in lines}
+
+    def check_curves(self, case, path):
+        """The curves are those of the case's own solvers. Returns the figure's title."""
+        figure, points = self.curves(path)
+        limit = case.contact.friction.static_coefficient * case.contact.normal_force
+        for name, solver in (("exact theory", case.exact_solver(cells=16)),
+                             ("FASTSIM2", case.simplified_solver(cells=20))):
+            creepage, force = points[name]
+            contact = case.contact
+            contact.creepage = (1e-3 * creepage, 0, 0)
+            solved = solver.solve(contact)
+            self.assertAlmostEqual(force, getattr(solved, "forces", solved).fx / limit, places=6)
+        return figure._suptitle.get_text(), points
+
+    def test_creep_curves_are_of_the_case_with_all_it_says(self):
+        plain = self.curves(self.path)[1]
+        changes = {
+            "viscoelastic": ("[body2]", "creep_ratio = 2.0\ncreep_time = 5e-4\n[body2]"),
+            "unlike": ("young_modulus = 210e9", "young_modulus = 20e9"),
+            "layered": ("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n[load]"),
+            "slope": ("[8, 8]", "[8, 8]\nslope_reduction = {initial = 0.5}"),
+            "falling": ("coefficient = 0.3", 'law = "exponential"\nkinetic_coefficient = 0.1\ndrop = 0.2\n'
+                        "half_velocity = 0.002"),
+        }
+        for name, change in changes.items():
+            with self.subTest(name):
+                title, points = self.check_curves(*self.solved(change))
+                changed = "FASTSIM2" if name == "slope" else "exact theory"
+                self.assertGreater(abs(points[changed][1] - plain[changed][1]), 1e-3)
+                self.assertEqual("elastic bodies of K = 0" in title, name in ("viscoelastic", "unlike"))
+                self.assertEqual("no layer" in title, name == "layered")
+
+    def test_convergence_without_a_limit_is_refused(self):
+        for change in (("[body2]", "creep_ratio = 2.0\ncreep_time = 5e-4\n[body2]"),
+                       ("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n[load]")):
+            _, path = self.solved(change)
+            with self.assertRaisesRegex(ResultError, "convergence.png: second order is for similar elastic bodies"):
+                plot.figures(path, convergence=True)
+
+    def test_convergence_is_at_the_creepage_found(self):
+        _, path = self.solved(("creepage_longitudinal = 0.001", "force_longitudinal = -150.0"))
+        (figure,) = plot.figures(path, convergence=True).values()
+        self.assertIn("$F_x$ = -0.15", figure.axes[0].get_title())
+
+    def test_what_is_not_steady_is_refused(self):
+        _, path = self.solved(("[motion]", '[motion]\nkind = "transient"'))
+        with self.assertRaisesRegex(ResultError, "needs steady rolling"):
+            plot.figures(path, spins=[0.0])
+        _, path = self.solved(("[motion]", "[motion]\nstep = 1e-5"))
+        with self.assertRaisesRegex(ResultError, "without motion.step"):
+            plot.figures(path, convergence=True)
 
 
 load_tests = load_tests_if_compiled([ComputedPicturesTest])

@@ -15,10 +15,10 @@ class EllipticContactSolverTest(unittest.TestCase):
     def test_fields_add_up_to_the_forces(self):
         solved = self.solver.solve(contact())
         fields = solved.fields
-        self.assertEqual((fields.px.shape, solved.pressure.shape, solved.ux.shape), ((fields.my, fields.mx),) * 3)
+        self.assertEqual((fields.px.shape, fields.pressure.shape, fields.ux.shape), ((solved.my, solved.mx),) * 3)
         self.assertAlmostEqual((fields.area * fields.px).sum() / solved.forces.fx, 1, places=12)
-        self.assertAlmostEqual((fields.area * solved.pressure).sum() / 80e3, 1, places=9)
-        self.assertAlmostEqual(fields.frictional_power / solved.power_by_creepage, 1, delta=0.01)
+        self.assertAlmostEqual((fields.area * fields.pressure).sum() / 80e3, 1, places=9)
+        self.assertAlmostEqual(solved.frictional_power / solved.power_by_creepage, 1, delta=0.01)
         self.assertLess(solved.residual, 1e-6)
 
     def test_both_discretisations_tend_to_one_limit(self):
@@ -64,13 +64,21 @@ class EllipticContactSolverTest(unittest.TestCase):
         for discretisation in ("second_order", "classical"):
             solver = microslip.EllipticContactSolver(12, 12, discretisation=discretisation)
             solved, gap = solver.solve(contact()), solver.deformed_gap(contact())
-            self.assertEqual(gap.shape, solved.pressure.shape)
+            self.assertEqual(gap.shape, solved.fields.pressure.shape)
             self.assertLess(abs(gap[5:7, 6]).max(), 1e-10)
             self.assertGreater(gap[0, 0], 1e-7)
 
+    def test_the_gap_has_the_grid_of_the_solution_whatever_the_options(self):
+        falling = microslip.FrictionLaw.exponential(0.2, (0.1, 0.5))
+        unlike = microslip.combine(microslip.Material.from_young(70e9, 0.33), microslip.Material.from_young(210e9, 0.28))
+        for options, made in (({}, contact(friction=falling)), ({"material": unlike}, contact()),
+                              ({"direction": "backward"}, contact()), ({"elements": "bilinear", "discretisation": "classical"}, contact())):
+            solver = microslip.EllipticContactSolver(12, 10, **options)
+            self.assertEqual(solver.deformed_gap(made).shape, solver.solve(made).fields.x.shape, options)
+
     def test_the_gap_of_a_shift_has_the_shape_of_its_results(self):
         solved, gap = self.solver.solve(contact(), motion="shift"), self.solver.deformed_gap(contact(), motion="shift")
-        self.assertEqual(gap.shape, solved.pressure.shape)
+        self.assertEqual(gap.shape, solved.fields.pressure.shape)
 
     def test_a_batch_is_its_single_calls(self):
         xi = np.linspace(1e-4, 3e-3, 9)
@@ -81,6 +89,19 @@ class EllipticContactSolverTest(unittest.TestCase):
             self.assertEqual(batch.forces.fy[1, 4], single.forces.fy)
             self.assertTrue(np.all(batch.forces.status == microslip.Status.ok))
 
+    def test_a_batch_of_dissimilar_bodies_has_their_constants(self):
+        steel, aluminium = (microslip.Material.from_young(*constants) for constants in ((210e9, 0.28), (70e9, 0.33)))
+        pair = microslip.combine(steel, aluminium)
+        solver = microslip.EllipticContactSolver(8, 8, material=pair)
+        like = microslip.EllipticContact(0.006, 0.005, pair.shear_modulus, pair.poisson_ratio, 80e3, 0.3)
+        batch = solver.solve_batch(like, [0, 1e-3])
+        like.creepage.longitudinal = 1e-3
+        self.assertEqual(batch.forces.fx[1], solver.solve(like).forces.fx)
+        self.assertNotEqual(batch.forces.fx[0], 0)
+        for constants in ({"shear_modulus": 80e9}, {"poisson_ratio": [0.2, 0.3]}):
+            with self.assertRaisesRegex(microslip.Error, "material has its own"):
+                solver.solve_batch(like, 1e-3, **constants)
+
     def test_options_out_of_range(self):
         with self.assertRaisesRegex(microslip.Error, "mx = 0"):
             microslip.EllipticContactSolver(0, 12)
@@ -88,7 +109,7 @@ class EllipticContactSolverTest(unittest.TestCase):
             microslip.EllipticContactSolver(discretisation="clasical")
         falling = contact(friction=microslip.FrictionLaw.polach(0.3, 0.5, 1))
         self.assertIs(self.solver.solve(falling).forces.status, microslip.Status.ok)
-        self.assertIs(self.solver.differentiate(falling).contact.forces.status,
+        self.assertIs(self.solver.differentiate(falling).solution.status,
                       microslip.Status.invalid_input)
 
 

@@ -45,7 +45,7 @@ class GridProblemsTest(unittest.TestCase):
         patch = rolling.solve(0.3, (0.0018, 0.0006, 0.4))
         exact = microslip.EllipticContactSolver(40, 40).solve(contact())
         self.assertAlmostEqual(patch.forces.fx / exact.forces.fx, 1, delta=0.01)
-        self.assertAlmostEqual((patch.px * patch.area).sum() / patch.forces.fx, 1, places=12)
+        self.assertAlmostEqual((patch.fields.px * patch.fields.area).sum() / patch.forces.fx, 1, places=12)
         self.assertEqual(rolling.normal.pressure.shape, (24, 28))
         given = rolling.solve(0.3, (0, 0, 0), force_x=-5e3)
         self.assertAlmostEqual(given.forces.fx / -5e3, 1, places=5)

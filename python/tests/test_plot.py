@@ -25,6 +25,13 @@ from tests.synthetic_results import (GRIDS, write_fastsim2_table1, write_fastsim
 PYTHON_FOLDER = Path(__file__).resolve().parent.parent
 
 
+class ImportTest(unittest.TestCase):
+    def test_the_package_has_the_pictures(self):
+        code = "import microslip; print(microslip.plot.figures.__name__)"
+        done = subprocess.run([sys.executable, "-c", code], cwd=PYTHON_FOLDER, capture_output=True, text=True)
+        self.assertEqual((done.stdout, done.stderr), ("figures\n", ""))
+
+
 class FolderTest(unittest.TestCase):
     """A test with a folder of its own."""
 

@@ -185,17 +185,18 @@ const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step
   if (step.given) {
     normal_ = given_normal(step);
   } else {
-    NormalProblem problem(step.bodies.material, step.grid);
+    NormalProblem problem(step.bodies.material, step.grid, step.motion.progress);
     normal_ = solve_normal(problem, step);
   }
   normal_of_ = std::make_unique<ContactStep>(step);
+  normal_of_->motion.progress = {};
   return normal_;
 }
 
 TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) {
   if (!tangential_ || !same(tangential_grid_, step.grid) || !same(tangential_bodies_, step.bodies)) {
     tangential_.reset();
-    tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid);
+    tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid, step.motion.progress);
     tangential_grid_ = step.grid;
     tangential_bodies_ = step.bodies;
   }
@@ -205,7 +206,7 @@ TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) 
 CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
   if (!coupled_ || !same(coupled_grid_, step.grid) || !same(coupled_bodies_, step.bodies)) {
     coupled_.reset();
-    coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid);
+    coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid, step.motion.progress);
     coupled_grid_ = step.grid;
     coupled_bodies_ = step.bodies;
   }
@@ -251,9 +252,12 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const F
 /// temperatures only the slip is left to iterate, as the law finds them with the friction that makes them. On the
 /// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is
 /// relaxed.
-ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step, const SlipFriction& law,
+ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& whole, const SlipFriction& law,
                                                          const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 300, rounds_unrelaxed = 40;
+  double done = 0, first_change = 0;
+  ContactStep step = whole;
+  if (whole.motion.progress) step.motion.progress = [&](double) { return whole.motion.progress(done); };
   const auto n = step.grid.count();
   const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
   Field slip(n, step.slip_start == SlipStart::above ? fastest : 0.0);
@@ -280,6 +284,8 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
     const Field found = slip_velocity(step, out.tangential);
     const double size = norm(found), change = distance(found, slip);
     out.friction_residual = size > 0 ? change / size : change;
+    if (round == 1) first_change = change;
+    done = std::max(done, digits_done(first_change, change, friction_tolerance * size));
     const bool together = change <= friction_tolerance * size;
     if (together || round == most_rounds) {
       for (std::size_t k = 0; k < n; ++k)
@@ -296,7 +302,9 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& step
   }
 }
 
-ContactStepSolution ContactSequence::solve(const ContactStep& step) {
+ContactStepSolution ContactSequence::solve(const ContactStep& given) {
+  ContactStep step = given;
+  step.motion.progress = essential_part(given.motion.progress, 0, 1);
   check(step.grid);
   check(step);
   const State& origin = step.start == StepStart::repeated ? before_ : after_;

@@ -16,7 +16,8 @@ TangentialState moved_to(const ElementGrid& to, const TangentialState& state, co
 /// computed again.
 class ContactSequence {
 public:
-  /// Throws Error for input out of range, as NormalProblem and TangentialProblem do; the sequence then is as it was.
+  /// Throws Error for input out of range, as NormalProblem and TangentialProblem do, and Stopped if the
+  /// motion's progress function returns false; the sequence then is as it was.
   ContactStepSolution solve(const ContactStep& step);
 
 private:

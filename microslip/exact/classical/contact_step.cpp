@@ -7,6 +7,11 @@
 #include <cmath>
 
 namespace microslip {
+namespace {
+
+constexpr double normal_tolerance = 1e-8;
+
+} // namespace
 
 std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution) {
   const TangentialInput& motion = step.motion;
@@ -43,7 +48,7 @@ NormalSolution given_normal(const ContactStep& step) {
   s.displacement = step.given->displacement;
   if (s.displacement.empty()) {
     s.displacement.resize(step.grid.count());
-    NormalResponse(step.bodies.material, step.grid).apply(s.pressure, s.displacement);
+    NormalResponse(step.bodies.material, step.grid, step.motion.progress).apply(s.pressure, s.displacement);
   }
   find_totals(step.grid, step.gap, s);
   if (s.status == Status::ok && s.contact_elements == 0) s.status = Status::no_contact;
@@ -52,14 +57,14 @@ NormalSolution given_normal(const ContactStep& step) {
 
 /// Elements out of the question are as far away as the pressure can never reach.
 NormalSolution solve_normal(NormalProblem& problem, const ContactStep& step) {
-  if (step.excluded.empty()) return problem.solve(step.gap, step.load);
+  if (step.excluded.empty()) return problem.solve(step.gap, step.load, normal_tolerance, step.motion.progress);
   const auto [low, high] = std::minmax_element(step.gap.begin(), step.gap.end());
   double distance = std::max({*high - *low, std::abs(*high), step.grid.dx * 1e-6});
   for (int attempt = 0;; ++attempt, distance *= 10) {
     std::vector<double> gap = step.gap;
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (step.excluded[k]) gap[k] = *high + distance;
-    NormalSolution s = problem.solve(gap, step.load);
+    NormalSolution s = problem.solve(gap, step.load, normal_tolerance, step.motion.progress);
     bool is_within = true;
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (step.excluded[k] && s.pressure[k] > 0) is_within = false;

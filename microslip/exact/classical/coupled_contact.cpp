@@ -32,16 +32,18 @@ double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
 
 } // namespace
 
-CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid)
+CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, const Progress& progress)
     : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)),
-      displacement_(CoupledResponse::displacement(bodies, grid)), normal_(bodies.material, grid) {}
+      displacement_(CoupledResponse::displacement(bodies, grid, {}, 1, progress)),
+      normal_(bodies.material, grid, progress) {}
 
 CoupledResponse& CoupledContact::slip_response(const TangentialInput& motion, double step) {
   if (motion.motion == ContactMotion::shift) return displacement_;
   if (motion_ != motion.motion || step_ != step) {
     slip_response_ = std::make_unique<CoupledResponse>(
-        motion.motion == ContactMotion::steady ? CoupledResponse::growth(bodies_, grid_, step)
-                                               : CoupledResponse::displacement(bodies_, grid_, {}, std::abs(step)));
+        motion.motion == ContactMotion::steady
+            ? CoupledResponse::growth(bodies_, grid_, step, motion.progress)
+            : CoupledResponse::displacement(bodies_, grid_, {}, std::abs(step), motion.progress));
     motion_ = motion.motion;
     step_ = step;
   }
@@ -57,7 +59,8 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
-  CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step))
+  CoupledResponse::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step),
+                                motion.progress)
       .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
              std::array{std::span(ux), std::span(uy)});
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
@@ -102,7 +105,8 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
                                        step.force_x,
                                        step.force_y};
   // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
-  CoupledNewton::Options options{.tolerance = step.motion.tolerance, .most_steps = 30};
+  CoupledNewton::Options options{
+      .tolerance = step.motion.tolerance, .most_steps = 30, .progress = step.motion.progress};
   CoupledFrictionSolution s = newton_.solve(
       problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
   if (s.friction.status != Status::ok) { // tractions that go with a pressure are a better start
@@ -137,7 +141,7 @@ void CoupledContact::find_tangential(const ContactStep& step, std::span<const do
                                      const TangentialState& previous, const TangentialState& start,
                                      ContactStepSolution& out) {
   const auto n = grid_.count();
-  if (!tangential_) tangential_ = std::make_unique<TangentialProblem>(bodies_, grid_);
+  if (!tangential_) tangential_ = std::make_unique<TangentialProblem>(bodies_, grid_, step.motion.progress);
   const double way = signed_step(step.motion, grid_);
   const Field none(n);
   Field extra_x(n), extra_y(n), bound(n);

@@ -13,13 +13,14 @@ namespace microslip {
 /// steady rolling; viscoelastic bodies in steady rolling only.
 class CoupledContact {
 public:
-  /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
-  CoupledContact(const Bodies& bodies, const ElementGrid& grid);
+  /// Throws Error for a grid without elements, or one that needs more memory than the machine has, and Stopped if
+  /// `progress` returns false.
+  CoupledContact(const Bodies& bodies, const ElementGrid& grid, const Progress& progress = {});
 
   /// `friction` is mu of each element, `previous` what a shift or a step of rolling starts from, `start` where the
   /// iteration begins; of the step, whose bodies and grid are those of this object, `friction` and what the sequence
   /// does are not used. A pressure that is given goes into the tangential problem, without response. Throws Error for
-  /// input out of range.
+  /// input out of range, and Stopped if the motion's progress function returns false.
   ContactStepSolution solve(const ContactStep& step, std::span<const double> friction, const TangentialState& previous,
                             const TangentialState& start);
 

@@ -58,9 +58,9 @@ bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
   return step >= 0.55 * grid.dx * (1 - rounding) || grid.dx <= grid.dy * (1 + rounding);
 }
 
-TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid)
+TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid, const Progress& progress)
     : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)),
-      displacement_(TangentialResponse::displacement(bodies, grid)) {}
+      displacement_(TangentialResponse::displacement(bodies, grid, {}, 1, progress)) {}
 
 SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, double step,
                                                const std::vector<EnteringElement>& entering) {
@@ -70,8 +70,9 @@ SlipResponse& TangentialProblem::slip_response(const TangentialInput& input, dou
     step_ = 0; // not for the next problem: the elements that are entered change with the contact
   } else if (motion_ != input.motion || step_ != step) {
     slip_response_ = std::make_unique<TangentialResponse>(
-        input.motion == ContactMotion::steady ? TangentialResponse::growth(bodies_, grid_, step)
-                                              : TangentialResponse::displacement(bodies_, grid_, {}, std::abs(step)));
+        input.motion == ContactMotion::steady
+            ? TangentialResponse::growth(bodies_, grid_, step, input.progress)
+            : TangentialResponse::displacement(bodies_, grid_, {}, std::abs(step), input.progress));
     step_ = step;
   }
   motion_ = input.motion;
@@ -89,7 +90,7 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   const double length = shift ? 1 : std::abs(step);
   Field ux(cx.size()), uy(cx.size());
   const Vec2 way = way_of(input, shift ? 0 : step);
-  TangentialResponse::displacement(bodies_, grid_, way, length).apply(before.px, before.py, ux, uy);
+  TangentialResponse::displacement(bodies_, grid_, way, length, input.progress).apply(before.px, before.py, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
     displacement_.apply(before.px, before.py, here_x, here_y);

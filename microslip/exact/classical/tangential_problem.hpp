@@ -1,9 +1,10 @@
 #pragma once
 
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/contact/motion.hpp"
+#include "microslip/contact/surface_fields.hpp"
 #include "microslip/exact/halfspace/leading_edge.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
-#include "microslip/simplified/contact.hpp"
 #include "microslip/simplified/options.hpp"
 
 #include <memory>
@@ -40,7 +41,9 @@ struct TangentialInput {
   /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
   /// FrictionNewton::Options::before.
   double tolerance = 1e-6;
-  Progress progress = {}; ///< is told of the Newton steps; false ends the iteration, with status not_converged
+  /// Is told of the Newton steps; false ends the iteration, with status not_converged. While influence coefficients
+  /// are computed false ends with Stopped.
+  Progress progress = {};
 };
 
 /// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
@@ -75,7 +78,7 @@ struct TangentialSolution {
 class TangentialProblem {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
-  TangentialProblem(const Bodies& bodies, const ElementGrid& grid);
+  TangentialProblem(const Bodies& bodies, const ElementGrid& grid, const Progress& progress = {});
 
   /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
   /// converging and a force beyond friction are statuses; input so large that a total overflows gives

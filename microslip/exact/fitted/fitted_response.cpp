@@ -30,10 +30,11 @@ template <class Weights> void interpolate(double t, int count, Weights& weights)
 /// of the offset, xy is odd, so a quarter of the offsets is enough.
 class QuarterKernel {
 public:
-  QuarterKernel(const CombinedMaterial& material, const ElementGrid& grid)
+  QuarterKernel(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
       : mx_(grid.mx), xx_(grid.count()), xy_(grid.count()), yy_(grid.count()) {
     for (std::size_t k = 0; k < grid.count(); ++k) {
       const auto i = static_cast<int>(k % grid.mx), j = static_cast<int>(k / grid.mx);
+      if (i == 0) go_on(progress, 0);
       const Influence a = element_influence(material, grid, grid.dx, i * grid.dx, j * grid.dy);
       xx_[k] = a.xx, xy_[k] = a.xy, yy_[k] = a.yy;
     }
@@ -61,8 +62,9 @@ class TableFinder {
 public:
   /// `stride`: of rows in the transforms' field.
   TableFinder(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
-              std::size_t stride)
-      : material_(material), grid_(contact.grid), elements_(contact.elements), kernel_(kernel), stride_(stride) {
+              std::size_t stride, const Progress& progress)
+      : material_(material), grid_(contact.grid), elements_(contact.elements), kernel_(kernel), stride_(stride),
+        progress_(progress) {
     find_rows();
     place_points();
     find_moments();
@@ -92,6 +94,7 @@ private:
   const std::vector<FittedElement>& elements_;
   const QuarterKernel& kernel_;
   std::size_t stride_;
+  const Progress& progress_;
   std::vector<std::size_t> first_of_row_; ///< elements, and behind them the number of all
   std::vector<double> point_x_;
   std::vector<int> point_row_;
@@ -226,8 +229,14 @@ void TableFinder::correct_element(const Product::Moments& moments) {
 
 /// The difference between what an element does to a point and what the transforms make of it.
 void TableFinder::find_corrections() {
-  for (const Product::Stencil& s : tables_.stencils) correct_point(s.point);
-  for (const Product::Moments& m : tables_.moments) correct_element(m);
+  for (const Product::Stencil& s : tables_.stencils) {
+    go_on(progress_, 0);
+    correct_point(s.point);
+  }
+  for (const Product::Moments& m : tables_.moments) {
+    go_on(progress_, 0);
+    correct_element(m);
+  }
 }
 
 void TableFinder::find_rows() {
@@ -236,20 +245,21 @@ void TableFinder::find_rows() {
   for (int j = grid_.my; j-- > 0;) first_of_row_[j] = std::min(first_of_row_[j], first_of_row_[j + 1]);
 }
 
-Product make_product(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel) {
+Product make_product(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
+                     const Progress& progress) {
   SymmetricToeplitz<double> transform = kernel.transform(contact.grid);
-  TableFinder finder(material, contact, kernel, transform.stride());
+  TableFinder finder(material, contact, kernel, transform.stride(), progress);
   return {finder.take(), std::move(transform)};
 }
 
 } // namespace
 
-FittedResponse::FittedResponse(const CombinedMaterial& material, const FittedContact& contact)
-    : FittedResponse(material, contact, QuarterKernel(material, contact.grid)) {}
+FittedResponse::FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress)
+    : FittedResponse(material, contact, QuarterKernel(material, contact.grid, progress), progress) {}
 
 FittedResponse::FittedResponse(const CombinedMaterial& material, const FittedContact& contact,
-                               const QuarterKernel& kernel)
-    : elements_(contact.elements.size()), product_(make_product(material, contact, kernel)),
+                               const QuarterKernel& kernel, const Progress& progress)
+    : elements_(contact.elements.size()), product_(make_product(material, contact, kernel, progress)),
       diagonal_(kernel.diagonal(contact.grid.dx)) {}
 
 } // namespace microslip

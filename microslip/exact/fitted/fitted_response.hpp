@@ -3,6 +3,7 @@
 #include "microslip/exact/fitted/fitted_contact.hpp"
 #include "microslip/exact/fitted/fitted_product.hpp"
 #include "microslip/exact/halfspace/surface_response.hpp"
+#include "microslip/progress.hpp"
 
 namespace microslip {
 
@@ -15,7 +16,8 @@ class QuarterKernel;
 /// 1e-4 of an element's own influence. Elastically similar bodies. Memory O(N), cost one transform there and back.
 class FittedResponse : public SlipResponse {
 public:
-  FittedResponse(const CombinedMaterial& material, const FittedContact& contact);
+  /// Throws Stopped if `progress` returns false.
+  FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress = {});
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override {
@@ -30,7 +32,8 @@ public:
   std::span<const double> uy() const { return product_.uy().first(elements_); }
 
 private:
-  FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel);
+  FittedResponse(const CombinedMaterial& material, const FittedContact& contact, const QuarterKernel& kernel,
+                 const Progress& progress);
 
   std::size_t elements_;
   FittedProduct<double> product_;

@@ -13,13 +13,15 @@ namespace {
 
 constexpr int smallest_with_coarser = 64;     // elements across; below, a coarser grid saves less than it costs
 constexpr double tolerance_of_coarser = 1e-3; // of the order of the discretisation error between the grids
+constexpr double share_of_coarser = 0.2;      // of the work
 
 } // namespace
 
-HertzianRolling::HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my)
-    : rolling_(material, fit_ellipse(a, b, mx, my)) {
+HertzianRolling::HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my,
+                                 const Progress& progress)
+    : rolling_(material, fit_ellipse(a, b, mx, my), progress) {
   if (std::min(mx, my) >= smallest_with_coarser)
-    coarser_ = std::make_unique<HertzianRolling>(a, b, material, (mx + 1) / 2, (my + 1) / 2);
+    coarser_ = std::make_unique<HertzianRolling>(a, b, material, (mx + 1) / 2, (my + 1) / 2, progress);
 }
 
 std::vector<double> HertzianRolling::bound(const EllipticContact& contact) const {
@@ -69,12 +71,14 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
                          .force_x = force_x,
                          .force_y = force_y,
                          .start = {},
-                         .progress = progress,
+                         .progress = part(progress, coarser_ ? share_of_coarser : 0, 1),
                          .tolerance = tolerance};
   EllipticContact at_start = contact; // with creepages near those of the solution
   TangentialState start;
   SecondOrderSolution coarse;
-  if (coarser_) coarse = coarser_->solve(contact, force_x, force_y, std::max(tolerance_of_coarser, tolerance));
+  if (coarser_)
+    coarse = coarser_->solve(contact, force_x, force_y, std::max(tolerance_of_coarser, tolerance),
+                             essential_part(progress, 0, share_of_coarser));
   if (coarser_ && coarse.friction.status == Status::ok) {
     at_start.creepage = coarse.creepage;
     start = start_from_coarser(coarser_->contact(), coarser_->bound(contact), coarse.friction, this->contact(), bound);

@@ -11,21 +11,23 @@ namespace microslip {
 /// on large grids from the solution on a grid with half the elements in each direction, and so on down.
 class HertzianRolling {
 public:
-  HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my);
+  /// Throws Stopped if `progress` returns false.
+  HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my, const Progress& progress = {});
 
   const FittedContact& contact() const { return rolling_.contact(); }
   /// The traction bound of each element [Pa].
   std::vector<double> bound(const EllipticContact& contact) const;
 
   /// Creepages and spin of the contact, or forces [N] in the place of its creepages. Newton steps and products are
-  /// those on the finest grid.
+  /// those on the finest grid. `progress` is told of all grids. False ends the solve on the finest one with status
+  /// not_converged; before, it throws Stopped.
   SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,
                             std::optional<double> force_y, double tolerance, const Progress& progress = {});
 
   /// As SecondOrderRolling::differentiate, for a solution with creepages given.
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
-                                                double tolerance) {
-    return rolling_.differentiate(bound(contact), solution, tolerance);
+                                                double tolerance, const Progress& progress = {}) {
+    return rolling_.differentiate(bound(contact), solution, tolerance, progress);
   }
 
 private:

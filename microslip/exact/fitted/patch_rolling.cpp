@@ -1,6 +1,7 @@
 #include "microslip/exact/fitted/patch_rolling.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 
 #include <utility>
@@ -29,6 +30,7 @@ void check(const PatchRollingMotion& motion) {
   require_finite("creepage.spin", motion.creepage.spin, "1/m");
   if (motion.force_x) require_finite("force_x", *motion.force_x, "N");
   if (motion.force_y) require_finite("force_y", *motion.force_y, "N");
+  require_positive("rolling_speed", motion.rolling_speed, "m/s");
   require_positive("tolerance", motion.tolerance, "-");
 }
 
@@ -36,59 +38,56 @@ void check(const PatchRollingMotion& motion) {
 
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                            const NormalLoad& load, RollingDirection direction, const Progress& progress)
-    : side_(direction == RollingDirection::forward ? 1 : -1) {
+    : direction_(direction) {
+  if (material.dissimilarity != 0)
+    throw Error("dissimilarity", material.dissimilarity, "-",
+                "0: rolling of patches is for elastically similar bodies");
   require_memory(ContactProblem::tangential, grid);
-  bool stopped = false;
-  normal_ = NormalProblem(material, grid).solve(gap, load, normal_tolerance, [&](double fraction) {
-    stopped = progress && !progress(fraction);
-    return !stopped;
-  });
-  if (stopped || normal_.contact_elements == 0) return;
-  rolling_.emplace(material, side_ > 0 ? fit_contact(grid, normal_.pressure)
-                                       : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)));
+  try {
+    const Progress essential = essential_part(progress, 0, 1);
+    normal_ = NormalProblem(material, grid, essential).solve(gap, load, normal_tolerance, essential);
+    if (normal_.contact_elements == 0) return;
+    rolling_.emplace(material,
+                     direction == RollingDirection::forward
+                         ? fit_contact(grid, normal_.pressure)
+                         : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)),
+                     essential);
+  } catch (const Stopped&) {
+    normal_ = {};
+    normal_.status = Status::not_converged;
+  }
 }
 
-PatchSolution PatchRolling::solve(const PatchRollingMotion& motion) {
+ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   check(motion);
-  PatchSolution out;
-  out.creepage = motion.creepage;
   if (!rolling_) {
-    out.forces.status = normal_.contact_elements == 0 ? Status::no_contact : normal_.status;
-    return out;
+    ContactSolution nothing;
+    nothing.creepage = motion.creepage;
+    nothing.report.status = normal_.status == Status::ok ? Status::no_contact : normal_.status;
+    add_reason(nothing.report);
+    return nothing;
   }
   const FittedContact& contact = rolling_->contact();
-  out.bound = contact.load_share;
-  for (double& g : out.bound) g *= motion.friction * normal_.normal_force;
+  std::vector<double> bound = contact.load_share;
+  for (double& g : bound) g *= motion.friction * normal_.normal_force;
+  const double side = direction_ == RollingDirection::forward ? 1 : -1;
   SecondOrderInput input{
-      .creepage = {side_ * motion.creepage.longitudinal, motion.creepage.lateral, side_ * motion.creepage.spin},
+      .creepage = {side * motion.creepage.longitudinal, motion.creepage.lateral, side * motion.creepage.spin},
       .force_x = motion.force_x,
       .force_y = motion.force_y,
       .start = {},
       .progress = motion.progress,
       .tolerance = motion.tolerance};
-  if (input.force_x) *input.force_x *= side_;
-  SecondOrderSolution s = rolling_->solve(out.bound, input);
-
-  FrictionSolution& friction = s.friction;
-  for (std::size_t k = 0; k < contact.elements.size(); ++k) {
-    const FittedElement& e = contact.elements[k];
-    const double x = side_ * e.centre(), y = contact.grid.y(e.row), area = e.width() * contact.grid.dy;
-    for (auto* field : {&friction.px, &friction.sx, &s.ux}) (*field)[k] *= side_;
-    out.x.push_back(x), out.y.push_back(y), out.area.push_back(area);
-    out.state.push_back(friction.sliding[k] ? CellState::slip : CellState::adhesion);
-    out.forces.fx += friction.px[k] * area;
-    out.forces.fy += friction.py[k] * area;
-    out.forces.mz += (x * friction.py[k] - y * friction.px[k]) * area;
-    (friction.sliding[k] ? out.forces.slip_area : out.forces.adhesion_area) += area;
-  }
-  out.px = std::move(friction.px), out.py = std::move(friction.py);
-  out.sx = std::move(friction.sx), out.sy = std::move(friction.sy);
-  out.ux = std::move(s.ux), out.uy = std::move(s.uy);
-  out.forces.status = normal_.status == Status::ok ? friction.status : normal_.status;
-  out.creepage = {side_ * s.creepage.longitudinal, s.creepage.lateral, side_ * s.creepage.spin};
-  out.residual = friction.residual;
-  out.newton_steps = friction.newton_steps;
-  out.products = friction.products;
+  if (input.force_x) *input.force_x *= side;
+  ContactSolution out = contact_solution(contact, rolling_->solve(bound, input),
+                                         {.bound = bound,
+                                          .normal_force = normal_.normal_force,
+                                          .approach = normal_.approach,
+                                          .rolling_speed = motion.rolling_speed,
+                                          .direction = direction_});
+  out.fields.gap = normal_.gap;
+  if (normal_.status != Status::ok) out.report.status = normal_.status;
+  add_reason(out.report);
   return out;
 }
 

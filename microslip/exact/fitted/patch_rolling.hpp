@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
@@ -16,22 +17,9 @@ struct PatchRollingMotion {
   Creepage creepage = {};
   std::optional<double> force_x = {},
                         force_y = {}; ///< [N], on body 1; the creepage in that direction is an unknown then
+  double rolling_speed = 1;           ///< V [m/s], for the frictional power
   double tolerance = 1e-6;            ///< of the residual, as in FrictionSolution
   Progress progress = {};             ///< is told of the Newton steps; false ends the iteration, as not converging
-};
-
-/// Fields have a value for each element; their lengths along x differ at the leading edge (FittedElement).
-struct PatchSolution {
-  std::vector<double> x, y, area;     ///< centres [m] and areas [m^2]
-  std::vector<double> bound;          ///< g [Pa]
-  std::vector<double> px, py, sx, sy; ///< tractions on body 1 [Pa] and slip [-]
-  std::vector<double> ux, uy;         ///< displacement difference [m]
-  std::vector<CellState> state;
-  ContactForces forces;
-  Creepage creepage;    ///< as given, or as found where a force is given
-  double residual = 0;  ///< as in FrictionSolution
-  int newton_steps = 0; ///< of both solves
-  long products = 0;
 };
 
 /// Steady rolling of elastically similar bodies of any shape, cylinders too, at second order (SecondOrderRolling): the
@@ -43,9 +31,9 @@ struct PatchSolution {
 /// elements alone, without an order.
 class PatchRolling {
 public:
-  /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, with columns to spare
-  /// on the side that particles come from. `progress` is told of the normal problem; false ends it, and solve() gives
-  /// not_converged.
+  /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, for dissimilar bodies,
+  /// with columns to spare on the side that particles come from. `progress` is told of the normal problem and of what
+  /// prepares for the tangential one; false ends them, and solve() gives not_converged.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,
                const Progress& progress = {});
@@ -56,10 +44,10 @@ public:
 
   /// Throws Error for input out of range. Not converging, of the normal problem too, no contact and a force beyond
   /// friction are statuses.
-  PatchSolution solve(const PatchRollingMotion& motion);
+  ContactSolution solve(const PatchRollingMotion& motion);
 
 private:
-  double side_; ///< 1 forward, -1 backward
+  RollingDirection direction_;
   NormalSolution normal_;
   std::optional<SecondOrderRolling> rolling_;
 };

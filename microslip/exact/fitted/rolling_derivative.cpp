@@ -104,7 +104,7 @@ void RollingDerivative::linearise(std::span<const double> bound, const FrictionS
 }
 
 RollingDerivative::Change RollingDerivative::solve(std::span<const double> dcx, std::span<const double> dcy,
-                                                   double tolerance) {
+                                                   double tolerance, const Progress& progress) {
   constexpr int most = 1000;
   auto& [equations, gmres, linearised, change, slip, right] = *solver_;
   const long products_before = equations.products();
@@ -113,7 +113,7 @@ RollingDerivative::Change RollingDerivative::solve(std::span<const double> dcx, 
   std::fill(change.begin(), change.end(), 0.0F);
   join(dcx, dcy, -1 / unit, slip);
   equations.derivative(change, slip, 0, right);
-  linearised.solve(right, 0, tolerance, most, change, {});
+  linearised.solve(right, 0, tolerance, most, change, {}, [&] { go_on(progress, 0); });
   Change out;
   split(change, unit * equations.rho(), out.px, out.py);
   out.products = equations.products() - products_before;

@@ -30,8 +30,9 @@ public:
   /// where no element is just between adhesion and slip.
   void linearise(std::span<const double> bound, const FrictionSolution& solution, CentredSlip<float> slip);
 
-  /// The change for dcx, dcy, to a relative residual of `tolerance`, at least 1e-6.
-  Change solve(std::span<const double> dcx, std::span<const double> dcy, double tolerance);
+  /// The change for dcx, dcy, to a relative residual of `tolerance`, at least 1e-6. Throws Stopped.
+  Change solve(std::span<const double> dcx, std::span<const double> dcy, double tolerance,
+               const Progress& progress = {});
 
 private:
   class Equations;

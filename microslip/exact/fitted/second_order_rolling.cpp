@@ -11,18 +11,13 @@ namespace {
 /// with 3e-4 no figure of the accuracy changes and products are more by a tenth.
 constexpr double tolerance_of_first = 3e-3;
 
-/// Progress of a part of the work.
-Progress part(const Progress& whole, double from, double to) {
-  if (!whole) return {};
-  return [&whole, from, to](double fraction) { return whole(from + (to - from) * fraction); };
-}
-
 } // namespace
 
 using Field = std::vector<double>;
 
-SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedContact contact)
-    : contact_(std::move(contact)), response_(material, contact_), preconditioner_(contact_) {
+SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedContact contact,
+                                       const Progress& progress)
+    : contact_(std::move(contact)), response_(material, contact_, progress), preconditioner_(contact_) {
   for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
 }
 
@@ -106,8 +101,8 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
 }
 
 SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<const double> bound,
-                                                                  const SecondOrderSolution& solution,
-                                                                  double tolerance) {
+                                                                  const SecondOrderSolution& solution, double tolerance,
+                                                                  const Progress& progress) {
   if (!derivative_) derivative_.emplace(response_, contact_);
   derivative_->linearise(bound, solution.friction, CentredSlip<float>(contact_, solution.centred));
   CentredSlip<double> at_centres(contact_, solution.centred);
@@ -118,7 +113,8 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
     rigid_slip(units[i], dcx, dcy);
     at_centres.move(dcx);
     at_centres.move(dcy);
-    out.by[i] = derivative_->solve(dcx, dcy, tolerance);
+    const double from = static_cast<double>(i) / units.size();
+    out.by[i] = derivative_->solve(dcx, dcy, tolerance, part(progress, from, from + 1.0 / units.size()));
     out.products += out.by[i].products;
   }
   return out;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/exact/fitted/centred_slip.hpp"
 #include "microslip/exact/fitted/fitted_response.hpp"
 #include "microslip/exact/fitted/rolling_derivative.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
-#include "microslip/simplified/contact.hpp"
 
 #include <array>
 #include <optional>
@@ -36,7 +36,8 @@ struct SecondOrderSolution {
 /// that come to slide or to adhere on the way, Newton's method would stall now and then.
 class SecondOrderRolling {
 public:
-  SecondOrderRolling(const CombinedMaterial& material, FittedContact contact);
+  /// Throws Stopped if `progress` returns false.
+  SecondOrderRolling(const CombinedMaterial& material, FittedContact contact, const Progress& progress = {});
 
   const FittedContact& contact() const { return contact_; }
 
@@ -45,12 +46,13 @@ public:
 
   /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages
   /// given; the linear systems are solved to `tolerance`. Holds where no element is just between adhesion and slip.
-  /// Cost: three linear solves.
+  /// Cost: three linear solves. Throws Stopped if `progress` returns false.
   struct Derivatives {
     std::array<RollingDerivative::Change, 3> by; ///< xi, eta, phi
     long products = 0;
   };
-  Derivatives differentiate(std::span<const double> bound, const SecondOrderSolution& solution, double tolerance);
+  Derivatives differentiate(std::span<const double> bound, const SecondOrderSolution& solution, double tolerance,
+                            const Progress& progress = {});
 
 private:
   void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;

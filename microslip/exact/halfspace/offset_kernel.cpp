@@ -77,8 +77,10 @@ struct SlipRate {
 };
 
 /// Calls at(i, j, slip, here) for all offsets of a grid: what the influence makes of slip, and the influence itself.
-template <class At> void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate, At at) {
+template <class At>
+void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate, const Progress& progress, At at) {
   for (int j = 1 - grid.my; j < grid.my; ++j) {
+    go_on(progress, 0);
     const std::vector<Influence> now = influence_row(bodies, grid, rate.shift, j);
     const std::vector<Influence> before =
         rate.before ? influence_row(bodies, grid, *rate.before, j) : std::vector<Influence>(now.size());
@@ -93,11 +95,12 @@ template <class At> void for_offsets(const Bodies& bodies, const ElementGrid& gr
   }
 }
 
-TangentialKernel tangential_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate) {
+TangentialKernel tangential_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate,
+                                   const Progress& progress) {
   check(grid);
   const OffsetTable empty(grid);
   TangentialKernel kernel{empty, empty, empty};
-  for_offsets(bodies, grid, rate, [&](int i, int j, const Influence& slip, const Influence&) {
+  for_offsets(bodies, grid, rate, progress, [&](int i, int j, const Influence& slip, const Influence&) {
     kernel.xx.at(i, j) = slip.xx;
     kernel.xy.at(i, j) = slip.xy;
     kernel.yy.at(i, j) = slip.yy;
@@ -105,11 +108,12 @@ TangentialKernel tangential_kernel(const Bodies& bodies, const ElementGrid& grid
   return kernel;
 }
 
-CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate) {
+CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate,
+                             const Progress& progress) {
   check(grid);
   const OffsetTable empty(grid);
   CoupledKernel kernel{{empty, empty, empty}, empty, empty, empty, empty, empty};
-  for_offsets(bodies, grid, rate, [&](int i, int j, const Influence& slip, const Influence& here) {
+  for_offsets(bodies, grid, rate, progress, [&](int i, int j, const Influence& slip, const Influence& here) {
     kernel.slip.xx.at(i, j) = slip.xx;
     kernel.slip.xy.at(i, j) = slip.xy;
     kernel.slip.yy.at(i, j) = slip.yy;
@@ -146,18 +150,21 @@ double normal_coefficient(const CombinedMaterial& material, const ElementGrid& g
 }
 
 TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
-                                                double length) {
-  return tangential_kernel(bodies, grid, {.shift = shift, .length = length});
+                                                double length, const Progress& progress) {
+  return tangential_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
 }
-TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
-  return tangential_kernel(bodies, grid, growth_over(step));
+TangentialKernel TangentialKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                          const Progress& progress) {
+  return tangential_kernel(bodies, grid, growth_over(step), progress);
 }
 
-CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length) {
-  return coupled_kernel(bodies, grid, {.shift = shift, .length = length});
+CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
+                                          const Progress& progress) {
+  return coupled_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
 }
-CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
-  return coupled_kernel(bodies, grid, growth_over(step));
+CoupledKernel CoupledKernel::growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                    const Progress& progress) {
+  return coupled_kernel(bodies, grid, growth_over(step), progress);
 }
 
 } // namespace microslip

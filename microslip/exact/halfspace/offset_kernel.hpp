@@ -3,6 +3,7 @@
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/progress.hpp"
 #include "microslip/vec2.hpp"
 
 #include <span>
@@ -58,8 +59,9 @@ struct TangentialKernel {
 
   /// As TangentialResponse::displacement and TangentialResponse::growth.
   static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
-                                       double length = 1);
-  static TangentialKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
+                                       double length = 1, const Progress& progress = {});
+  static TangentialKernel growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                 const Progress& progress = {});
 };
 
 /// The map from tractions and pressure to slip and normal displacement that CoupledResponse applies.
@@ -69,8 +71,10 @@ struct CoupledKernel {
   OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
 
   /// As CoupledResponse::displacement and CoupledResponse::growth.
-  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1);
-  static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step);
+  static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
+                                    const Progress& progress = {});
+  static CoupledKernel growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                              const Progress& progress = {});
 };
 
 } // namespace microslip

@@ -6,8 +6,12 @@
 
 namespace microslip {
 
-NormalResponse::NormalResponse(const CombinedMaterial& material, const ElementGrid& grid)
-    : zz_((check(grid), grid.mx), grid.my, [&](int i, int j) { return normal_coefficient(material, grid, i, j); }),
+NormalResponse::NormalResponse(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
+    : zz_((check(grid), grid.mx), grid.my,
+          [&](int i, int j) {
+            if (i == 0) go_on(progress, 0);
+            return normal_coefficient(material, grid, i, j);
+          }),
       diagonal_(normal_coefficient(material, grid, 0, 0)) {}
 
 TangentialResponse::TangentialResponse(const TangentialKernel& kernel)
@@ -16,12 +20,13 @@ TangentialResponse::TangentialResponse(const TangentialKernel& kernel)
       diagonal_(kernel.diagonal()) {}
 
 TangentialResponse TangentialResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
-                                                    double length) {
-  return TangentialResponse(TangentialKernel::displacement(bodies, grid, shift, length));
+                                                    double length, const Progress& progress) {
+  return TangentialResponse(TangentialKernel::displacement(bodies, grid, shift, length, progress));
 }
 
-TangentialResponse TangentialResponse::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
-  return TangentialResponse(TangentialKernel::growth(bodies, grid, step));
+TangentialResponse TangentialResponse::growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                              const Progress& progress) {
+  return TangentialResponse(TangentialKernel::growth(bodies, grid, step, progress));
 }
 
 void TangentialResponse::apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
@@ -38,13 +43,14 @@ CoupledResponse::CoupledResponse(const CoupledKernel& kernel)
       zy_(transform_.kernel_spectrum(kernel.zy.values())), zz_(transform_.kernel_spectrum(kernel.zz.values())),
       slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)) {}
 
-CoupledResponse CoupledResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,
-                                              double length) {
-  return CoupledResponse(CoupledKernel::displacement(bodies, grid, shift, length));
+CoupledResponse CoupledResponse::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
+                                              const Progress& progress) {
+  return CoupledResponse(CoupledKernel::displacement(bodies, grid, shift, length, progress));
 }
 
-CoupledResponse CoupledResponse::growth(const Bodies& bodies, const ElementGrid& grid, double step) {
-  return CoupledResponse(CoupledKernel::growth(bodies, grid, step));
+CoupledResponse CoupledResponse::growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                        const Progress& progress) {
+  return CoupledResponse(CoupledKernel::growth(bodies, grid, step, progress));
 }
 
 void CoupledResponse::apply(const Fields& p, std::span<const std::span<double>> out) {

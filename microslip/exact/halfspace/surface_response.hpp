@@ -4,6 +4,7 @@
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
+#include "microslip/progress.hpp"
 #include "microslip/vec2.hpp"
 
 #include <array>
@@ -18,7 +19,8 @@ struct TangentialKernel;
 /// bodies.
 class NormalResponse {
 public:
-  NormalResponse(const CombinedMaterial& material, const ElementGrid& grid);
+  /// Throws Stopped if `progress`, which is told of the rows of coefficients, returns false; as the others do.
+  NormalResponse(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {});
   void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }
   /// A symmetric positive map near the inverse of A_zz, also of its part on any area: a preconditioner.
   void apply_near_inverse(std::span<const double> displacement, std::span<double> pressure) {
@@ -58,9 +60,10 @@ class TangentialResponse : public SlipResponse {
 public:
   /// u at the points `shift` [m] further, over the way `length` [m]: D = A(x + shift)/length.
   static TangentialResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
-                                         double length = 1);
+                                         double length = 1, const Progress& progress = {});
   /// Growth of u for particles that come from x + step, over the way |step| [m]: D = (A(x) - A(x + step))/|step|.
-  static TangentialResponse growth(const Bodies& bodies, const ElementGrid& grid, double step);
+  static TangentialResponse growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                   const Progress& progress = {});
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
              std::span<double> uy) override;
@@ -80,10 +83,11 @@ private:
 class CoupledResponse {
 public:
   /// Slip: u at the points `shift` [m] further, over the way `length` [m].
-  static CoupledResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
-                                      double length = 1);
+  static CoupledResponse displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
+                                      const Progress& progress = {});
   /// Slip: growth of u for particles that come from x + step, over the way |step| [m].
-  static CoupledResponse growth(const Bodies& bodies, const ElementGrid& grid, double step);
+  static CoupledResponse growth(const Bodies& bodies, const ElementGrid& grid, double step,
+                                const Progress& progress = {});
 
   /// p = (px, py, p_n) [Pa]; out = (sx, sy, u_n) or its first two.
   using Fields = std::array<std::span<const double>, 3>;

@@ -231,7 +231,7 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
   Iterate at(problem, start.pressure);
   Field x(at.size()), response(at.responses()), f(at.size());
   at.start(start, x, response);
-  const NewtonLimits limits{options.tolerance * at.scale(), options.most_steps, options.most_inner};
+  const NewtonLimits limits{options.tolerance * at.scale(), options.most_steps, options.most_inner, options.progress};
   NewtonState state;
   for (bool done = false; !done;) {
     take_newton_steps(at, gmres_, limits, x, response, state);

@@ -37,7 +37,8 @@ public:
   struct Options {
     double tolerance = 1e-6;
     int most_steps = 200;
-    int most_inner = 300; ///< products in the linear solver of one step
+    int most_inner = 300;   ///< products in the linear solver of one step
+    Progress progress = {}; ///< is told after each step and before each product; false ends the iteration
   };
 
   /// Pressure and tractions to begin with [Pa]; no tractions: zero.

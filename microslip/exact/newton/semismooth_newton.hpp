@@ -16,8 +16,11 @@ struct NewtonLimits {
   double goal; ///< of |F|
   int most_steps;
   int most_inner;         ///< products in the linear solver of one step
-  Progress progress = {}; ///< is told after each step; false ends the iteration
+  Progress progress = {}; ///< is told after each step and before each product; false ends the iteration
 };
+
+/// Ends a linear solve when the progress function returns false.
+struct LinearSolveStopped {};
 
 /// How far it has come.
 struct NewtonState {
@@ -38,11 +41,13 @@ public:
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
   /// v and, unless `growth` is empty, its response, which costs no product more: it is summed of those that the
-  /// products had. Returns |F' v - right|.
+  /// products had. `before_product` is called before each of them. Returns |F' v - right|.
+  template <class BeforeProduct>
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
-               std::span<Real> growth) {
+               std::span<Real> growth, const BeforeProduct& before_product) {
     std::size_t count = 0;
     const auto product = [&](std::span<const Real> in, std::span<Real> out) {
+      before_product();
       if (growths_.size() <= count) growths_.emplace_back();
       Field& response = growths_[growth.empty() ? 0 : count++];
       response.resize(responses_);
@@ -87,13 +92,23 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
   double& norm = state.norm = problem.evaluate(x, response, f);
   double best_norm = norm, misfit = roughest;
   const double first_norm = norm;
+  double done = 0;
+  const auto before_product = [&] {
+    if (limits.progress && !limits.progress(done)) throw LinearSolveStopped();
+  };
   for (; norm > limits.goal && state.steps < limits.most_steps && !state.stopped; ++state.steps) {
     problem.linearise(x, response);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
     const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
     const double least = std::min(0.8 * limits.goal / norm, roughest);
     const double accuracy = std::clamp(misfit, least, roughest);
-    const double linear_norm = linearised.solve(right, damping, accuracy, limits.most_inner, step, growth);
+    double linear_norm = 0;
+    try {
+      linear_norm = linearised.solve(right, damping, accuracy, limits.most_inner, step, growth, before_product);
+    } catch (const LinearSolveStopped&) {
+      state.stopped = true;
+      break;
+    }
 
     double length = 1, trial_norm = norm;
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
@@ -112,7 +127,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
     std::swap(response, trial_response);
     std::swap(f, trial_f);
     norm = trial_norm;
-    state.stopped = limits.progress && !limits.progress(digits_done(first_norm, norm, limits.goal));
+    done = digits_done(first_norm, norm, limits.goal);
+    state.stopped = limits.progress && !limits.progress(done);
   }
   if (norm <= best_norm || best_x.empty()) return;
   x = std::move(best_x);

@@ -51,6 +51,9 @@ public:
     }
   }
 
+  /// Before it has begun: no pressure.
+  NormalSolution stop() { return finish(0, Status::not_converged); }
+
 private:
   double nearest() const { return *std::min_element(gap_.begin(), gap_.end()); }
 
@@ -225,10 +228,10 @@ private:
 
 } // namespace
 
-NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid& grid)
-    : grid_(require_memory(ContactProblem::normal, grid)), response_(material, grid) {
+NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
+    : grid_(require_memory(ContactProblem::normal, grid)), response_(material, grid, progress) {
   if (std::max(grid.mx, grid.my) > largest_coarsest)
-    coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid));
+    coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress);
 }
 
 void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load) {
@@ -254,15 +257,20 @@ NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoa
 NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
                                            const Progress& progress, double& coarser_products) {
   Field start;
+  Iteration iteration(response_, grid_, gap, load);
   if (coarser_) {
-    const NormalSolution coarse = coarser_->solve_nested(gap_on_coarser(grid_, gap), load,
-                                                         std::max(tolerance, coarse_tolerance), {}, coarser_products);
+    bool stopped = false;
+    const Progress on_coarser = [&](double) { return !(stopped = progress && !progress(0)); };
+    const NormalSolution coarse =
+        coarser_->solve_nested(gap_on_coarser(grid_, gap), load, std::max(tolerance, coarse_tolerance),
+                               progress ? on_coarser : Progress(), coarser_products);
+    if (stopped) return iteration.stop();
     const double share = static_cast<double>(coarse.pressure.size()) / static_cast<double>(gap.size());
     coarser_products = share * (coarser_products + static_cast<double>(coarse.products));
     if (coarse.normal_force > 0 && std::isfinite(coarse.normal_force))
       start = pressure_from_coarser(grid_, coarse.pressure);
   }
-  return Iteration(response_, grid_, gap, load).run(std::move(start), tolerance, progress);
+  return iteration.run(std::move(start), tolerance, progress);
 }
 
 } // namespace microslip

@@ -53,12 +53,13 @@ struct NormalSolution {
 /// products to 1e-8, whatever the number N of elements. Cost O(N log N), memory O(N).
 class NormalProblem {
 public:
-  /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
-  NormalProblem(const CombinedMaterial& material, const ElementGrid& grid);
+  /// Throws Error for a grid without elements, or one that needs more memory than the machine has, and Stopped if
+  /// `progress` returns false.
+  NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {});
 
   /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN or a load out of
-  /// range. Input so large that the result overflows gives Status::invalid_input. `progress` is told of the iterations;
-  /// false ends them, with status not_converged.
+  /// range. Input so large that the result overflows gives Status::invalid_input. `progress` is told of the iterations
+  /// on all grids; false ends them, with status not_converged.
   NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8,
                        const Progress& progress = {});
 

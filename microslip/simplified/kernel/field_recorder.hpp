@@ -1,10 +1,11 @@
 #pragma once
 
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/simplified/kernel/row_motion.hpp"
 
 namespace microslip::detail {
 
-/// What the recording kernel leaves of one vector of rows, and its way into ContactFields.
+/// What the recording kernel leaves of one vector of rows, and its way into a solution.
 class FieldRecorder {
 public:
   FieldRecorder(int cells, int width)
@@ -19,24 +20,31 @@ public:
     rows.sliding = sliding_.data();
   }
 
-  /// Positions, tractions, slip and state of row j. Slip comes back from flexibility 1 and the cell's length: s = L
-  /// S/cell.
-  void copy_row(ContactFields& f, int j, int lane, const RowGeometry& at, double travel, const Flexibilities& l) const {
+  /// Places, tractions, slip and state of row j, whose cells count from the leading edge. Slip comes back from
+  /// flexibility 1 and the cell's length: s = L S/cell.
+  void copy_row(ContactSolution& to, int j, int lane, const RowGeometry& at, double travel,
+                const Flexibilities& l) const {
+    Elements& e = to.elements;
+    SurfaceFields& f = to.fields;
     for (int i = 0; i < cells_; ++i) {
-      const int to = j * cells_ + i, from = i * width_ + lane;
-      f.x[to] = at.leading + travel * (i + 0.5) * at.cell;
-      f.y[to] = at.y;
-      f.px[to] = px_[from];
-      f.py[to] = py_[from];
-      f.sx[to] = slip_x_[from] * l.longitudinal / at.cell;
-      f.sy[to] = slip_y_[from] * l.lateral / at.cell;
-      f.state[to] = sliding_[from] > 0 ? CellState::slip : CellState::adhesion;
+      const std::size_t k = e.behind_leading_edge(i, j, direction_of(travel));
+      const int from = i * width_ + lane;
+      e.x[k] = at.leading + travel * (i + 0.5) * at.cell;
+      e.y[k] = at.y;
+      e.width[k] = at.cell;
+      f.traction.x[k] = px_[from];
+      f.traction.y[k] = py_[from];
+      f.slip.x[k] = slip_x_[from] * l.longitudinal / at.cell;
+      f.slip.y[k] = slip_y_[from] * l.lateral / at.cell;
+      f.state[k] = sliding_[from] > 0 ? CellState::slip : CellState::adhesion;
     }
   }
 
   /// The bound of row j from a table of plain numbers.
-  void copy_bound(ContactFields& f, int j, int lane, const std::vector<double>& table_centre) const {
-    for (int i = 0; i < cells_; ++i) f.bound[j * cells_ + i] = table_centre[(i + 1) * width_ + lane];
+  void copy_bound(ContactSolution& to, int j, int lane, double travel, const std::vector<double>& table_centre) const {
+    for (int i = 0; i < cells_; ++i)
+      to.fields.bound[to.elements.behind_leading_edge(i, j, direction_of(travel))] =
+          table_centre[(i + 1) * width_ + lane];
   }
 
 private:
@@ -44,11 +52,17 @@ private:
   std::vector<double> px_, py_, slip_x_, slip_y_, sliding_;
 };
 
-/// -V sum of area p.s.
-inline double frictional_power(const ContactFields& f, double rolling_speed) {
-  double power = 0;
-  for (std::size_t k = 0; k < f.area.size(); ++k) power -= f.area[k] * (f.px[k] * f.sx[k] + f.py[k] * f.sy[k]);
-  return power * rolling_speed;
+/// The totals of a solution whose fields are there: forces and areas are those of the march, which knows the places
+/// within a cell where slip begins and ends.
+inline void set_totals(ContactSolution& solution, const ContactForces& forces, double rolling_speed) {
+  solution.totals = find_totals(solution.elements, solution.fields, solution.creepage, rolling_speed);
+  Totals& t = solution.totals;
+  t.fx = forces.fx;
+  t.fy = forces.fy;
+  t.mz = forces.mz;
+  t.adhesion_area = forces.adhesion_area;
+  t.slip_area = forces.slip_area;
+  solution.report.status = forces.status;
 }
 
 } // namespace microslip::detail

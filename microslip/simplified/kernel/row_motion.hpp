@@ -33,6 +33,9 @@ template <class Real> void put(const Real& value, double* to, int stride) {
 inline double travel_of(RollingDirection direction) {
   return direction == RollingDirection::forward ? -1 : 1;
 }
+inline RollingDirection direction_of(double travel) {
+  return travel < 0 ? RollingDirection::forward : RollingDirection::backward;
+}
 
 /// Effective rigid slip (18): x component along - y turn, y component across + x turn. Or a derivative of it.
 struct EffectiveSlip {
@@ -61,7 +64,7 @@ Real friction_coefficient(const FrictionLaw& law, const Drive<Real>& drive, doub
 }
 
 /// Sums over the contact: fx, fy, mz, or a derivative of them.
-struct Totals {
+struct RowSums {
   double fx = 0, fy = 0, mz = 0;
 
   /// Adds what a row's kernel has left, or its derivative number k - 1.
@@ -74,8 +77,8 @@ struct Totals {
   }
 };
 
-/// Totals from forces and areas; NaN and a status if input beyond all bounds has made them so.
-inline ContactForces forces_of(const Totals& totals, double slip_area, double area) {
+/// RowSums from forces and areas; NaN and a status if input beyond all bounds has made them so.
+inline ContactForces forces_of(const RowSums& totals, double slip_area, double area) {
   if (!std::isfinite(totals.fx + totals.fy + totals.mz)) return {nan, nan, nan, nan, nan, Status::invalid_input};
   slip_area = std::clamp(slip_area, 0.0, area);
   return {totals.fx, totals.fy, totals.mz, area - slip_area, slip_area, Status::ok};

@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// What a case file or a table of contacts can be solved by.
+/// What a contact can be solved by.
 enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip };
 
 /// The scheme of the simplified theory, but for FaStrip, which is a solver of its own; beside the exact theory

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "microslip/contact/solver_report.hpp"
+#include "microslip/contact/totals.hpp"
+
+#include <vector>
+
+namespace microslip {
+
+/// One of the steps of transient rolling.
+struct SolutionStep {
+  Creepage creepage; ///< as given, or as found where a force is prescribed
+  Totals totals;
+  SolverReport report;
+};
+
+/// What any solver finds for a contact; in transient rolling after the last step.
+struct ContactSolution {
+  ContactMotion motion = ContactMotion::steady;
+  Elements elements;
+  SurfaceFields fields;
+  Creepage creepage;              ///< as given, or as found where a force is prescribed
+  double approach = 0;            ///< relative approach of distant points [m]
+  double highest_temperature = 0; ///< of the surfaces in contact [deg C], with thermal bodies
+  Totals totals;
+  SolverReport report;
+  std::vector<SolutionStep> history; ///< transient rolling: the steps in their order
+
+  /// What a vehicle code asks for.
+  ContactForces forces() const {
+    return {totals.fx, totals.fy, totals.mz, totals.adhesion_area, totals.slip_area, report.status};
+  }
+};
+
+/// Without fields, all numbers NaN, with a status that is not ok and its reason.
+ContactSolution solution_without_result(Status status, std::string reason);
+
+} // namespace microslip

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+namespace microslip {
+
+// What counts may be at most. They catch slips of the hand before these fill the memory.
+
+inline constexpr int most_cells = 10000;      ///< along a row of the simplified theory, and rows
+inline constexpr int most_elements = 4000;    ///< across a contact of the exact theory: beyond it memory runs out
+inline constexpr int most_field_cells = 2000; ///< along either side of a grid whose fields are written to a file
+inline constexpr int most_steps = 1000000;    ///< of transient rolling
+inline constexpr int most_threads = 1024;     ///< of a batch
+inline constexpr std::size_t most_interior_points = 2000000; ///< inside the bodies: some 100 bytes of a file for each
+
+/// Elements on each side of the ellipse in the potential contact of the classical discretisation: the discrete contact
+/// may be a little larger than the ellipse.
+inline constexpr int contact_margin = 2;
+
+} // namespace microslip

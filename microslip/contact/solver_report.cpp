@@ -1,0 +1,38 @@
+#include "microslip/contact/solver_report.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace microslip {
+namespace {
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+std::string reason_of(const SolverReport& report) {
+  switch (report.status) {
+  case Status::ok:
+    return "";
+  case Status::invalid_input:
+    return "overflow or underflow in the computation: check units and magnitudes";
+  case Status::not_converged:
+    return "not converged: residual " + shortest(report.residual) + " after " + std::to_string(report.newton_steps) +
+           " Newton steps";
+  case Status::no_contact:
+    return "the bodies do not touch";
+  case Status::no_solution:
+    return "prescribed force exceeds mu Fn; the result shown is full sliding";
+  }
+  return "";
+}
+
+} // namespace
+
+void add_reason(SolverReport& report) {
+  if (report.reason.empty()) report.reason = reason_of(report);
+}
+
+} // namespace microslip

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "microslip/status.hpp"
+
+#include <string>
+
+namespace microslip {
+
+/// How a calculation went.
+struct SolverReport {
+  Status status = Status::ok;
+  std::string reason = {};      ///< why the status is not ok; empty if it is
+  double residual = 0;          ///< relative, of the equations of friction
+  int newton_steps = 0;         ///< of all problems that were solved
+  long products = 0;            ///< with the matrix of influence coefficients
+  int friction_iterations = 0;  ///< problems solved until friction agreed with the slip; 0 if it does not depend on it
+  double friction_residual = 0; ///< last relative change of the slip in these
+};
+
+/// Fills in the reason of a status that is not ok and has none yet.
+void add_reason(SolverReport& report);
+
+} // namespace microslip

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "microslip/contact/contact_solution.hpp"
+#include "microslip/exact/fitted/second_order_rolling.hpp"
+
+#include <span>
+
+namespace microslip {
+
+/// What is known of a contact besides its elements and what SecondOrderRolling has found on them.
+struct FittedLoad {
+  std::span<const double> bound; ///< g of the elements [Pa]
+  double normal_force = 0;       ///< [N]
+  double approach = 0;           ///< [m]
+  double rolling_speed = 1;      ///< [m/s]
+  RollingDirection direction = RollingDirection::forward;
+};
+
+/// The solution on the cells of the fitted contact's grid. SecondOrderRolling rolls along +x: for a contact that rolls
+/// along -x `fitted` and `found` are its mirror image in x, which is turned back here.
+ContactSolution contact_solution(const FittedContact& fitted, const SecondOrderSolution& found, const FittedLoad& load);
+
+} // namespace microslip

@@ -1,0 +1,158 @@
+#include "microslip/rolling/method.hpp"
+
+#include "microslip/error.hpp"
+
+namespace microslip {
+namespace {
+
+bool is_exact(const Method& m) {
+  return m.theory == Theory::exact;
+}
+bool is_fastrip(const Method& m) {
+  return m.theory == Theory::fastrip;
+}
+bool is_steady(const RollingProblem& p) {
+  return p.motion.kind == ContactMotion::steady;
+}
+bool is_coulomb(const RollingProblem& p) {
+  return p.friction.law.kind() == FrictionLaw::Kind::coulomb;
+}
+bool has_memory(const RollingProblem& p) {
+  return p.friction.memory.distance > 0 || p.friction.memory.slowest > 0;
+}
+bool has_slope_reduction(const Method& m) {
+  return m.slope_reduction.initial != 1 || m.slope_reduction.at_infinity != 1;
+}
+
+using Problem = const RollingProblem&;
+using How = const Method&;
+
+struct Rule {
+  std::string_view field, text;
+  bool (*is_broken)(Problem, How);
+};
+
+constexpr std::string_view needs_exact = "needs solution.theory = \"exact\"";
+
+/// What does not go together. Every door reads it from here, in this order.
+constexpr Rule rules[] = {
+    // Heat
+    {"friction.thermal_change",
+     "needs the thermal data of both bodies: bulk_temperature, conductivity, density, heat_capacity",
+     [](Problem p, How m) { return is_exact(m) && p.friction.temperature_effect && !p.thermal; }},
+    {"friction.thermal_change", "cannot be combined with a layer that yields",
+     [](Problem p, How m) { return is_exact(m) && p.friction.temperature_effect && p.bodies.layer.yields(); }},
+    {"motion.kind", "must be steady with thermal data of the bodies",
+     [](Problem p, How m) { return is_exact(m) && p.thermal && !is_steady(p); }},
+    // Exact theory
+    {"motion.kind", "must be steady with viscoelastic bodies",
+     [](Problem p, How m) { return is_exact(m) && !p.bodies.are_elastic() && !is_steady(p); }},
+    {"solution.discretisation",
+     "must be classical for bodies of different materials, viscoelastic ones, a layer, falling friction and "
+     "temperatures",
+     [](Problem p, How m) {
+       RollingProblem steady = p; // shifts and transient rolling are classical without being asked
+       steady.motion.kind = ContactMotion::steady;
+       return is_exact(m) && m.discretisation == Discretisation::second_order && needs_classical(steady);
+     }},
+    {"solution.elements", "bilinear ones need solution.discretisation = \"classical\"",
+     [](Problem p, How m) {
+       RollingProblem steady = p;
+       steady.motion.kind = ContactMotion::steady;
+       return is_exact(m) && m.elements == ElementShape::bilinear &&
+              discretisation_of(steady, m) != Discretisation::classical;
+     }},
+    {"solution.accuracy", "needs steady rolling without motion.step, of second order",
+     [](Problem p, How m) {
+       return is_exact(m) && m.accuracy &&
+              (!is_steady(p) || p.motion.step != 0 || discretisation_of(p, m) != Discretisation::second_order);
+     }},
+    {"solution.coupling", "alternating is for elastic bodies",
+     [](Problem p, How m) { return is_exact(m) && m.coupling == Coupling::alternating && !p.bodies.are_elastic(); }},
+    {"solution.accuracy", "needs an ellipse; a gap on a grid is solved on that grid",
+     [](Problem p, How m) { return is_exact(m) && m.accuracy && !is_hertzian(p); }},
+    // Simplified theory
+    {"friction.law", "must be coulomb with solution.theory = \"fastrip\"",
+     [](Problem p, How m) { return is_fastrip(m) && !is_coulomb(p); }},
+    {"solution.bound", "must be elliptic with solution.theory = \"fastrip\"",
+     [](Problem, How m) {
+       return is_fastrip(m) && m.bound.value_or(TractionBound::elliptic) != TractionBound::elliptic;
+     }},
+    {"solution.slope_reduction", "FaStrip has none, solution.theory = \"fastrip\"",
+     [](Problem, How m) { return is_fastrip(m) && has_slope_reduction(m); }},
+    {"solution.accuracy", needs_exact, [](Problem, How m) { return !is_exact(m) && m.accuracy.has_value(); }},
+    {"solution.discretisation", needs_exact,
+     [](Problem, How m) { return !is_exact(m) && m.discretisation.has_value(); }},
+    {"solution.elements", needs_exact, [](Problem, How m) { return !is_exact(m) && m.elements.has_value(); }},
+    {"solution.coupling", needs_exact, [](Problem, How m) { return !is_exact(m) && m.coupling.has_value(); }},
+    {"solution.slip_start", needs_exact, [](Problem, How m) { return !is_exact(m) && m.slip_start.has_value(); }},
+    {"motion.kind", needs_exact, [](Problem p, How m) { return !is_exact(m) && !is_steady(p); }},
+    {"motion.force_longitudinal", needs_exact,
+     [](Problem p, How m) { return !is_exact(m) && p.motion.force_x.has_value(); }},
+    {"motion.force_lateral", needs_exact,
+     [](Problem p, How m) { return !is_exact(m) && p.motion.force_y.has_value(); }},
+    {"motion.step", needs_exact, [](Problem p, How m) { return !is_exact(m) && p.motion.step != 0; }},
+    {"friction.memory_distance", needs_exact, [](Problem p, How m) { return !is_exact(m) && has_memory(p); }},
+    {"friction.thermal_change", needs_exact,
+     [](Problem p, How m) { return !is_exact(m) && p.friction.temperature_effect.has_value(); }},
+    {"case.layer", needs_exact, [](Problem p, How m) { return !is_exact(m) && p.bodies.layer.flexibility > 0; }},
+    {"body1.creep_ratio", needs_exact, [](Problem p, How m) { return !is_exact(m) && !p.bodies.are_elastic(); }},
+    {"body1.bulk_temperature", needs_exact, [](Problem p, How m) { return !is_exact(m) && p.thermal.has_value(); }},
+    {"solution.theory",
+     "must be exact for bodies of different materials: the simplified theory has no coupling of pressure and tractions",
+     [](Problem p, How m) { return !is_exact(m) && p.bodies.material.dissimilarity != 0; }},
+    {"solution.theory", "must be exact for a gap on a grid: the simplified theory needs an ellipse",
+     [](Problem p, How m) { return !is_exact(m) && !is_hertzian(p); }},
+};
+
+} // namespace
+
+bool needs_classical(const RollingProblem& p) {
+  return !is_steady(p) || !is_coulomb(p) || p.friction.temperature_effect || p.thermal || p.bodies.are_coupled() ||
+         !p.bodies.are_elastic() || p.bodies.layer.flexibility > 0;
+}
+
+Discretisation discretisation_of(const RollingProblem& problem, const Method& method) {
+  if (needs_classical(problem)) return Discretisation::classical;
+  return method.discretisation.value_or(Discretisation::second_order);
+}
+
+std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, const Method& method) {
+  std::vector<Incompatibility> found;
+  for (const Rule& rule : rules)
+    if (rule.is_broken(problem, method)) found.push_back({rule.field, rule.text});
+  return found;
+}
+
+void require_compatible(const RollingProblem& problem, const Method& method) {
+  const auto found = incompatibilities(problem, method);
+  if (!found.empty()) throw Error(found.front().message());
+}
+
+SimplifiedOptions simplified_options(const Method& method, RollingDirection direction) {
+  SimplifiedOptions options{.mx = method.mx, .my = method.my};
+  set_defaults(method.theory, options);
+  options.bound = method.bound.value_or(options.bound);
+  options.flexibility = method.flexibility.value_or(options.flexibility);
+  options.creepage_table = method.coefficients;
+  options.slope_reduction = method.slope_reduction;
+  options.direction = direction;
+  return options;
+}
+
+ExactOptions exact_options(const RollingProblem& problem, const Method& method) {
+  return {.mx = method.mx,
+          .my = method.my,
+          .discretisation = discretisation_of(problem, method),
+          .elements = method.elements.value_or(ElementShape::constant),
+          .direction = problem.motion.direction,
+          .tolerance = method.tolerance,
+          .bodies = problem.bodies,
+          .coupling = method.coupling.value_or(Coupling::newton),
+          .friction_memory = problem.friction.memory,
+          .slip_start = method.slip_start.value_or(SlipStart::below),
+          .thermal = problem.thermal,
+          .temperature_effect = problem.friction.temperature_effect};
+}
+
+} // namespace microslip

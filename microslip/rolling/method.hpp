@@ -1,0 +1,58 @@
+#pragma once
+
+#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/rolling_problem.hpp"
+#include "microslip/rolling/theory.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// How a problem is solved. What is not given takes the best value for the problem.
+struct Method {
+  Theory theory = Theory::exact;
+  int mx = 24; ///< cells or elements across an ellipse along x, 1 to 4,000; on a gap's grid not used
+  int my = 24; ///< and along y
+  // Of the exact theory:
+  std::optional<Discretisation> discretisation = {}; ///< none: second order where it is possible
+  std::optional<ElementShape> elements = {};         ///< none: constant
+  std::optional<double> accuracy = {};      ///< of the forces in mu Fn, in [1e-5, .1], on grids that this picks
+  double tolerance = 1e-6;                  ///< of the relative residual, in [1e-14, 1]
+  std::optional<Coupling> coupling = {};    ///< of the problems of dissimilar bodies; none: Newton's method
+  std::optional<SlipStart> slip_start = {}; ///< of friction that depends on the slip; none: below
+  // Of the simplified theory:
+  std::optional<TractionBound> bound = {};          ///< none: parabolic, elliptic for FaStrip
+  std::optional<FlexibilityModel> flexibility = {}; ///< none: three, blended for FaStrip
+  CreepageTable coefficients = CreepageTable::kalker;
+  SlopeReduction slope_reduction = {};
+};
+
+/// Something in a problem that its method, or another part of the problem, does not allow.
+struct Incompatibility {
+  std::string_view field; ///< where it is given, as in case files: "motion.kind"
+  std::string_view text;  ///< what is wrong and what would be right
+
+  /// "motion.kind: must be steady with viscoelastic bodies".
+  std::string message() const { return std::string(field) + ": " + std::string(text); }
+};
+
+/// All incompatibilities of a problem and a method, in the order of the table that every door reads: empty if the
+/// problem can be solved so.
+std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, const Method& method);
+
+/// Throws Error with the first of them.
+void require_compatible(const RollingProblem& problem, const Method& method);
+
+/// Whether the exact theory needs its classical discretisation: for shifts and transient rolling, dissimilar or
+/// viscoelastic bodies, layers, friction that depends on slip, temperatures.
+bool needs_classical(const RollingProblem& problem);
+
+/// What the method comes to for this problem.
+Discretisation discretisation_of(const RollingProblem& problem, const Method& method);
+SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);
+ExactOptions exact_options(const RollingProblem& problem, const Method& method);
+
+} // namespace microslip

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "microslip/contact/creepage.hpp"
+#include "microslip/contact/element_grid.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/exact/classical/slip_friction.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
+#include "microslip/friction/friction_law.hpp"
+#include "microslip/friction/temperature_effect.hpp"
+#include "microslip/thermal/surface_temperature.hpp"
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace microslip {
+
+/// The semi-axes of a Hertzian contact, along the rolling direction and across [m].
+struct Ellipse {
+  double a = 0, b = 0;
+};
+
+/// The undeformed distance of the bodies on a grid of elements: as a formula h(x, y) [m], or as values at the elements'
+/// centres.
+struct GapFormula {
+  ElementGrid grid;
+  std::function<double(double x, double y)> gap;
+};
+struct GapValues {
+  ElementGrid grid;
+  std::vector<double> gap; ///< h [m], in the order of Elements
+};
+
+/// The shape of the bodies about their contact: an ellipse that is known, or curvatures h = A x^2 + B y^2 from which
+/// Hertz's theory finds it, or any gap on a grid.
+using ContactGeometry = std::variant<Ellipse, GapCurvatures, GapFormula, GapValues>;
+
+/// What resists sliding.
+struct FrictionModel {
+  FrictionLaw law = {};
+  FrictionMemory memory = {};                               ///< of laws that depend on the slip
+  std::optional<TemperatureEffect> temperature_effect = {}; ///< needs the bodies' thermal data
+};
+
+/// How the bodies move over each other.
+struct Motion {
+  ContactMotion kind = ContactMotion::steady;
+  Creepage creepage = {};                           ///< for a shift the rigid shift [m] and rotation [rad]
+  std::optional<double> force_x = {}, force_y = {}; ///< prescribed on body 1 [N], in place of that creepage
+  double rolling_speed = 1;                         ///< V [m/s], > 0
+  RollingDirection direction = RollingDirection::forward;
+  double step = 0; ///< dq [m], the distance rolled in a step, >= 0; 0: the elements' length
+  int steps = 1;   ///< of transient rolling, from zero tractions on
+};
+
+/// Two bodies that roll or are shifted over each other: everything that is given, in SI units.
+struct RollingProblem {
+  ContactGeometry geometry = {};
+  Bodies bodies = {};   ///< combined material, with K; retarded parts; a layer between them
+  NormalLoad load = {}; ///< normal force or approach
+  FrictionModel friction = {};
+  Motion motion = {};
+  std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures
+};
+
+/// Whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
+bool is_hertzian(const RollingProblem& problem);
+
+/// The ellipse of a Hertzian problem, of elastic bodies without friction. Throws Error for a problem that is not
+/// Hertzian and for numbers out of range.
+HertzContact hertz_contact(const RollingProblem& problem);
+
+} // namespace microslip
