@@ -33,7 +33,9 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
   return result;
 }
 
-SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& contact) {
+/// Of similar bodies: beside the exact theory's result for dissimilar ones it is a comparison that says so.
+SimplifiedResult solve_simplified(const RollingCase& input, EllipticContact contact) {
+  contact.dissimilarity = 0;
   const auto& options = input.options;
   auto finer = options;
   finer.mx *= 2;

@@ -119,7 +119,7 @@ TEST(ProgramInterrupt, Validate) {
 TEST(ProgramInterrupt, Convert) {
   const TemporaryFolder folder;
   std::string text;
-  for (int k = 0; k < 20000; ++k) text += steady_rolling("100. 0.001 0 0");
+  for (int k = 0; k < 20000; ++k) text += contact_program::steady_rolling("100. 0.001 0 0");
   save(folder / "a.inp", text + " 0 MODULE\n");
   const auto has_begun = [&](pid_t) { return std::filesystem::exists(folder / "out/a.0003.toml"); };
   EXPECT_EQ(interrupt(folder, {"convert", "a.inp", "-o", "out"}, has_begun), 130);

@@ -537,7 +537,8 @@ TEST(Program, MarksWhatCannotBeComputed) {
   save(folder / "w.toml", text);
   const auto solve = run_program(folder, "solve w.toml -o out --no-pictures");
   EXPECT_EQ(solve.exit_code, 1);
-  EXPECT_EQ(solve.errors.rfind("microslip: warning: w.toml: overflow or underflow in the computation", 0), 0u);
+  EXPECT_NE(solve.errors.find("microslip: warning: w.toml: overflow or underflow in the computation"),
+            std::string::npos);
   EXPECT_NE(Hdf5Reader(folder / "out/result.h5").text("exact/status"), "ok");
 }
 
