@@ -101,9 +101,6 @@ constexpr Rule rules[] = {
      [](Problem p, How m) { return !is_exact(m) && !p.bodies.are_elastic(); }},
     {"body1.bulk_temperature, body2.bulk_temperature", needs_exact,
      [](Problem p, How m) { return !is_exact(m) && p.thermal.has_value(); }},
-    {"solution.theory",
-     "must be exact for bodies of different materials: the simplified theory has no coupling of pressure and tractions",
-     [](Problem p, How m) { return !is_exact(m) && p.bodies.material.dissimilarity != 0; }},
     {"solution.theory", "must be exact for a gap on a grid: the simplified theory needs an ellipse",
      [](Problem p, How m) { return !is_exact(m) && !is_hertzian(p); }},
 };
