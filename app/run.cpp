@@ -119,7 +119,7 @@ void print_totals(const Case& c, const Outcome& outcome) {
   counts.add("NADH", std::to_string(t.adhesion));
   counts.add("NSLIP", std::to_string(t.slip));
   counts.add("residual", fmt::format("{:.1e}", outcome.solution.tangential.residual));
-  if (outcome.solution.friction_rounds > 0)
+  if (outcome.solution.friction_iterations > 0)
     counts.add("friction", fmt::format("{:.1e}", outcome.solution.friction_residual));
   counts.add("status", std::string(to_string(outcome.solution.status)));
   counts.print();

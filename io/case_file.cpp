@@ -285,7 +285,7 @@ double rolling_velocity(const RollingCase& input) {
 } // namespace
 
 InteriorBody interior_body(const RollingCase& input, const BodyInput& body) {
-  return {body.material, delay_of(body.creep, rolling_velocity(input))};
+  return {body.material, retardation_of(body.creep, rolling_velocity(input))};
 }
 
 Bodies bodies_of(const RollingCase& input) {

@@ -28,7 +28,7 @@ inline Progress part(const Progress& whole, double from, double to) {
   return [&whole, from, to](double fraction) { return whole(from + (to - from) * fraction); };
 }
 
-/// The same of a part without which the rest is of no use: it ends with Stopped.
+/// The same of a part that the rest cannot do without: it ends with Stopped.
 inline Progress essential_part(const Progress& whole, double from, double to) {
   if (!whole) return {};
   return [&whole, from, to](double fraction) {

@@ -239,8 +239,8 @@ TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
   const RollingCase slow = parse_case(with("poisson_ratio = 0.28", creep) + exact, "w.toml");
   EXPECT_EQ(slow.body1.creep.ratio, 1.5);
   EXPECT_EQ(slow.discretisation, Discretisation::classical);
-  ASSERT_EQ(bodies_of(slow).delayed.size(), 1u);
-  EXPECT_DOUBLE_EQ(bodies_of(slow).delayed[0].delay.distance, 0.3);
+  ASSERT_EQ(bodies_of(slow).retarded.size(), 1u);
+  EXPECT_DOUBLE_EQ(bodies_of(slow).retarded[0].retardation.distance, 0.3);
   EXPECT_NE(
       message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
       std::string::npos);

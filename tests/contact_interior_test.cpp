@@ -87,7 +87,7 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     const Creep creeps[] = {{2, 1e-5}, {0.5, 3e-5}};
     for (std::size_t k = 0; k < 2; ++k) {
       const InteriorField field(steel, k == 0 ? Body::second : Body::first, o.step.grid, tractions,
-                                delay_of(creeps[k], velocity));
+                                retardation_of(creeps[k], velocity));
       const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3}), found = o.interior.at(0).states.at(k);
       EXPECT_DOUBLE_EQ(found.ux, expected.ux);
       EXPECT_DOUBLE_EQ(found.uz, expected.uz);

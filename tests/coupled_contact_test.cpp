@@ -269,9 +269,9 @@ TEST(ViscoelasticContact, IsElasticForSlowAndForQuickLoads) {
 
 TEST(ViscoelasticContact, TwoEqualBodiesAreTheSumOfTheirParts) {
   Bodies together = viscoelastic(soft, {1, 1e-3}, soft, {1, 1e-3}, 1);
-  ASSERT_EQ(together.delayed.size(), 1u);
+  ASSERT_EQ(together.retarded.size(), 1u);
   Bodies apart = viscoelastic(soft, {1, 1e-3}, soft, {1, 1.0000001e-3}, 1);
-  ASSERT_EQ(apart.delayed.size(), 2u);
+  ASSERT_EQ(apart.retarded.size(), 2u);
   EXPECT_TRUE(apart.are_coupled());
   expect_equal(roll(apart), roll(together), 1e-5);
 }

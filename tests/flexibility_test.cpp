@@ -36,7 +36,7 @@ EllipticContact some_contact(const Creepage& over_saturating) {
   return contact;
 }
 
-/// (17).
+/// (F17).
 TEST(Flexibility, ThreeFollowTheCreepageCoefficients) {
   RandomContacts random(1);
   for (int k = 0; k < 100; ++k) {
@@ -50,7 +50,7 @@ TEST(Flexibility, ThreeFollowTheCreepageCoefficients) {
   }
 }
 
-/// (19).
+/// (F19).
 TEST(Flexibility, OneIsTheWeightedMean) {
   RandomContacts random(2);
   for (int k = 0; k < 100; ++k) {

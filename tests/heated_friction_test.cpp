@@ -108,7 +108,7 @@ TEST(HeatedFriction, GoesWithTheTemperatureThatItMakes) {
         step.motion.direction = direction;
         const ContactStepSolution s = ContactSequence().solve(step);
         expect_consistent(step, s, 2e-5);
-        EXPECT_GT(s.friction_rounds, 1);
+        EXPECT_GT(s.friction_iterations, 1);
         const auto temperature = temperatures_of(step, s);
         EXPECT_TRUE(creepage < 1e-3 || temperature->highest > effect.begin + 1);
       }

@@ -206,15 +206,15 @@ TEST(InteriorField, BilinearElements) {
 
 /// The elastic displacements at a point, and the integral of those of its past by the midpoint rule in t = 1 -
 /// exp(-q/l).
-InteriorState by_brute_force(const InteriorField& elastic, const InteriorPoint& p, const Delay& delay) {
+InteriorState by_brute_force(const InteriorField& elastic, const InteriorPoint& p, const Retardation& retardation) {
   constexpr int n = 20000;
   InteriorState sum = elastic.at(p);
   for (int k = 0; k < n; ++k) {
-    const double q = -std::abs(delay.distance) * std::log(1 - (k + 0.5) / n);
-    const InteriorState past = elastic.at({p.x + std::copysign(q, delay.distance), p.y, p.depth});
-    sum.ux += delay.ratio / n * past.ux;
-    sum.uy += delay.ratio / n * past.uy;
-    sum.uz += delay.ratio / n * past.uz;
+    const double q = -std::abs(retardation.distance) * std::log(1 - (k + 0.5) / n);
+    const InteriorState past = elastic.at({p.x + std::copysign(q, retardation.distance), p.y, p.depth});
+    sum.ux += retardation.ratio / n * past.ux;
+    sum.uy += retardation.ratio / n * past.uy;
+    sum.uz += retardation.ratio / n * past.uz;
   }
   return sum;
 }
@@ -225,11 +225,12 @@ TEST(InteriorField, LateDisplacementsAreTheIntegralOverThePast) {
   for (const Body body : {Body::first, Body::second})
     for (const double distance : {2e-4, 3e-3, -5e-4})
       for (const InteriorPoint& p : {InteriorPoint{-1.1e-3, 2.13e-3, 0}, {-8e-4, 2e-3, 1e-4}, {1e-3, 2.4e-3, 7e-4}}) {
-        const Delay delay = {1.6, distance};
+        const Retardation retardation = {1.6, distance};
         const InteriorField elastic(steel, body, grid, load.tractions());
-        const InteriorField late(steel, body, grid, load.tractions(), delay);
-        EXPECT_LT(difference(nine(late.at(p)), nine(by_brute_force(elastic, p, delay)), 1e6 * grid.dx / 82e9, 1e6),
-                  2e-4);
+        const InteriorField late(steel, body, grid, load.tractions(), retardation);
+        EXPECT_LT(
+            difference(nine(late.at(p)), nine(by_brute_force(elastic, p, retardation)), 1e6 * grid.dx / 82e9, 1e6),
+            2e-4);
       }
 }
 
@@ -239,16 +240,16 @@ TEST(InteriorField, LateDisplacementsHaveElasticLimits) {
   const Load load = random_load(grid, 9);
   const InteriorPoint p = {-5e-4, 2.1e-3, 3e-4};
   const InteriorState elastic = InteriorField(steel, Body::first, grid, load.tractions()).at(p);
-  const auto late = [&](const Delay& delay) {
-    return InteriorField(steel, Body::first, grid, load.tractions(), delay).at(p);
+  const auto late = [&](const Retardation& retardation) {
+    return InteriorField(steel, Body::first, grid, load.tractions(), retardation).at(p);
   };
   const double unit = std::abs(elastic.ux) + std::abs(elastic.uy) + std::abs(elastic.uz);
-  for (const auto& [delay, factor] : {std::pair<Delay, double>{{0.8, 0}, 1.8},
-                                      {{0.8, 1e-9}, 1.8},
-                                      {{0.8, -1e-9}, 1.8},
-                                      {{0.8, 1e4}, 1},
-                                      {{0, 1}, 1}}) {
-    const InteriorState s = late(delay);
+  for (const auto& [retardation, factor] : {std::pair<Retardation, double>{{0.8, 0}, 1.8},
+                                            {{0.8, 1e-9}, 1.8},
+                                            {{0.8, -1e-9}, 1.8},
+                                            {{0.8, 1e4}, 1},
+                                            {{0, 1}, 1}}) {
+    const InteriorState s = late(retardation);
     EXPECT_NEAR(s.ux, factor * elastic.ux, 2e-5 * unit);
     EXPECT_NEAR(s.uy, factor * elastic.uy, 2e-5 * unit);
     EXPECT_NEAR(s.uz, factor * elastic.uz, 2e-5 * unit);
@@ -290,7 +291,7 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
         CoupledOperator::displacement(bodies, grid)
             .apply({load.px, load.py, load.pn}, std::array{std::span(ux), std::span(uy), std::span(uz)});
         const auto of = [&](const Material& material, Body body, const Creep& creep) {
-          return InteriorLayers(InteriorField(material, body, grid, load.tractions(), delay_of(creep, velocity)))
+          return InteriorLayers(InteriorField(material, body, grid, load.tractions(), retardation_of(creep, velocity)))
               .at_depth(0);
         };
         const auto one = of(steel, Body::first, slow), two = of(brass, Body::second, creep2);

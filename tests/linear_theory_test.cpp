@@ -95,7 +95,7 @@ TEST(LinearTheory, IsTheLimitOfVanishingCreepages) {
       }
 }
 
-/// The flexibility (19) is the mean for each mixture: linear theory with three equal flexibilities.
+/// The flexibility (F19) is the mean for each mixture: linear theory with three equal flexibilities.
 TEST(LinearTheory, HoldsForEveryFlexibilityModel) {
   for (const auto model : all_flexibility_models) {
     Fastsim2 solver({.mx = 200, .my = 200, .flexibility = model});
@@ -150,7 +150,7 @@ TEST(LinearTheory, IsTheJacobianAtRest) {
   }
 }
 
-/// The mean flexibility (19) depends on the direction in which the creepages leave rest; any value will do there.
+/// The mean flexibility (F19) depends on the direction in which the creepages leave rest; any value will do there.
 TEST(LinearTheory, JacobianAtRestIsFiniteWithOneFlexibility) {
   EllipticContact contact = test_cases()[0];
   for (const auto scheme : all_schemes) {

@@ -17,7 +17,7 @@ struct Forces {
   double fx = 0, fy = 0, mz = 0, slip_area = 0;
 };
 
-/// One row of an ellipse with Coulomb friction and flexibility 1 (18).
+/// One row of an ellipse with Coulomb friction and flexibility 1 (F18).
 struct Row {
   double leading, cell, travel; // x of the leading edge, cell length, -1 or +1
   double wx, wy, turn;          // w = (wx, wy + turn x)
@@ -37,7 +37,7 @@ struct RowSum {
   double px = 0, py = 0, moment = 0, slip = 0; // moment: of position * py
 };
 
-/// (16) with a full or a half first step.
+/// (F16) with a full or a half first step.
 inline RowSum march_fastsim(const Row& row, int mx, bool half_first_step) {
   RowSum sum;
   double px = 0, py = 0;
@@ -64,12 +64,12 @@ inline RowSum march_fastsim(const Row& row, int mx, bool half_first_step) {
   return sum;
 }
 
-/// (35)-(40).
+/// (F35)-(F40).
 inline RowSum march_fastsim2(const Row& row, int mx) {
   RowSum sum;
   double px = 0, py = 0, sx = 0, sy = 0, start = 0;
   bool sliding = false;
-  if (row.parabolic) { // slip at the leading edge (40)
+  if (row.parabolic) { // slip at the leading edge (F40)
     const double slope = 2 * row.bound_peak / row.half, wx = row.wx, wy = row.rigid_y(0), w = std::hypot(wx, wy);
     if (w > slope) {
       sliding = true;
@@ -84,11 +84,11 @@ inline RowSum march_fastsim2(const Row& row, int mx) {
     const double g = row.bound(end), size = std::sqrt(ax * ax + ay * ay);
     if (size > g) {
       double nx = ax / size, ny = ay / size;
-      if (sliding) { // (38)
+      if (sliding) { // (F38)
         sx = 2 * (g - size) / length * nx;
         sy = 2 * (g - size) / length * ny;
         sum.slip += length;
-      } else { // (39), from the parabola through three values of |p| - g
+      } else { // (F39), from the parabola through three values of |p| - g
         const double mx2 = px - length / 2 * row.wx, my2 = py - length / 2 * row.rigid_y(start + length / 4);
         const double f0 = std::min(0.0, std::hypot(px, py) - row.bound(start));
         const double fm = std::hypot(mx2, my2) - row.bound(start + length / 2), f1 = size - g;
@@ -115,7 +115,7 @@ inline RowSum march_fastsim2(const Row& row, int mx) {
     } else {
       px = ax;
       py = ay;
-      if (sliding) { // (36)
+      if (sliding) { // (F36)
         const double nx = size > 0 ? ax / size : 0, ny = size > 0 ? ay / size : 0;
         const double tx = 2 * (g - size) / length * nx, ty = 2 * (g - size) / length * ny;
         const bool along_x = std::abs(sx) >= std::abs(sy);

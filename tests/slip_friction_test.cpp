@@ -96,7 +96,7 @@ TEST(SlipFriction, TractionsGoWithTheSlip) {
     const ContactStep step = cylinder(creepage, falling);
     const ContactStepSolution s = ContactSequence().solve(step);
     expect_consistent(step, s);
-    EXPECT_GT(s.friction_rounds, 1);
+    EXPECT_GT(s.friction_iterations, 1);
     const double force = -s.tangential.forces.fx / (0.3 * s.normal_force);
     EXPECT_TRUE(creepage <= 3e-3 || force < last) << force; // falls once all slides
     last = force;
@@ -108,7 +108,7 @@ TEST(SlipFriction, ThatIsConstantIsCoulombs) {
   const FrictionLaw flat = FrictionLaw::linear(0.3, {.drop = 1e-13, .half_velocity = 1});
   const auto falling = ContactSequence().solve(cylinder(1e-3, flat));
   const auto coulomb = ContactSequence().solve(cylinder(1e-3, FrictionLaw::coulomb(0.3)));
-  EXPECT_EQ(coulomb.friction_rounds, 0);
+  EXPECT_EQ(coulomb.friction_iterations, 0);
   EXPECT_NEAR(falling.tangential.forces.fx, coulomb.tangential.forces.fx, 1e-6 * coulomb.normal_force);
 }
 

@@ -64,7 +64,7 @@ InteriorBody body_of(const Case& c, std::size_t body) {
   const MaterialData& m = *c.material;
   const Material material = {(body == 0 ? m.shear1 : m.shear2) * newton_per_mm2, body == 0 ? m.poisson1 : m.poisson2};
   if (c.digits.mater != Bulk::viscoelastic) return material;
-  return {material, delay_of(creep_of(c, body), rolling_velocity(c))};
+  return {material, retardation_of(creep_of(c, body), rolling_velocity(c))};
 }
 
 std::string row(const std::vector<double>& values) {

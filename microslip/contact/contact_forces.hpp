@@ -16,7 +16,7 @@ struct ContactForces {
 };
 
 /// Forces and their derivatives. Row k of `jacobian` belongs to fx, fy, mz; columns to xi [-], eta [-], phi [1/m], Fn
-/// [N]. The derivative to Fn keeps the ellipse as it is.
+/// [N]. The derivative with respect to Fn keeps the ellipse as it is.
 struct ContactDerivatives {
   ContactForces forces;
   double jacobian[3][4] = {};

@@ -14,8 +14,8 @@ namespace microslip {
 /// simplified theory divide each row evenly along its own length (F12), and the leading ones of the exact theory at
 /// second order are fitted to the contact's edge.
 struct Elements {
-  /// The regular grid that they belong to: its rows are theirs, its columns are theirs but for the elements that are
-  /// fitted to an edge. For the rows of the simplified theory the grid that covers all of them.
+  /// The regular grid that they belong to: its rows are theirs, its columns are theirs except for the elements
+  /// that are fitted to an edge. For the rows of the simplified theory the grid that covers all of them.
   ElementGrid grid;
   std::vector<double> x, y;  ///< centres [m]
   std::vector<double> width; ///< lengths along x [m]

@@ -20,7 +20,7 @@ struct EllipticContact {
   Creepage creepage;
   /// V [m/s], > 0; matters for friction laws other than Coulomb's and for the frictional power.
   double rolling_speed = 1;
-  /// Combined K [-], which couples pressure and tractions of bodies of different materials (dissimilar materials), in
+  /// Combined K [-], which couples pressure and tractions of dissimilar materials, in
   /// [-0.5, 0.5]. The simplified theory has no such coupling and refuses it.
   double dissimilarity = 0;
 };

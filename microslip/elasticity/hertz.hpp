@@ -28,7 +28,7 @@ struct HertzContact {
   double a;             ///< semi-axis along x, the rolling direction [m]
   double b;             ///< semi-axis along y [m]
   double normal_force;  ///< Fn [N]
-  double approach;      ///< delta [m], by which distant points come nearer
+  double approach;      ///< delta [m], relative approach of distant points
   double peak_pressure; ///< p0 = 3 Fn/(2 pi a b) [Pa]
   double stiffness;     ///< dFn/d(approach) = 3 Fn/(2 delta) [N/m]
   GapCurvatures gap;    ///< [1/m]

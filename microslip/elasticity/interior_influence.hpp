@@ -37,7 +37,7 @@ InteriorInfluence interior_influence(const Material& material, Body body, double
                                      double depth);
 
 /// The same for a strip of width dx, endless in y: plane strain for x and z, anti-plane shear for y. Its displacements
-/// along the traction are known but for a constant; as in line_influence it is 0 at the surface at the distance `far`
+/// along the traction are known up to a constant; as in line_influence it is 0 at the surface at the distance `far`
 /// [m].
 InteriorInfluence line_interior_influence(const Material& material, Body body, double dx, double x, double depth,
                                           double far);

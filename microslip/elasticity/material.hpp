@@ -11,7 +11,7 @@ struct Material {
   static Material from_young(double young_modulus, double poisson_ratio);
 };
 
-/// The constants of two bodies in contact, as half-space theory needs them (Kalker 1990, section 1.6):
+/// The constants of two bodies in contact, as half-space theory needs them (Kalker 1990, section 1.6; (E4)):
 /// 1/G = (1/G1 + 1/G2)/2, nu/G = (nu1/G1 + nu2/G2)/2, K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4.
 struct CombinedMaterial {
   double shear_modulus; ///< G [Pa]

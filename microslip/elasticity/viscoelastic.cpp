@@ -17,7 +17,7 @@ bool is_coupled(const CombinedMaterial& m) {
 }
 
 /// `name` is the creep's in messages.
-Delay delay_of(const std::string& name, const Creep& creep, double speed) {
+Retardation retardation_of(const std::string& name, const Creep& creep, double speed) {
   require_between(name + ".ratio", creep.ratio, "-", 0, 1e6);
   require_between(name + ".time", creep.time, "s", 0, std::numeric_limits<double>::max());
   require_finite("speed", speed, "m/s");
@@ -29,25 +29,25 @@ Delay delay_of(const std::string& name, const Creep& creep, double speed) {
 
 bool Bodies::are_coupled() const {
   return is_coupled(material) ||
-         std::any_of(delayed.begin(), delayed.end(), [](const DelayedPart& d) { return is_coupled(d.material); });
+         std::any_of(retarded.begin(), retarded.end(), [](const RetardedPart& d) { return is_coupled(d.material); });
 }
 
-Delay delay_of(const Creep& creep, double speed) {
-  return delay_of("creep", creep, speed);
+Retardation retardation_of(const Creep& creep, double speed) {
+  return retardation_of("creep", creep, speed);
 }
 
 Bodies viscoelastic(const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
                     double speed) {
-  const Delay delay1 = delay_of("creep1", creep1, speed), delay2 = delay_of("creep2", creep2, speed);
+  const Retardation delay1 = retardation_of("creep1", creep1, speed), delay2 = retardation_of("creep2", creep2, speed);
   Bodies bodies = combine(body1, body2);
   if (creep1.ratio == creep2.ratio && creep1.time == creep2.time) {
-    if (creep1.ratio > 0) bodies.delayed.push_back({bodies.material, delay1});
+    if (creep1.ratio > 0) bodies.retarded.push_back({bodies.material, delay1});
     return bodies;
   }
   // A body's own deformation is that of its contact with a rigid one.
   const Material rigid = {std::numeric_limits<double>::infinity(), 0};
-  if (creep1.ratio > 0) bodies.delayed.push_back({combine(body1, rigid), delay1});
-  if (creep2.ratio > 0) bodies.delayed.push_back({combine(rigid, body2), delay2});
+  if (creep1.ratio > 0) bodies.retarded.push_back({combine(body1, rigid), delay1});
+  if (creep2.ratio > 0) bodies.retarded.push_back({combine(rigid, body2), delay2});
   return bodies;
 }
 

@@ -2,7 +2,8 @@
 
 namespace microslip {
 
-/// What the temperature T of the surfaces adds to a coefficient of friction: change min(1, max(0, (T - begin)/range)).
+/// What the temperature T of the surfaces adds to a coefficient of friction: change min(1, max(0, (T - begin)/range))
+/// (T4).
 /// With a negative change heat makes the surfaces slippery (Ertz & Knothe 2002 measure and use such laws).
 struct TemperatureEffect {
   double change = 0; ///< [-]

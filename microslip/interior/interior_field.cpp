@@ -3,8 +3,8 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/elasticity/bilinear_interior_influence.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/halfspace/delayed_influence.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/halfspace/retarded_influence.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,14 +78,14 @@ ElementGrid with_margin(const InteriorField& field, int margin) {
     grid.y0 -= margin * grid.dy;
   }
   const auto points = static_cast<double>(grid.count());
-  const double bytes = field.has_delay() ? memory_for_late_point : memory_for_point;
+  const double bytes = field.has_retardation() ? memory_for_late_point : memory_for_point;
   if (points * bytes > physical_memory())
     throw Error("points of a plane", points, "-",
                 "no more than this machine has memory for, " + std::to_string(std::lround(bytes)) + " bytes each");
   return grid;
 }
 
-/// Values of a grid in the midst of a larger one.
+/// Values of a grid in the middle of a larger one.
 std::vector<double> embedded(const std::vector<double>& values, const ElementGrid& inner, const ElementGrid& outer) {
   const int columns = (outer.mx - inner.mx) / 2, rows = (outer.my - inner.my) / 2;
   std::vector<double> out(outer.count());
@@ -102,8 +102,8 @@ bool any(const std::vector<double>& values) {
 } // namespace
 
 InteriorField::InteriorField(const Material& material, Body body, const ElementGrid& grid,
-                             const SurfaceTractions& tractions, const Delay& delay)
-    : material_(material), delay_(delay), body_(body), grid_(grid) {
+                             const SurfaceTractions& tractions, const Retardation& retardation)
+    : material_(material), delay_(retardation), body_(body), grid_(grid) {
   check(grid);
   if (!(material.shear_modulus > 0))
     throw Error("shear_modulus", material.shear_modulus, "Pa", "positive, or infinite for a rigid body");
@@ -111,8 +111,8 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
   px_ = copy_of("px", tractions.px, grid.count());
   py_ = copy_of("py", tractions.py, grid.count());
   pn_ = copy_of("pn", tractions.pn, grid.count());
-  require_between("delay.ratio", delay.ratio, "-", 0, 1e6);
-  require_finite("delay.distance", delay.distance, "m");
+  require_between("retardation.ratio", retardation.ratio, "-", 0, 1e6);
+  require_finite("retardation.distance", retardation.distance, "m");
   for (int j = 0; j < grid.my; ++j) {
     const std::size_t begin = loaded_.size();
     for (int i = 0; i < grid.mx; ++i) {
@@ -121,13 +121,13 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
     }
     if (loaded_.size() > begin) loaded_rows_.push_back({begin, loaded_.size()});
   }
-  if (!grid.line || !has_delay()) return;
+  if (!grid.line || !has_retardation()) return;
   // As in the contact problem: on the average 0 where the elastic displacements are.
   const double far = grid.mx * grid.dx;
-  const InteriorInfluence behind = late_influence(-far, 1, 0, 0)[0], ahead = late_influence(far, 1, 0, 0)[0];
-  late_far_away_.px.ux = (behind.px.ux + ahead.px.ux) / 2;
-  late_far_away_.py.uy = (behind.py.uy + ahead.py.uy) / 2;
-  late_far_away_.pn.uz = (behind.pn.uz + ahead.pn.uz) / 2;
+  const InteriorInfluence behind = retarded_influence(-far, 1, 0, 0)[0], ahead = retarded_influence(far, 1, 0, 0)[0];
+  retarded_far_away_.px.ux = (behind.px.ux + ahead.px.ux) / 2;
+  retarded_far_away_.py.uy = (behind.py.uy + ahead.py.uy) / 2;
+  retarded_far_away_.pn.uz = (behind.pn.uz + ahead.pn.uz) / 2;
 }
 
 InteriorInfluence InteriorField::influence(double x, double y, double depth) const {
@@ -139,13 +139,14 @@ InteriorInfluence InteriorField::influence(double x, double y, double depth) con
   return interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
 }
 
-std::vector<InteriorInfluence> InteriorField::late_influence(double x_first, int count, double y, double depth) const {
-  std::vector<InteriorInfluence> row = delayed_row<InteriorInfluence>(
+std::vector<InteriorInfluence> InteriorField::retarded_influence(double x_first, int count, double y,
+                                                                 double depth) const {
+  std::vector<InteriorInfluence> row = retarded_row<InteriorInfluence>(
       delay_, [&](double x) { return influence(x, y, depth); }, grid_.dx, x_first, count);
   for (InteriorInfluence& a : row) {
-    a.px.ux -= late_far_away_.px.ux;
-    a.py.uy -= late_far_away_.py.uy;
-    a.pn.uz -= late_far_away_.pn.uz;
+    a.px.ux -= retarded_far_away_.px.ux;
+    a.py.uy -= retarded_far_away_.py.uy;
+    a.pn.uz -= retarded_far_away_.pn.uz;
   }
   return row;
 }
@@ -154,9 +155,10 @@ std::vector<InteriorInfluence> InteriorField::late_influence(double x_first, int
 void InteriorField::add_late(const InteriorPoint& point, InteriorState& sum) const {
   for (const auto& [begin, end] : loaded_rows_) {
     const int first = loaded_[begin].i, last = loaded_[end - 1].i, row = loaded_[begin].j;
-    const auto late = late_influence(point.x - grid_.x(last), last - first + 1, point.y - grid_.y(row), point.depth);
+    const auto retarded =
+        retarded_influence(point.x - grid_.x(last), last - first + 1, point.y - grid_.y(row), point.depth);
     for (std::size_t k = begin; k < end; ++k) {
-      const InteriorInfluence& a = late[static_cast<std::size_t>(last - loaded_[k].i)];
+      const InteriorInfluence& a = retarded[static_cast<std::size_t>(last - loaded_[k].i)];
       add(sum, loaded_[k].px, a.px);
       add(sum, loaded_[k].py, a.py);
       add(sum, loaded_[k].pn, a.pn);
@@ -175,7 +177,7 @@ InteriorState InteriorField::at(const InteriorPoint& point) const {
     if (e.py != 0) add(sum, e.py, a.py);
     if (e.pn != 0) add(sum, e.pn, a.pn);
   }
-  if (has_delay()) add_late(point, sum);
+  if (has_retardation()) add_late(point, sum);
   return sum;
 }
 
@@ -209,15 +211,15 @@ InteriorLayers::Influences InteriorLayers::influences(double depth) const {
   const int width = 2 * grid_.mx - 1;
   Influences found;
   found.quadrant.resize(grid_.count());
-  if (field_.has_delay()) found.late.resize(static_cast<std::size_t>(width) * grid_.my);
-#pragma omp parallel for schedule(dynamic) if (grid_.count() > 1000 || field_.has_delay())
+  if (field_.has_retardation()) found.retarded.resize(static_cast<std::size_t>(width) * grid_.my);
+#pragma omp parallel for schedule(dynamic) if (grid_.count() > 1000 || field_.has_retardation())
   for (int j = 0; j < grid_.my; ++j) {
     const double y = j * grid_.dy;
     for (int i = 0; i < grid_.mx; ++i)
       found.quadrant[static_cast<std::size_t>(j) * grid_.mx + i] = field_.influence(i * grid_.dx, y, depth);
-    if (!field_.has_delay()) continue;
-    const auto row = field_.late_influence((1 - grid_.mx) * grid_.dx, width, y, depth);
-    std::copy(row.begin(), row.end(), found.late.begin() + std::ptrdiff_t(j) * width);
+    if (!field_.has_retardation()) continue;
+    const auto row = field_.retarded_influence((1 - grid_.mx) * grid_.dx, width, y, depth);
+    std::copy(row.begin(), row.end(), found.retarded.begin() + std::ptrdiff_t(j) * width);
   }
   return found;
 }
@@ -237,8 +239,8 @@ std::vector<double> InteriorLayers::kernel(int load, int component, const Influe
       row[grid_.mx - 1 - i] = odd_x ? -here : here;
       row[grid_.mx - 1 + i] = here;
     }
-    if (influences.late.empty()) continue;
-    for (int i = 0; i < width; ++i) row[i] += value(influences.late[from * width + i]);
+    if (influences.retarded.empty()) continue;
+    for (int i = 0; i < width; ++i) row[i] += value(influences.retarded[from * width + i]);
   }
   return table;
 }

@@ -29,7 +29,7 @@ struct InteriorPoint {
 /// docs/theory-interior.md, section 6. Bilinear elements have no steps; their sums have the errors of
 /// bilinear_interior_influence.
 ///
-/// Of a body in steady rolling whose deformation comes late (Delay), displacements are those of this deformation. Its
+/// Of a body in steady rolling with a retarded part (Retardation), displacements are those of this part (I11). Its
 /// stresses are the elastic ones: they depend on the tractions and on Poisson's ratio, which does not change with time.
 /// Const calls may be made from several threads.
 class InteriorField {
@@ -37,19 +37,19 @@ public:
   /// Copies the tractions. Throws Error for a material or grid out of range, and for tractions whose number is not that
   /// of the elements or which are not finite.
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions,
-                const Delay& delay = {});
+                const Retardation& retardation = {});
 
   /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
-  /// the surface; with a delay some 100 times as much. Throws Error unless depth >= 0 and all is finite.
+  /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
   InteriorState at(const InteriorPoint& point) const;
   /// The same at many points, which OpenMP's threads share out.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points) const;
 
-  /// What an element does at an offset from it, at once.
+  /// Instantaneous influence of an element at an offset from it.
   InteriorInfluence influence(double x, double y, double depth) const;
-  /// The displacements that come late, at `count` offsets x_first, x_first + dx, ..., and no stresses.
-  std::vector<InteriorInfluence> late_influence(double x_first, int count, double y, double depth) const;
-  bool has_delay() const { return delay_.ratio > 0; }
+  /// The retarded displacements at `count` offsets x_first, x_first + dx, ..., and no stresses.
+  std::vector<InteriorInfluence> retarded_influence(double x_first, int count, double y, double depth) const;
+  bool has_retardation() const { return delay_.ratio > 0; }
 
   const ElementGrid& grid() const { return grid_; }
   /// Of all elements, index j mx + i.
@@ -70,13 +70,14 @@ private:
   void add_late(const InteriorPoint& point, InteriorState& sum) const;
 
   Material material_;
-  Delay delay_;
+  Retardation delay_;
   Body body_;
   ElementGrid grid_;
   std::vector<double> px_, py_, pn_;
   std::vector<LoadedElement> loaded_;
   std::vector<LoadedRow> loaded_rows_;
-  InteriorInfluence late_far_away_; ///< of a line contact: subtracted from late displacements along the tractions
+  InteriorInfluence
+      retarded_far_away_; ///< of a line contact: subtracted from retarded displacements along the tractions
 };
 
 /// The same at the centres of all elements in planes of constant depth, by fast transforms. It agrees with the sum to
@@ -84,7 +85,7 @@ private:
 ///
 /// Cost for a plane of N points: N influences (the rest follow by symmetry), 9 transforms of kernels for each of px,
 /// py, pn that is not zero, 9 back, each on a grid padded to 4N: 4 to 8 us a point, where the sum takes .3 us for every
-/// pair. With a delay 120 more influences for each. Memory: some 700 bytes for a point, 1200 with a delay.
+/// pair. With a retardation 120 more influences for each. Memory: some 700 bytes for a point, 1200 with a retardation.
 class InteriorLayers {
 public:
   /// Points at the elements' centres and, beyond the grid, `margin` more columns and rows on each side (rows not for a
@@ -100,9 +101,9 @@ public:
   std::vector<InteriorState> at_depth(double depth);
 
 private:
-  /// Influences at a depth: of offsets x, y >= 0, and late ones of all x and y >= 0.
+  /// Influences at a depth: of offsets x, y >= 0, and retarded ones of all x and y >= 0.
   struct Influences {
-    std::vector<InteriorInfluence> quadrant, late;
+    std::vector<InteriorInfluence> quadrant, retarded;
   };
 
   Influences influences(double depth) const;

@@ -29,7 +29,7 @@ class BodyStates {
 public:
   BodyStates(const InteriorBody& of, Body body, const ElementGrid& elements, const SurfaceTractions& tractions,
              const InteriorGrid& points)
-      : points_(points), field_(of.material, body, elements, tractions, of.delay),
+      : points_(points), field_(of.material, body, elements, tractions, of.retardation),
         columns_(centres(points.x, elements.x0, elements.dx, elements.mx)),
         rows_(centres(points.y, elements.y0, elements.dy, elements.my)) {
     if (columns_ && rows_ && points.x.size() * points.y.size() >= many) layers_.emplace(field_);

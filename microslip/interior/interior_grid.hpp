@@ -18,13 +18,14 @@ struct InteriorGrid {
   double z_of(std::size_t point) const { return z[point / x.size() / y.size()]; }
 };
 
-/// A body whose inside is asked for: elastic, or with a part of its deformation that comes late.
+/// A body whose interior field is wanted: elastic, or with a retarded part of its deformation.
 struct InteriorBody {
   InteriorBody(const Material& elastic) : material(elastic) {} // NOLINT(google-explicit-constructor)
-  InteriorBody(const Material& at_once, const Delay& late) : material(at_once), delay(late) {}
+  InteriorBody(const Material& instantaneous, const Retardation& retarded)
+      : material(instantaneous), retardation(retarded) {}
 
   Material material;
-  Delay delay = {};
+  Retardation retardation = {};
 };
 
 /// Displacements and stresses at the points of a grid, x fastest, then y, then z: by InteriorLayers where there are

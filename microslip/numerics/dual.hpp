@@ -6,8 +6,8 @@
 
 namespace microslip {
 
-/// A number with its derivatives to N variables (forward mode). `Value` is double or Lanes. Comparisons look at the
-/// value.
+/// A number with its derivatives with respect to N variables (forward mode). `Value` is double or Lanes. Comparisons
+/// look at the value.
 template <class Value, int N> struct Dual {
   Value value;
   Value partial[N];
@@ -59,7 +59,7 @@ template <class Value, int N> struct Dual {
     return combine(quotient, [&](int k) { return slope * b.partial[k]; });
   }
 
-  /// From the value and a function that gives the derivative to variable k.
+  /// From the value and a function that gives the derivative with respect to variable k.
   template <class Partial> MICROSLIP_INLINE static Dual combine(const Value& value, Partial partial) {
     Dual d;
     d.value = value;

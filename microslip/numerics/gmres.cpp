@@ -90,7 +90,7 @@ public:
   explicit Triangle(double right_side) : rhs_{right_side} {}
 
   /// Adds a column (its last entry is the new subdiagonal) and returns the new residual. A column that lies in the
-  /// span of those before, but for `rounding`, is left out: the matrix is singular and it gains nothing.
+  /// span of those before, up to `rounding`, is left out: the matrix is singular and it gains nothing.
   double add(Weights column, double rounding) {
     const std::size_t k = columns_.size();
     for (std::size_t i = 0; i < k; ++i) rotate(i, column);

@@ -5,7 +5,7 @@
 namespace microslip {
 
 /// Calls work(i, thread) for i = 0 .. count - 1, with `threads` of OpenMP's, thread = 0 .. threads - 1. One thread does
-/// it without OpenMP, whose barriers cost system calls even where there is nobody to wait for.
+/// it without OpenMP, whose barriers cost system calls even with a single thread.
 template <class Work> void share_out(int count, int threads, const Work& work) {
   if (threads == 1) {
     for (int i = 0; i < count; ++i) work(i, 0);

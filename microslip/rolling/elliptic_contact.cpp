@@ -132,7 +132,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
       state = s.tractions;
       s = tangential_->solve(bound, input);
     }
-  } catch (const Stopped&) { // in the midst of a step
+  } catch (const Stopped&) { // within a step
   }
   if (is_cut_short(history, motion.steps, s.forces.status)) s.forces.status = Status::not_converged;
   return s;
@@ -155,13 +155,13 @@ ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& co
   return out;
 }
 
-/// The potential contact is the ellipse and a margin; viscoelastic bodies under a slow load touch in a larger one.
+/// The potential contact is the ellipse and a margin; that of viscoelastic bodies grows with the relaxed modulus.
 ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact, const ExactMotion& motion) const {
   double softest = 1;
   const Bodies elastic(CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, contact.dissimilarity});
   ContactStep step;
   step.bodies = options_.bodies.value_or(elastic);
-  for (const DelayedPart& part : step.bodies.delayed) softest = std::max(softest, 1 + part.delay.ratio);
+  for (const RetardedPart& part : step.bodies.retarded) softest = std::max(softest, 1 + part.retardation.ratio);
   const double growth = std::cbrt(softest) - 1;
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
   step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, contact_margin + wider);

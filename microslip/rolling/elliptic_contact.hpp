@@ -29,7 +29,7 @@ struct ExactOptions {
   ElementShape elements = ElementShape::constant; ///< bilinear needs Discretisation::classical
   RollingDirection direction = RollingDirection::forward;
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
-  /// Bodies of different materials, viscoelastic ones, or with a layer between them, which are solved classically;
+  /// Dissimilar bodies, viscoelastic ones, or with a layer between them, which are solved classically;
   /// none: similar elastic bodies with the contact's constants. The ellipse is that of the elastic bodies without
   /// friction.
   std::optional<Bodies> bodies = {};
@@ -48,7 +48,7 @@ struct ExactOptions {
 /// [m] and rotation [rad].
 struct ExactMotion {
   ContactMotion kind = ContactMotion::steady;
-  std::optional<double> force_x = {}, force_y = {}; ///< [N] on body 1, in the place of the creepage in that direction
+  std::optional<double> force_x = {}, force_y = {}; ///< [N] on body 1, in place of the creepage in that direction
   double step = 0;                                  ///< dq [m], the way rolled in a step, >= 0; 0: the elements' length
   int steps = 1; ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
 };
@@ -78,13 +78,13 @@ public:
 
   /// Input out of range gives Status::invalid_input and NaN. `progress` is told of the steps of transient rolling, else
   /// of the Newton steps, and within them, and may end them: with status not_converged and the tractions so far, in
-  /// transient rolling those of the last whole step. Where there are none yet, and for bodies of different materials
+  /// transient rolling those of the last whole step. Where there are none yet, and for dissimilar bodies
   /// and friction that depends on the slip, with NaN.
   ContactSolution solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
-  /// adhesion to slip, and are right to 1e-5 of a column's size with the default tolerance.
+  /// adhesion to slip, and are accurate to 1e-5 of a column's size with the default tolerance.
   /// `progress` is told of the Newton steps and of the linear solves; false ends them, with status not_converged and
   /// NaN.
   ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});

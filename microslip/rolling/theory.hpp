@@ -7,7 +7,7 @@ namespace microslip {
 /// What a contact can be solved by.
 enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip };
 
-/// The scheme of the simplified theory, but for FaStrip, which is a solver of its own; beside the exact theory
+/// The scheme of the simplified theory, except FaStrip, which is a solver of its own; beside the exact theory
 /// FASTSIM2.
 inline MarchingScheme marching_scheme(Theory theory) {
   switch (theory) {

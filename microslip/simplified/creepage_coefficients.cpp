@@ -54,7 +54,7 @@ Scales scales_along(double g) {
 }
 
 /// One branch of the table, ready for use: the scaled inverse coefficients scale/C as cubic polynomials in g between
-/// the rows, for the three materials. Inverse, because over nu 1/C is what comes closest to a parabola.
+/// the rows, for the three materials. Inverse, because over nu 1/C is closest to a parabola.
 class Branch {
 public:
   Branch(const Table& table, Scales (*scales)(double)) : scales_(scales) {

@@ -11,7 +11,7 @@ struct CreepageCoefficients {
 /// Where the coefficients come from.
 enum class CreepageTable {
   kalker,   ///< Kalker 1990, table E.3: three digits at a/b = .1 to 10; nearly everybody's
-  computed, ///< our own, right to 1e-4 from a/b = .05 to 20
+  computed, ///< our own, accurate to 1e-4 from a/b = .05 to 20
 };
 
 /// The coefficients for semi-axes a (rolling direction) and b and Poisson's ratio nu in [0, 0.5]. At the entries of

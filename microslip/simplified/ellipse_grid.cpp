@@ -8,7 +8,7 @@ namespace microslip {
 
 EllipseGrid::EllipseGrid(int mx, int my, TractionBound shape) : bound_integral(0), area(0) {
   const bool parabolic = shape == TractionBound::parabolic;
-  const auto profile = [&](double position) { // (13), (11) along a row
+  const auto profile = [&](double position) { // (F13), (F11) along a row
     const double x = 1 - 2 * position / mx;
     return parabolic ? 1 - x * x : std::sqrt(1 - x * x);
   };

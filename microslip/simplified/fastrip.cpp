@@ -68,7 +68,7 @@ void set_totals(ContactSolution& solution, const EllipticContact& contact) {
 
 } // namespace
 
-/// Strip theory's solution for a row.
+/// Strip theory's solution for a row, (S19) to (S21).
 struct StripTheory::Strip {
   double slip_length;            ///< d, half the length of the sliding part [m]
   double kappa, lambda, lambda2; ///< shares of the two roots in px, py

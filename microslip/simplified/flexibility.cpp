@@ -15,14 +15,14 @@ template <class Real> Real square(const Real& x) {
   return x * x;
 }
 
-/// Three flexibilities (17).
+/// Three flexibilities (F17).
 Flexibilities of_linear_theory(const EllipticContact& contact, const CreepageCoefficients& c) {
   const double a = contact.a, g = contact.shear_modulus;
   return {8 * a / (3 * c.c11 * g), 8 * a / (3 * c.c22 * g),
           std::numbers::pi * a * sqrt(a / contact.b) / (4 * c.c23 * g)};
 }
 
-/// Weighted mean (19). Without creepage any value will do.
+/// Weighted mean (F19). Without creepage any value will do.
 template <class Real> Real mean_flexibility(const Flexibilities& l, const Drive<Real>& d, double c) {
   const Real spin = d.phi * c;
   const Real size2 = square(d.xi) + square(d.eta) + square(spin);
@@ -30,7 +30,7 @@ template <class Real> Real mean_flexibility(const Flexibilities& l, const Drive<
   return (abs(d.xi) * l.longitudinal + abs(d.eta) * l.lateral + abs(spin) * l.spin) / sqrt(size2);
 }
 
-/// The one flexibility of full sliding and how far to go towards it, 0 to 1.
+/// The one flexibility of full sliding and how far to go towards it, 0 to 1 (S5).
 template <class Real>
 BasicFlexibilities<Real> blend(const Flexibilities& l, const EllipticContact& contact, const CreepageCoefficients& k,
                                const Drive<Real>& d) {
@@ -54,7 +54,7 @@ BasicFlexibilities<Real> blend(const Flexibilities& l, const EllipticContact& co
   return {rest * l1 + weight * common, rest * l2 + weight * common, rest * l3 + weight * common};
 }
 
-/// The factor k of SlopeReduction.
+/// The factor k of SlopeReduction (S6).
 template <class Real>
 Real slope_factor(const SlopeReduction& reduction, const EllipticContact& contact, const CreepageCoefficients& k,
                   const Drive<Real>& d) {

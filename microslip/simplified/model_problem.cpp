@@ -40,8 +40,8 @@ Point sample(const ModelProblem& problem, double x) {
   return point;
 }
 
-/// u(0) = 0 is on the bound only where the bound is zero; there slip starts at once if |w| exceeds the bound's slope
-/// (F32).
+/// u(0) = 0 is on the bound only where the bound is zero; there slip starts immediately if |w| exceeds the bound's
+/// slope (F32).
 Front leading_edge(const ModelProblem& problem) {
   const Point edge = sample(problem, 0);
   const double slope = problem.bound_slope(0);

@@ -82,7 +82,7 @@ ModelSolution solve_backward_euler(const ModelProblem& problem, int mx);
 ModelSolution solve_theta_method(const ModelProblem& problem, int mx, double theta);
 
 /// The theta method with tracked boundaries between adhesion and slip (steps 3'', 4'' and (F34)). With theta = 1/2 a
-/// parabolic bound with linear w is solved exactly, but for rounding: of order eps in u, eps mx in s.
+/// parabolic bound with linear w is solved exactly, up to rounding: of order eps in u, eps mx in s.
 ///
 /// Beyond the paper: what is left of a step after a boundary is a step of its own, so that one step may cross several
 /// boundaries; a step that starts on a bound that rises faster than u is halved until the quadratic fit of step 4''(b)

@@ -12,7 +12,7 @@ struct PrescribedForces {
   std::optional<double> x = {}, y = {};
 };
 
-/// Creepages that go with prescribed forces.
+/// Creepages that belong to prescribed forces.
 struct FoundCreepage {
   Creepage creepage;
   /// What the forces miss, over the capacity [-]; for a force beyond it by how much.

@@ -42,7 +42,7 @@ bool is_coulomb(const FrictionLaw& law) {
   return law.kind() == FrictionLaw::Kind::coulomb;
 }
 
-/// Peak of the bound over mu Fn: (13) or (11) at the centre.
+/// Peak of the bound over mu Fn: (F13) or (F11) at the centre.
 double peak_factor(TractionBound shape, double a, double b) {
   return (shape == TractionBound::parabolic ? 2.0 : 1.5) / (std::numbers::pi * a * b);
 }

@@ -36,7 +36,8 @@ public:
   ContactForces solve(const EllipticContact& contact) noexcept;
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) noexcept;
 
-  /// Forces and their derivatives to the creepages and the load, by forward differentiation of the same code.
+  /// Forces and their derivatives with respect to the creepages and the load, by forward differentiation of the same
+  /// code.
   ContactDerivatives differentiate(const EllipticContact& contact) noexcept;
   void differentiate(std::span<const EllipticContact> contacts, std::span<ContactDerivatives> derivatives) noexcept;
 

@@ -55,8 +55,8 @@ public:
   double temperature2(int i) const { return temperature2_[i]; }
 
 private:
-  /// T2 - T1 at element i as the first interval of contact and all exchange behind it leave it: what is left of the
-  /// bulk temperatures' difference behind an interval is 1 - (2/pi) asin sqrt(its length over the way since its
+  /// T2 - T1 (T3) at element i as the first interval of contact and all exchange behind it leave it: what is left of
+  /// the bulk temperatures' difference behind an interval is 1 - (2/pi) asin sqrt(its length over the way since its
   /// beginning).
   double difference_at(int i) const {
     if (i < last_) return 0;

@@ -59,7 +59,7 @@ struct SurfaceTemperature {
 /// Surface temperatures in steady rolling (Ertz & Knothe 2002): heat flows into the depth only, both bodies pass at the
 /// rolling speed, they are in perfect thermal contact where they touch and insulated elsewhere. In contact
 /// T = (beta1 T1 + beta2 T2)/(beta1 + beta2) + 1/((beta1 + beta2) sqrt(pi V)) integral of q(x')/sqrt(x' - x) dx' over
-/// what lies ahead in the row; docs/theory-temperature.md. Right to first order in dx where q varies, for a Peclet
+/// what lies ahead in the row (T2). Accurate to first order in dx where q varies, for a Peclet
 /// number V a rho c/lambda well above 10.
 ///
 /// `pressure` tells the elements in contact (> 0), `heat` is the frictional heat of both bodies -V p.s [W/m^2], all of

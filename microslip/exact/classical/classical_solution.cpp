@@ -78,21 +78,21 @@ ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int ste
     step.start = StepStart::previous;
     try {
       while (remember() && static_cast<int>(history.size()) < steps) s = sequence.solve(step);
-    } catch (const Stopped&) { // in the midst of a step
+    } catch (const Stopped&) { // within a step
     }
     if (is_cut_short(history, steps, s.status)) s.status = Status::not_converged;
   }
   auto temperature = temperatures_of(step, s);
   ContactSolution out =
       contact_solution(step.grid, std::move(s.tangential), s.normal, 1, step.motion.motion, step.motion.rolling_speed);
-  if (s.friction_rounds > 0) out.fields.friction = std::move(s.friction);
+  if (s.friction_iterations > 0) out.fields.friction = std::move(s.friction);
   if (temperature) {
     out.fields.temperature1 = std::move(temperature->body1);
     out.fields.temperature2 = std::move(temperature->body2);
     out.highest_temperature = temperature->highest;
   }
   out.history = std::move(history);
-  out.report.friction_iterations = s.friction_rounds;
+  out.report.friction_iterations = s.friction_iterations;
   out.report.friction_residual = s.friction_residual;
   out.report.status = s.status;
   return out;

@@ -21,7 +21,7 @@ SolutionStep solution_step(const TangentialSolution& step);
 /// Whether transient rolling was ended before its last step, and nothing else was wrong.
 bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status);
 
-/// Progress of the step that follows those of `history`; it is of no use unless it is whole.
+/// Progress of the step that follows those of `history`; it counts only as a whole.
 Progress within_step(int steps, const std::vector<SolutionStep>& history, const Progress& progress);
 
 /// Solves a step of a sequence; in transient rolling `steps` of them, from zero tractions on, all under the same

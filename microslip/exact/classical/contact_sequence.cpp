@@ -14,7 +14,7 @@ using Field = std::vector<double>;
 
 /// Whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
 bool same_elasticity(const Bodies& a, const Bodies& b) {
-  return a.material == b.material && a.delayed == b.delayed && a.layer.flexibility == b.layer.flexibility;
+  return a.material == b.material && a.retarded == b.retarded && a.layer.flexibility == b.layer.flexibility;
 }
 
 /// Whether tractions change the pressure, or pressure the slip.
@@ -267,7 +267,7 @@ ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& whol
     out = solve_with(step, friction, previous, start);
     out.tangential.products = products += out.tangential.products;
     out.tangential.newton_steps = newton_steps += out.tangential.newton_steps;
-    out.friction_rounds = round;
+    out.friction_iterations = round;
     if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
     const Field found = slip_velocity(step, out.tangential);
     const double size = norm(found), change = distance(found, slip);

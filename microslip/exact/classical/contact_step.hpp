@@ -24,9 +24,9 @@ struct GivenPressure {
   std::vector<double> displacement = {}; ///< u_n [m]; empty: that of the half-space
 };
 
-/// How the normal and the tangential problem of unlike bodies are solved.
+/// How the coupled normal and tangential problems of dissimilar materials are solved.
 enum class Coupling {
-  newton,      ///< both at once, CoupledNewton
+  newton,      ///< both simultaneously, CoupledNewton
   alternating, ///< in turn until neither changes (Panagiotopoulos 1975); elastic bodies
 };
 
@@ -37,7 +37,7 @@ struct ContactStep {
   std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
   std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
   NormalLoad load = {};
-  std::optional<GivenPressure> given = {};   ///< in the place of gap and load
+  std::optional<GivenPressure> given = {};   ///< in place of gap and load
   std::vector<FrictionLaw> friction = {};    ///< of each row of the grid; one: the same for all
   FrictionMemory friction_memory = {};       ///< of friction that depends on the slip
   SlipStart slip_start = SlipStart::below;   ///< where the slip of such friction begins
@@ -47,14 +47,14 @@ struct ContactStep {
   bool frictionless = false;          ///< the normal problem only; tractions are zero
   StepStart start = StepStart::fresh; ///< of shifts and transient rolling
   bool warm_start = false;            ///< the iteration starts from the tractions of the step before
-  TangentialInput motion = {};        ///< but for forces, extra slip, previous and start
+  TangentialInput motion = {};        ///< without forces, extra slip, previous and start, which are set here
   /// Slip of each element on top of that of the creepages; empty: none. In a shift [m], else [-].
   std::vector<double> extra_slip_x = {}, extra_slip_y = {};
   std::optional<double> force_x = {}, force_y = {}; ///< given, over Fn [-]
   Coupling coupling = Coupling::newton;             ///< if the bodies' problems are coupled
 };
 
-/// Relative change of the slip below which friction and slip go together.
+/// Relative change of the slip at which the friction-slip iteration has converged.
 inline constexpr double friction_tolerance = 1e-6;
 
 struct ContactStepSolution {
@@ -64,14 +64,14 @@ struct ContactStepSolution {
   int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
   Status status = Status::ok;
   std::vector<double> friction; ///< mu of the elements [-]; empty without tractions
-  int friction_rounds = 0;      ///< problems solved until friction that depends on the slip went with it; else 0
+  int friction_iterations = 0;  ///< friction-slip iterations; 0 if friction does not depend on slip
   double friction_residual = 0; ///< last change of the slip, over the slip; above friction_tolerance: not converged
   std::vector<double> plastic_deformation; ///< of a layer that yields, of the elements [m]; else empty
   int plastic_elements = 0;                ///< where it yields; they do not count as slip
   int alternations = 0;                    ///< with Coupling::alternating: how often both problems were solved
 };
 
-/// Temperatures that go with a solution, by the heat -V p.s; none without thermal bodies or for other than steady
+/// Temperatures of a solution, from the heat -V p.s; none without thermal bodies or for other than steady
 /// rolling.
 std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution);
 /// The grid's elements where their particles were before the step: elsewhere in transient rolling only.

@@ -109,7 +109,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
       .tolerance = step.motion.tolerance, .most_steps = 30, .progress = step.motion.progress};
   CoupledFrictionSolution s = newton_.solve(
       problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
-  if (s.friction.status != Status::ok) { // tractions that go with a pressure are a better start
+  if (s.friction.status != Status::ok) { // tractions that belong to a pressure are a better start
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const TangentialState& better = with_pressure.tangential.tractions;

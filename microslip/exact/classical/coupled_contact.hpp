@@ -8,9 +8,9 @@
 
 namespace microslip {
 
-/// The contact problem of bodies whose normal and tangential problems are coupled, or whose deformation comes late:
-/// tractions displace the surfaces normally, and pressure along each other, in proportion to K. Shifts, transient and
-/// steady rolling; viscoelastic bodies in steady rolling only.
+/// The contact problem of bodies whose normal and tangential problems are coupled, or whose deformation is partly
+/// retarded: tractions displace the surfaces normally, and pressure along each other, in proportion to K (B1). Shifts,
+/// transient and steady rolling; viscoelastic bodies in steady rolling only.
 class CoupledContact {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has, and Stopped if

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// When a march has arrived.
+/// When marching has reached the steady state.
 struct MarchingLimits {
   double change = 1e-6; ///< of the tractions while the contact rolls a quarter of its length, over the bound (2-norms)
   int most_steps = 10000;

@@ -13,7 +13,7 @@
 namespace microslip {
 
 /// How fast the coefficient of friction follows a change of the slip velocity s: d mu/dt = -max(s, s0)/d (mu -
-/// mu_law(s)) (Vollebregt & Schuttelaars 2012). Without it the law holds at once.
+/// mu_law(s)) (Vollebregt & Schuttelaars 2012; (B6)). Without it friction follows the slip without delay.
 struct FrictionMemory {
   double distance = 0; ///< d [m], >= 0; 0: no memory
   double slowest = 0;  ///< s0 [m/s], >= 0

@@ -40,7 +40,7 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   require_between("spin_offset", input.spin_offset, "-", 0, 1);
   require_finite("heading", input.heading, "rad");
   if (input.heading != 0 && (input.motion != ContactMotion::transient || input.leading_edge))
-    throw Error("heading", input.heading, "rad", "0 but for transient rolling without the leading edge's correction");
+    throw Error("heading", input.heading, "rad", "0 except in transient rolling without the leading edge's correction");
   require_positive("rolling_speed", input.rolling_speed, "m/s");
   require_between("tolerance", input.tolerance, "-", 1e-14, 1);
 }

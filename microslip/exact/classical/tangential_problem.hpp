@@ -15,7 +15,7 @@ namespace microslip {
 /// Tractions that a step starts from: those of the step before, on the same grid in the contact's frame.
 struct TangentialState {
   std::vector<double> px, py;        ///< [Pa]; empty: none
-  std::vector<double> pressure = {}; ///< p_n [Pa], which counts for bodies of different materials; empty: none
+  std::vector<double> pressure = {}; ///< p_n [Pa], which matters for dissimilar materials; empty: none
   /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity
   /// [m/s]; empty: nothing.
   std::vector<double> friction_drop = {}, slip_velocity = {};
@@ -47,10 +47,10 @@ struct TangentialInput {
 };
 
 /// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
-/// it is with bilinear elements. With constant ones it is but for steady rolling with a step below .55 dx on elements
-/// that are longer than wide (dx > dy): there the differences of displacements over a step miss what changes within an
-/// element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of .05 to .5 dx, a/b of .1
-/// to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
+/// it is with bilinear elements. With constant ones it is except for steady rolling with a step below .55 dx on
+/// elements that are longer than wide (dx > dy): there the differences of displacements over a step miss what changes
+/// within an element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of .05 to .5 dx,
+/// a/b of .1 to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
 
 struct TangentialSolution {
@@ -72,9 +72,9 @@ struct TangentialSolution {
   long products = 0;
 };
 
-/// The tangential contact problem of the exact theory (R3), (R6)-(R8) on a grid of elements. With the step dq
-/// and particles that come from x + dq: steady rolling s = w(x + dq/2) + (u(x) - u(x + dq))/dq, transient rolling the
-/// same with the previous u' in the place of u(x + dq), a shift s = w + u - u'.
+/// The tangential contact problem of the exact theory (R3), (R6)-(R8), (E2), (E14) on a grid of elements. With the step
+/// dq and particles that come from x + dq: steady rolling s = w(x + dq/2) + (u(x) - u(x + dq))/dq, transient rolling
+/// the same with the previous u' in place of u(x + dq), a shift s = w + u - u'.
 class TangentialProblem {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has.

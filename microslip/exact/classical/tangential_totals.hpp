@@ -19,7 +19,7 @@ void find_rigid_slip(const ElementGrid& grid, const TangentialInput& input, cons
                      std::span<double> cx, std::span<double> cy);
 
 /// Fills in what follows from a solution and from the bound, the displacements and the creepage in `out`: tractions,
-/// slip, states, forces, energy, power. Totals that are not finite give Status::invalid_input.
+/// slip, states, forces, energy, power (E22). Totals that are not finite give Status::invalid_input.
 void find_totals(const ElementGrid& grid, const TangentialInput& input, FrictionSolution solution,
                  TangentialSolution& out);
 

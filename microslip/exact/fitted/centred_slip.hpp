@@ -20,7 +20,7 @@ public:
 
   /// One component of all elements' slip, on their ways; then at the centres. Cost O(N).
   void move(std::span<Real> slip);
-  /// Nearly what leads back, 2 - T for the map T of `move`: for preconditioners. Cost O(N).
+  /// Approximate inverse, 2 - T for the map T of `move`: for preconditioners. Cost O(N).
   void nearly_undo(std::span<Real> slip);
 
 private:

@@ -18,11 +18,11 @@ struct ContactRun {
 /// to zero, so it is fitted by a cubic polynomial in x and y, and the edge is where that is zero. The fit takes the
 /// elements of the same patch around the run's last one, 1.5 sqrt(n) to either side and 1.5 times as many inward (n is
 /// the patch's number of elements along that axis; at least 3), by least squares with the weights sqrt(p_n). Fits along
-/// the row alone are no good: where the edge is oblique to the grid the discrete pressures of the outermost elements
+/// the row alone do not do: where the edge is oblique to the grid the discrete pressures of the outermost elements
 /// jump from row to row, and the edge with them, by .1 of an element on every grid, however fine. Quadratic polynomials
 /// are better for Hertz, where p_n squared is one, but lose by far for other shapes. The jumps die out like
 /// one over the depth, so a window that grows in elements while it shrinks in size leaves an error of order h^1.5 in
-/// the place of a smooth edge, most of it with changing sign: forces have less of it.
+/// the position of a smooth edge, most of it with changing sign: forces have less of it.
 ///
 /// Where a patch is too small for that fit, a quadratic one along the row takes its place, and for runs below three
 /// elements the edge is the outermost element's side. An edge lies at most 1.5 elements outward of the outermost centre

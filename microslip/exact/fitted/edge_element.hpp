@@ -8,8 +8,9 @@ namespace microslip {
 /// traction follow badly: a row that ends at the edge has a force with an error of first order in the element's width
 /// h. That error vanishes if the leading element, of the width omega h, ends beta(omega) h inside the edge, the others
 /// having the width h. It is understood that slip is taken over the intervals between the centres of successive
-/// elements, the last of them ending h/2 beyond the leading element. beta comes from the half-line in full adhesion:
-/// docs/theory-second-order.md, section 5, and the study `edge-constants`, which computes the coefficients.
+/// elements, the last of them ending h/2 beyond the leading element. beta comes from the half-line in full adhesion,
+/// (E28) to (E33): docs/theory-second-order.md, section 5, and the study `edge-constants`, which computes the
+/// coefficients.
 inline constexpr double narrowest_leading_element = 0.4, widest_leading_element = 1.7;
 
 /// beta(omega) [-], from .319 to .361; the error is below 1e-9. Throws Error unless omega is in [.4, 1.7].

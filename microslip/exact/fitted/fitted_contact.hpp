@@ -31,7 +31,7 @@ struct FittedContact {
   std::vector<double> load_share; ///< of each element in the integral of the traction bound, over its area [1/m^2]
 };
 
-/// n x m elements across Hertz's ellipse. The bound is averaged over the area that an element stands for: what no
+/// n x m elements across Hertz's ellipse. The bound is averaged over the area that an element stands for (E27): what no
 /// element covers counts for the nearest one of its row, so that the shares times the areas have the sum 1 to rounding.
 FittedContact fit_ellipse(double a, double b, int n, int m);
 

@@ -18,7 +18,7 @@ public:
   /// The traction bound of each element [Pa].
   std::vector<double> bound(const EllipticContact& contact) const;
 
-  /// Creepages and spin of the contact, or forces [N] in the place of its creepages. Newton steps and products are
+  /// Creepages and spin of the contact, or forces [N] in place of its creepages. Newton steps and products are
   /// those on the finest grid. `progress` is told of all grids. False ends the solve on the finest one with status
   /// not_converged; before, it throws Stopped.
   SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,

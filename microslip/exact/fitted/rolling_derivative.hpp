@@ -12,7 +12,7 @@ namespace microslip {
 
 /// By how much the tractions of steady rolling change when the slip without tractions changes: the implicit function
 /// theorem for the equations F(p) = 0 of FrictionNewton, with forces not given. Solved in single precision, which takes
-/// less time and whose rounding is far below what derivatives of forces are wanted to.
+/// less time and whose rounding is far below the accuracy wanted of derivatives of forces.
 class RollingDerivative {
 public:
   RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact);

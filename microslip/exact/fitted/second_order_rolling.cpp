@@ -36,7 +36,7 @@ FrictionSolution SecondOrderRolling::full_sliding(std::span<const double> bound,
   return s;
 }
 
-/// w at the middle of each element's way.
+/// w at the middle of each element's slip interval, the first term of (E25).
 void SecondOrderRolling::rigid_slip(const Creepage& creepage, Field& cx, Field& cy) const {
   for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
     const FittedElement& e = contact_.elements[k];

@@ -6,8 +6,8 @@ namespace microslip {
 
 enum class ContactProblem { normal, tangential, second_order, coupled };
 
-/// What NormalProblem or TangentialProblem and its results need at most on a grid of N elements [bytes]. A padded
-/// transform has P ~ 2N complex numbers, 16 P bytes, and a table of coefficients ~ 4N real ones, 8 T bytes.
+/// Upper bound of the memory for NormalProblem or TangentialProblem and its results on a grid of N elements [bytes]. A
+/// padded transform has P ~ 2N complex numbers, 16 P bytes, and a table of coefficients ~ 4N real ones, 8 T bytes.
 /// Normal: 3 transforms, 1 table and 8 fields, 48 P + 8 T + 64 N, some 190 bytes for an element.
 /// Tangential: 18 transforms (steady rolling with the leading edge's correction), 4 tables, 50 fields and the basis of
 /// GMRES, 301 vectors of two components: 288 P + 32 T + 400 N + 4816 N, some 5,900 bytes for an element. Most problems
@@ -21,7 +21,7 @@ double memory_need(ContactProblem problem, const ElementGrid& grid);
 /// `memory` [bytes]; the grid itself if it fits. At least one element.
 ElementGrid largest_grid(ContactProblem problem, const ElementGrid& grid, double memory);
 
-/// The machine's physical memory [bytes], whatever else uses it.
+/// Physical memory of the machine [bytes], in use or not.
 double physical_memory();
 
 /// Returns the grid. Throws Error, before anything is allocated, if the grid is not one (see check) or if the problem

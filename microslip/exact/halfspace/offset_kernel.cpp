@@ -1,7 +1,7 @@
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 
 #include "microslip/elasticity/bilinear_influence.hpp"
-#include "microslip/exact/halfspace/delayed_influence.hpp"
+#include "microslip/exact/halfspace/retarded_influence.hpp"
 
 #include <cmath>
 #include <optional>
@@ -21,7 +21,7 @@ Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid
                    : bilinear_influence(material, grid.dx, grid.dy, x, y);
 }
 
-/// Of an element of the length `side`, for a point at `place` from its centre: 1 within it, half on its edge.
+/// 1 for a point within an element of length `side`, half on its edge; `place` is its distance from the centre.
 double share_within(double place, double side) {
   constexpr double rounding = 1e-9;
   const double distance = 2 * std::abs(place) / side;
@@ -37,12 +37,12 @@ void add_layer(double flexibility, double dx, double first, std::vector<Influenc
   }
 }
 
-/// Of a line contact, whose displacements are known but for a constant: what makes those that come late 0 on the
-/// average of the two places where the elastic ones are.
-Influence far_away(const Delay& delay, const RowInfluence<Influence>& influence, const ElementGrid& grid) {
+/// Displacements of a line contact are known up to a constant: the one that makes the mean of the retarded ones 0 at
+/// the two points where the elastic ones are.
+Influence far_away(const Retardation& retardation, const RowInfluence<Influence>& influence, const ElementGrid& grid) {
   const double far = far_of(grid);
-  const Influence a = delayed_row(delay, influence, grid.dx, -far, 1)[0];
-  const Influence b = delayed_row(delay, influence, grid.dx, far, 1)[0];
+  const Influence a = retarded_row(retardation, influence, grid.dx, -far, 1)[0];
+  const Influence b = retarded_row(retardation, influence, grid.dx, far, 1)[0];
   return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
 }
 
@@ -54,13 +54,13 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
   row.reserve(static_cast<std::size_t>(count));
   for (int i = 1 - grid.mx; i < grid.mx; ++i)
     row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift.x, y));
-  for (const DelayedPart& part : bodies.delayed) {
+  for (const RetardedPart& part : bodies.retarded) {
     const RowInfluence<Influence> influence = [&](double x) { return influence_at(part.material, grid, x, y); };
-    const std::vector<Influence> late = delayed_row(part.delay, influence, grid.dx, first, count);
-    const Influence far = grid.line ? far_away(part.delay, influence, grid) : Influence{};
-    for (std::size_t i = 0; i < late.size(); ++i) {
-      row[i].xx += late[i].xx - far.xx, row[i].xy += late[i].xy, row[i].yy += late[i].yy - far.yy;
-      row[i].xz += late[i].xz, row[i].yz += late[i].yz, row[i].zz += late[i].zz - far.zz;
+    const std::vector<Influence> retarded = retarded_row(part.retardation, influence, grid.dx, first, count);
+    const Influence far = grid.line ? far_away(part.retardation, influence, grid) : Influence{};
+    for (std::size_t i = 0; i < retarded.size(); ++i) {
+      row[i].xx += retarded[i].xx - far.xx, row[i].xy += retarded[i].xy, row[i].yy += retarded[i].yy - far.yy;
+      row[i].xz += retarded[i].xz, row[i].yz += retarded[i].yz, row[i].zz += retarded[i].zz - far.zz;
     }
   }
   const double sheared = grid.line ? 1 : share_within(y, grid.dy);
@@ -68,8 +68,8 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
   return row;
 }
 
-/// What a particle's displacement contributes to its slip: (u(x + shift) - u(x + before))/length, or without the second
-/// term.
+/// What a particle's displacement contributes to its slip, (E14): (u(x + shift) - u(x + before))/length, or without the
+/// second term.
 struct SlipRate {
   Vec2 shift = {};
   double length = 1;

@@ -11,8 +11,8 @@
 
 namespace microslip {
 
-/// The entries of a block Toeplitz matrix on a grid by offset, K(i, j) for |i| < mx, |j| < my: what an element does to
-/// the one i columns and j rows further. 4 N numbers instead of N^2. They lie in the order of
+/// The entries of a block Toeplitz matrix on a grid by offset, K(i, j) for |i| < mx, |j| < my: the influence of an
+/// element on the one i columns and j rows further. 4 N numbers instead of N^2, in the order of
 /// ToeplitzTransform::kernel_spectrum.
 class OffsetTable {
 public:

@@ -16,8 +16,8 @@ struct RollingElement {
   bool leads;          ///< is the first one of its row that particles enter
 };
 
-/// Makes the linear systems of steady rolling along x easy to solve: a map M^-1, (E36), near the inverse of the slip's
-/// matrix D. For wavenumbers (kx, ky), with the one-element shift z = exp(i kx h), D ~ (1 - z)/(h |k|), and
+/// Preconditioner of the linear systems of steady rolling along x: a map M^-1, (E36), near the inverse of the slip's
+/// matrix D, (E35). For wavenumbers (kx, ky), with the one-element shift z = exp(i kx h), D ~ (1 - z)/(h |k|), and
 /// h |k| ~ sqrt(c - z) sqrt(c - 1/z), c = 1 + h |ky|. Wiener & Hopf's factors: sqrt(c - 1/z) looks
 /// behind and sqrt(c - z)/(1 - z) ahead only, as particles run, so that in this order they invert D on a half-line,
 /// which begins at a leading edge, as well as on a line. Each root is Pade's (1 - 3/4 z/c)/(1 - 1/4 z/c): a recursion

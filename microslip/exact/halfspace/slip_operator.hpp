@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// A linear map D from tractions to slip on the elements of a contact, which brings its own preconditioner. What a
+/// A linear map D from tractions to slip on the elements of a contact, with its own preconditioner: all that a
 /// friction problem needs to know of bodies, elements and motion.
 class SlipOperator {
 public:
@@ -24,7 +24,7 @@ public:
   /// Diagonal entry of an interior element, the mean of D_xx and D_yy.
   virtual double diagonal() const = 0;
 
-  /// How often D has been applied.
+  /// Number of products with D so far.
   virtual long products() const = 0;
 
 protected:

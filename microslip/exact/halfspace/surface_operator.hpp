@@ -16,7 +16,7 @@ namespace microslip {
 struct CoupledKernel;
 struct TangentialKernel;
 
-/// Normal displacement difference u_z = A_zz p_n on a grid of elements, for elastically similar
+/// Normal displacement difference u_z = A_zz p_n (E12) on a grid of elements, for elastically similar
 /// bodies.
 class NormalOperator {
 public:
@@ -37,15 +37,14 @@ private:
   double diagonal_;
 };
 
-/// What the tangential displacement difference u = A p on a grid of elements contributes to the
-/// slip, D p.
+/// What the tangential displacement difference u = A p (E12) on a grid of elements contributes to the slip, D p.
 class TangentialOperator : public SlipOperator {
 public:
   /// u at the points `shift` [m] further, over the distance `length` [m]: D = A(x + shift)/length.
   static TangentialOperator displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                          double length = 1, const Progress& progress = {});
   /// Difference of u along the rolling direction, for particles that come from x + step, over the distance |step| [m]:
-  /// D = (A(x) - A(x + step))/|step|.
+  /// D = (A(x) - A(x + step))/|step| (E14).
   static TangentialOperator difference(const Bodies& bodies, const ElementGrid& grid, double step,
                                        const Progress& progress = {});
 
@@ -62,8 +61,8 @@ private:
   double diagonal_;
 };
 
-/// What tractions and pressure on a grid of elements make of slip and of the normal displacement
-/// difference. For any two bodies.
+/// What tractions and pressure on a grid of elements contribute to slip and to the normal displacement difference (B1).
+/// For any two bodies.
 class CoupledOperator {
 public:
   /// Slip: u at the points `shift` [m] further, over the distance `length` [m].

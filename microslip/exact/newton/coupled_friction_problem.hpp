@@ -10,9 +10,10 @@
 
 namespace microslip {
 
-/// The discrete normal and tangential problem as one: find p_n and p = (px, py) with e = h - delta + u_n >= 0, p_n >=
-/// 0, p_n e = 0, |p| <= mu p_n and, with the slip s = c + D (p, p_n), p = -mu p_n s/|s| where s is not zero. The normal
-/// displacement u_n depends on p_n and p. Where a force is given, delta or the constant part of c is an unknown too.
+/// The discrete normal and tangential problem as one, (E1) and (E2): find p_n and p = (px, py) with e = h - delta + u_n
+/// >= 0, p_n >= 0, p_n e = 0, |p| <= mu p_n and, with the slip s = c + D (p, p_n), p = -mu p_n s/|s| where s is not
+/// zero. The normal displacement u_n depends on p_n and p. Where a force is given, delta or the constant part of c is
+/// an unknown too.
 struct CoupledFrictionProblem {
   CoupledOperator& coupled_operator;
   std::span<const double> gap; ///< h [m]; infinite for elements that cannot come into contact
@@ -20,7 +21,7 @@ struct CoupledFrictionProblem {
   std::span<const double> friction;                 ///< mu of the elements [-]
   std::span<const double> cx, cy;                   ///< slip without tractions and pressure
   double element_area;                              ///< [m^2]
-  std::optional<double> force_x = {}, force_y = {}; ///< over Fn [-]; where given, cx or cy is known but for a constant
+  std::optional<double> force_x = {}, force_y = {}; ///< over Fn [-]; where given, cx or cy is known up to a constant
 };
 
 struct CoupledFrictionSolution {

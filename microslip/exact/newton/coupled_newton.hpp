@@ -5,8 +5,8 @@
 
 namespace microslip {
 
-/// Solves for pressure and tractions at once by a semi-smooth Newton method for p_n - max(0, p_n - r e) = 0 and, as
-/// FrictionNewton, p - P_g(p - rho s) = 0 with g = mu p_n (Alart & Curnier 1991). The residual is the 2-norm of both
+/// Solves for pressure and tractions simultaneously by a semi-smooth Newton method for p_n - max(0, p_n - r e) = 0 and,
+/// as FrictionNewton, p - P_g(p - rho s) = 0 with g = mu p_n (Alart & Curnier 1991). The residual is the 2-norm of both
 /// over the elements, tractions in units of the mean friction, over that of the pressure. Cost: products with the
 /// operator, each three transforms there and three back.
 class CoupledNewton {

@@ -148,8 +148,8 @@ void FrictionEquations::precondition_tractions(std::span<double> unknowns) {
   for (std::size_t k = 0; k < 2 * n_; ++k) unknowns[k] += change_[k];
 }
 
-/// Replaces the unknown constants by what the equations of the forces want: with the tractions' derivatives with
-/// respect to them, the tractions then have these forces, and their slip hardly changes.
+/// Replaces the unknown constants by what the equations of the forces require (E37): with the tractions' derivatives
+/// with respect to them, the tractions then have these forces, and their slip hardly changes.
 void FrictionEquations::satisfy_forces(std::span<double> unknowns) const {
   if (!derivatives_known_) return;
   const auto lack = [&](std::size_t i) {
@@ -173,7 +173,7 @@ void FrictionEquations::satisfy_forces(std::span<double> unknowns) const {
   }
 }
 
-/// What tractions contribute to the equation of force i.
+/// What tractions contribute to the equation of force i (E20).
 double FrictionEquations::mean_force(std::size_t i, std::span<const double> px, std::span<const double> py) const {
   const std::span<const double> along = forces_[i] == 0 ? px : py;
   double sum = 0;

@@ -11,10 +11,10 @@
 namespace microslip {
 
 /// The equations F(x) = 0 of a FrictionProblem as take_newton_steps has them, for its n elements in contact:
-/// p - P_g(p - rho s) = 0, where P_g projects an element's traction on the disk of radius g and rho is one over the
-/// operator's diagonal, and, where forces are given, an equation for each. Unknowns x are px of these elements, then
-/// py, then the unknown constants of c in units of their own; the response of x is the slip c + D p, sx and then sy.
-/// The derivative is that of LinearisedFriction.
+/// p - P_g(p - rho s) = 0 (E16), where P_g projects an element's traction on the disk of radius g and rho is one over
+/// the operator's diagonal, and, where forces are prescribed, an equation (E20) for each. Unknowns x are px of these
+/// elements, then py, then the unknown constants of c in units of their own; the response of x is the slip c + D p, sx
+/// and then sy. The derivative is that of LinearisedFriction.
 class FrictionEquations {
 public:
   using Real = double;

@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// Solves F(p) = p - P_g(p - rho s(p)) = 0, where P_g projects each element's traction on the disk of radius g, by a
-/// semi-smooth Newton method (FrictionEquations, take_newton_steps).
+/// Solves F(p) = p - P_g(p - rho s(p)) = 0 (E16), where P_g projects each element's traction on the disk of radius g,
+/// by a semi-smooth Newton method (FrictionEquations, take_newton_steps).
 class FrictionNewton {
 public:
   struct Options {

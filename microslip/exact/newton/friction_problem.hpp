@@ -11,14 +11,14 @@
 
 namespace microslip {
 
-/// The discrete tangential problem in its simplest form: find p with |p| <= g and, with s = c + D p, p = -g s/|s| where
-/// s is not zero. Where a force is given, the constant part of c in that direction is an unknown too.
+/// The discrete tangential problem in its simplest form, (E2): find p with |p| <= g and, with s = c + D p, p = -g s/|s|
+/// where s is not zero. Where a force is given, the constant part of c in that direction is an unknown too.
 struct FrictionProblem {
   SlipOperator& slip_operator;                      ///< D
   std::span<const double> bound;                    ///< g [Pa], >= 0; zero outside the contact
   std::span<const double> cx, cy;                   ///< slip without tractions
   double element_area;                              ///< [m^2]
-  std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known but for a constant ...
+  std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known up to a constant ...
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
   std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
 };
@@ -28,13 +28,13 @@ struct FrictionSolution {
   std::vector<double> sx, sy;            ///< slip c + D p, with the constants
   std::vector<char> sliding;             ///< 1 in slip, 0 in adhesion and outside the contact
   double constant_x = 0, constant_y = 0; ///< added to cx, cy where a force is given
-  double residual = 0;                   ///< |p - P_g(p - rho s)| over |g|, 2-norms over the elements
+  double residual = 0;                   ///< |p - P_g(p - rho s)| over |g| (E21), 2-norms over the elements
   int newton_steps = 0;
   long products = 0;
   Status status = Status::ok;
 };
 
-/// Tractions of somebody else [Pa]; empty: zero.
+/// Tractions that are stored elsewhere [Pa]; empty: zero.
 struct TractionsView {
   std::span<const double> px = {}, py = {};
 };
@@ -43,7 +43,7 @@ struct TractionsView {
 struct FrictionStart {
   std::span<const double> px = {}, py = {}; ///< tractions [Pa]; empty: zero
   std::optional<Vec2> constants = {};       ///< the unknown ones; none: where the mean slip is zero
-  /// Roughly the derivatives of the tractions with respect to each constant; empty: unknown. If known for all unknown
+  /// Approximate derivatives of the tractions with respect to each constant; empty: unknown. If known for all unknown
   /// constants, the linear systems are solved among tractions that have the forces wanted; the better, the fewer
   /// products it takes.
   std::array<TractionsView, 2> by_constants = {};

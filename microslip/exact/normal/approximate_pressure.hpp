@@ -8,13 +8,14 @@
 
 namespace microslip {
 
-/// Quick pressures for contacts that are not quite Hertzian, from the interpenetration of the undeformed bodies at a
-/// given approach, without solving the normal problem. For one region of contact with one interval in each row.
+/// Approximate pressures for contacts that are not quite Hertzian, by virtual penetration: from the interpenetration of
+/// the undeformed bodies at a given approach, without solving the normal problem. For one region of contact with one
+/// interval in each row.
 ///
 /// `gap` is the undeformed distance h of the elements [m], `approach` delta [m]. Each returns p_n of the elements [Pa],
 /// all zero where the bodies do not reach each other; its sum is the normal force. Cost O(elements). Both throw Error
-/// for sizes that do not go together, an approach that is not finite, a grid of less than 3 x 3 elements, and where the
-/// gap is smallest at the grid's border, where its curvature is not to be had.
+/// for sizes that do not match, an approach that is not finite, a grid of less than 3 x 3 elements, and where the
+/// gap is smallest at the grid's border, where its curvature cannot be evaluated.
 
 /// Kik and Piotrowski's method with the correction of an ellipse's shape (KPEC), in CONTACT's form, (H14). Curvatures
 /// A, B from the region with at least half of the deepest interpenetration d, Hertz's ellipse for A, B and d, and from

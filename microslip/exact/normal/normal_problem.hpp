@@ -26,7 +26,7 @@ void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoa
 struct NormalSolution {
   std::vector<double> pressure;     ///< p_n [Pa], >= 0
   std::vector<double> displacement; ///< u_n = A_zz p_n [m]
-  std::vector<double> gap;          ///< deformed, e = h - delta + u_n [m]; zero in contact but for the residual
+  std::vector<double> gap;          ///< deformed, e = h - delta + u_n [m]; zero in contact up to the residual
   double approach = 0;              ///< delta [m]
   double normal_force = 0;          ///< [N]
   double elastic_energy = 0;        ///< of the normal pressure, sum of p_n u_n dx dy/2 [J]
@@ -40,8 +40,8 @@ struct NormalSolution {
   Status status = Status::ok;
 };
 
-/// The normal contact problem on a grid of elements (R2), (R4), (R5): p_n >= 0, e = h - delta +
-/// u_n >= 0, p_n e = 0. For elastically similar bodies. Conjugate gradients with an active set (after Polonsky & Keer
+/// The normal contact problem on a grid of elements (R2), (R4), (R5), (E1), (E13): p_n >= 0, e = h - delta + u_n >= 0,
+/// p_n e = 0. For elastically similar bodies. Conjugate gradients with an active set (after Polonsky & Keer
 /// 1999), one product with A_zz per iteration and one with its circulant inverse as preconditioner (after Vollebregt
 /// 2014), started from the solution on elements twice as large. Hertzian contacts take 17 to 41
 /// products to 1e-8, whatever the number N of elements. Cost O(N log N), memory O(N).

@@ -4,7 +4,7 @@
 
 namespace microslip::detail {
 
-/// Slip at the leading edge, (40), where the rigid slip outruns the bound's slope: |w| > dg/dx.
+/// Slip at the leading edge, (F40), where the rigid slip outruns the bound's slope: |w| > dg/dx.
 template <class Real, class Plain, class Mask, class Bound>
 MICROSLIP_INLINE void start_sliding(Particles<Real, Plain, Mask>& at, const Real& rigid_x, const Real& rigid_y,
                                     const Bound& bound_slope) {
@@ -23,7 +23,7 @@ template <class Real> struct Crossing { Real place, slope, end_slope; };
 template <class Real, class Plain>
 MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle, const Real& end) {
   const Plain zero(0.0), two(2.0), four(4.0);
-  const Real start = select(zero <= value_of(before), Real(zero), before); // on the bound but for rounding
+  const Real start = select(zero <= value_of(before), Real(zero), before); // on the bound up to rounding
   const Real c = (start + end - middle * two) * two;
   const Real b = middle * four - start * Plain(3.0) - end;
   const Real root = sqrt(b * b - c * start * four);
@@ -36,14 +36,14 @@ MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle,
   return {place, select(grows, b + c * place * two, mean_slope), select(grows, end_slope, mean_slope)};
 }
 
-/// One step of FASTSIM2, (35)-(39): the trapezoidal rule, with the boundary between adhesion and slip found inside the
-/// step. Returns how much of the step slides, in cells.
+/// One step of FASTSIM2, (F35)-(F39): the trapezoidal rule, with the boundary between adhesion and slip found inside
+/// the step. Returns how much of the step slides, in cells.
 template <class Real, class Plain, class Mask, class Bound>
 MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Step<Real, Bound>& step) {
   const Plain zero(0.0), one(1.0), length(step.length), half_step(step.length / 2);
   const Mask was_sliding = at.sliding;
 
-  // The adhesion solution (35), with zero slip at the step's end.
+  // The adhesion solution (F35), with zero slip at the step's end.
   const Real adhesion_x = at.px + at.slip_x * half_step - step.rigid_x;
   const Real adhesion_y = at.py + at.slip_y * half_step - step.rigid_y;
   const Real size2 = adhesion_x * adhesion_x + adhesion_y * adhesion_y;
@@ -54,7 +54,7 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
     return zero;
   }
 
-  // The slip solution (37), (38): back to the bound along the adhesion traction.
+  // The slip solution (F37), (F38): back to the bound along the adhesion traction.
   const Real size = sqrt(size2);
   const Real inverse = size * (one / size2); // so the division need not wait for the root
   const Real back = step.bound * inverse;
@@ -75,7 +75,7 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
   const Mask lets_go = slides & ~was_sliding;
   if (any(lets_go)) {
     // Step 4b. The slip at the boundary, which the paper gives up on, is the slope of f there, against the traction: as
-    // (34) in one dimension. Over the rest of the step it turns the traction, so that forces stay nearly continuous
+    // (F34) in one dimension. Over the rest of the step it turns the traction, so that forces stay nearly continuous
     // when a boundary passes a grid point. The parabola's slope at the end gives the slip there without dividing by a
     // short rest.
     const Plain two(2.0), four(4.0);

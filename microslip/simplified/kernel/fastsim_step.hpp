@@ -4,7 +4,7 @@
 
 namespace microslip::detail {
 
-/// One step of FASTSIM, (16): backward Euler. Returns how much of the step slides, in cells.
+/// One step of FASTSIM, (F16): backward Euler. Returns how much of the step slides, in cells.
 template <class Real, class Plain, class Mask, class Bound>
 MICROSLIP_INLINE Plain fastsim_step(Particles<Real, Plain, Mask>& at, const Step<Real, Bound>& step) {
   const Real adhesion_x = at.px - step.rigid_x;

@@ -13,7 +13,7 @@ inline constexpr int creepage_partials = 3;
 inline constexpr int row_partials = 4;
 
 /// Where a kernel finds the rows to march. Everything is counted in cells along the way of a particle: position 0 is
-/// the leading edge, cell i has its centre at i - 1/2. Rigid slip and slip are those of (18), for flexibility 1, times
+/// the leading edge, cell i has its centre at i - 1/2. Rigid slip and slip are those of (F18), for flexibility 1, times
 /// the cell's length, so that they have the unit of a traction. Each number is an array over the rows; where
 /// derivatives are wanted they follow it, an array each, at a distance of `stride`.
 struct MarchingRows {

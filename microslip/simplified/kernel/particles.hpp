@@ -5,8 +5,8 @@
 
 namespace microslip::detail {
 
-/// The particles of a group of rows, one per lane, on their way through the contact, after (18): flexibility 1, lengths
-/// in cells. `Real` is Lanes or Dual<Lanes>, `Plain` the Lanes below it.
+/// The particles of a group of rows, one per lane, on their way through the contact, after (F18): flexibility 1,
+/// lengths in cells. `Real` is Lanes or Dual<Lanes>, `Plain` the Lanes below it.
 template <class Real, class Plain, class Mask> struct Particles {
   Real px = Plain(0.0), py = Plain(0.0);         ///< traction at the last point
   Real slip_x = Plain(0.0), slip_y = Plain(0.0); ///< slip there

@@ -37,7 +37,7 @@ inline RollingDirection direction_of(double travel) {
   return travel < 0 ? RollingDirection::forward : RollingDirection::backward;
 }
 
-/// Effective rigid slip (18): x component along - y turn, y component across + x turn. Or a derivative of it.
+/// Effective rigid slip (F18): x component along - y turn, y component across + x turn. Or a derivative of it.
 struct EffectiveSlip {
   double along, across, turn;
 };
@@ -54,7 +54,7 @@ inline void put_row(RowArrays& rows, int row, int k, const EffectiveSlip& w, con
   rows.rigid_slip_dy[place] = w.turn * (travel * at.cell * at.cell);
 }
 
-/// mu at the velocity of the rigid slip, V |w| with w = (xi - phi y, eta + phi x) (3).
+/// mu at the velocity of the rigid slip, V |w| with w = (xi - phi y, eta + phi x) (F3), (S12).
 template <class Real>
 Real friction_coefficient(const FrictionLaw& law, const Drive<Real>& drive, double rolling_speed, double x, double y) {
   using std::sqrt;

@@ -1,4 +1,4 @@
-#include "microslip/exact/halfspace/delayed_influence.hpp"
+#include "microslip/exact/halfspace/retarded_influence.hpp"
 
 #include "microslip/numerics/tanh_sinh.hpp"
 
@@ -29,7 +29,7 @@ void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
   add(to.pn, factor, a.pn);
 }
 
-/// Integrals of exp(-q/l)/l A(x + way q) over q, way = +-1, l > 0.
+/// Integrals of exp(-q/l)/l A(x + way q) over q (B4), (B5), way = +-1, l > 0.
 template <class Value> class DelayIntegral {
 public:
   DelayIntegral(const RowInfluence<Value>& influence, double dx, double length, double way)
@@ -69,30 +69,30 @@ private:
 } // namespace
 
 template <class Value>
-std::vector<Value> delayed_row(const Delay& delay, const RowInfluence<Value>& influence, double dx, double x_first,
-                               int count) {
+std::vector<Value> retarded_row(const Retardation& retardation, const RowInfluence<Value>& influence, double dx,
+                                double x_first, int count) {
   std::vector<Value> row(static_cast<std::size_t>(count));
-  const bool forward = delay.distance >= 0;
-  const double length = std::abs(delay.distance), decay = std::exp(-dx / length);
+  const bool forward = retardation.distance >= 0;
+  const double length = std::abs(retardation.distance), decay = std::exp(-dx / length);
   const DelayIntegral<Value> integral(influence, dx, length, forward ? 1 : -1);
   for (int k = 0; k < count; ++k) { // from where the particles come from
     const int i = forward ? count - 1 - k : k;
     const double x = x_first + i * dx;
     Value& here = row[static_cast<std::size_t>(i)];
     if (length == 0) {
-      add(here, delay.ratio, influence(x));
+      add(here, retardation.ratio, influence(x));
     } else if (k == 0) {
-      add(here, delay.ratio, integral.whole(x));
+      add(here, retardation.ratio, integral.whole(x));
     } else {
-      add(here, delay.ratio, integral.up_to(x, dx));
+      add(here, retardation.ratio, integral.up_to(x, dx));
       add(here, decay, row[static_cast<std::size_t>(forward ? i + 1 : i - 1)]);
     }
   }
   return row;
 }
 
-template std::vector<Influence> delayed_row(const Delay&, const RowInfluence<Influence>&, double, double, int);
-template std::vector<InteriorInfluence> delayed_row(const Delay&, const RowInfluence<InteriorInfluence>&, double,
-                                                    double, int);
+template std::vector<Influence> retarded_row(const Retardation&, const RowInfluence<Influence>&, double, double, int);
+template std::vector<InteriorInfluence> retarded_row(const Retardation&, const RowInfluence<InteriorInfluence>&, double,
+                                                     double, int);
 
 } // namespace microslip

@@ -1,6 +1,6 @@
 // Delayed deformation against plain sums over time, and its limits.
 
-#include "microslip/exact/halfspace/delayed_influence.hpp"
+#include "microslip/exact/halfspace/retarded_influence.hpp"
 
 #include <cmath>
 
@@ -39,13 +39,13 @@ void expect_near(const Influence& a, const Influence& b, double tolerance) {
   EXPECT_NEAR(a.yz, b.yz, tolerance * unit);
 }
 
-TEST(DelayedInfluence, IsTheIntegralOverThePast) {
+TEST(RetardedInfluence, IsTheIntegralOverThePast) {
   for (const double y : {0.0, 0.35})
     for (const double length : {0.03, 0.4, -6.0}) {
-      const Delay delay{1.7, length};
+      const Retardation retardation{1.7, length};
       for (const double first : {-2.0, -1.87}) { // on the grid, and between its points
-        const auto row = delayed_row<Influence>(
-            delay, [y](double x) { return at(x, y); }, dx, first, 9);
+        const auto row = retarded_row<Influence>(
+            retardation, [y](double x) { return at(x, y); }, dx, first, 9);
         for (const int i : {0, 4, 8}) {
           SCOPED_TRACE(testing::Message() << "y " << y << " l " << length << " point " << i);
           expect_near(row[static_cast<std::size_t>(i)], brute_force(first + i * dx, y, 1.7, length), 1e-4);
@@ -54,16 +54,16 @@ TEST(DelayedInfluence, IsTheIntegralOverThePast) {
     }
 }
 
-TEST(DelayedInfluence, DoesNotDependOnWhereTheRowBegins) {
-  const Delay delay{1, 1.3};
+TEST(RetardedInfluence, DoesNotDependOnWhereTheRowBegins) {
+  const Retardation retardation{1, 1.3};
   const RowInfluence<Influence> influence = [](double x) { return at(x, 0.2); };
-  const auto row = delayed_row(delay, influence, dx, -2, 9);
+  const auto row = retarded_row(retardation, influence, dx, -2, 9);
   for (int i = 0; i < 9; ++i)
-    expect_near(delayed_row(delay, influence, dx, -2 + i * dx, 1)[0], row[static_cast<std::size_t>(i)], 1e-8);
+    expect_near(retarded_row(retardation, influence, dx, -2 + i * dx, 1)[0], row[static_cast<std::size_t>(i)], 1e-8);
 }
 
-TEST(DelayedInfluence, WithoutDelayIsTheRatioTimesTheElasticOne) {
-  const auto row = delayed_row<Influence>(
+TEST(RetardedInfluence, WithoutDelayIsTheRatioTimesTheElasticOne) {
+  const auto row = retarded_row<Influence>(
       {0.6, 0}, [](double x) { return at(x, 0); }, dx, -1, 5);
   for (int i = 0; i < 5; ++i) {
     Influence a = at(-1 + i * dx, 0);
@@ -72,10 +72,10 @@ TEST(DelayedInfluence, WithoutDelayIsTheRatioTimesTheElasticOne) {
   }
 }
 
-TEST(DelayedInfluence, IsTheMirrorImageInTheOtherDirection) {
-  const auto forward = delayed_row<Influence>(
+TEST(RetardedInfluence, IsTheMirrorImageInTheOtherDirection) {
+  const auto forward = retarded_row<Influence>(
       {1, 0.8}, [](double x) { return at(x, dy); }, dx, -2, 9);
-  const auto backward = delayed_row<Influence>(
+  const auto backward = retarded_row<Influence>(
       {1, -0.8}, [](double x) { return at(x, dy); }, dx, -2, 9);
   for (std::size_t i = 0; i < 9; ++i) {
     Influence mirrored = backward[8 - i];
