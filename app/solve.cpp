@@ -81,6 +81,7 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.add("discretisation error of fy", simplified.grid_error.fy, "mu Fn");
   table.add("discretisation error of mz", simplified.grid_error.mz, "mu Fn sqrt(a b)");
   table.add("status", {std::string(to_string(forces.status))});
+  if (const auto assumption = simplified_assumption(input); !assumption.empty()) table.add("assumes", {assumption});
   table.print();
 }
 

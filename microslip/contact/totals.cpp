@@ -6,31 +6,45 @@
 namespace microslip {
 namespace {
 
-double at(const std::vector<double>& field, std::size_t k) {
-  return field.empty() ? 0 : field[k];
+Vec2 at(const VectorField& field, std::size_t k) {
+  return field.x.empty() ? Vec2{} : Vec2{field.x[k], field.y[k]};
 }
 
 } // namespace
+
+void add(Totals& t, const LoadedElement& e) {
+  const auto [px, py] = e.traction;
+  t.fx += px * e.area;
+  t.fy += py * e.area;
+  t.mz += (e.x * py - e.y * px) * e.area;
+  (e.slides ? t.slip_area : t.adhesion_area) += e.area;
+  t.frictional_power -= (px * e.slip.x + py * e.slip.y) * e.area;
+  t.elastic_energy += 0.5 * (px * e.displacement.x + py * e.displacement.y) * e.area;
+  t.peak_traction = std::max(t.peak_traction, std::hypot(px, py));
+}
+
+double power_by_creepage(const Totals& t, const Creepage& creepage, double speed) {
+  return -speed * (creepage.longitudinal * t.fx + creepage.lateral * t.fy + creepage.spin * t.mz);
+}
 
 Totals find_totals(const Elements& elements, const SurfaceFields& fields, const Creepage& creepage, double speed) {
   Totals t;
   for (std::size_t k = 0; k < elements.size(); ++k) {
     if (fields.state[k] == CellState::exterior) continue;
-    const double px = fields.traction.x[k], py = fields.traction.y[k], area = elements.area[k];
-    t.fx += px * area;
-    t.fy += py * area;
-    t.mz += (elements.x[k] * py - elements.y[k] * px) * area;
-    (fields.state[k] == CellState::slip ? t.slip_area : t.adhesion_area) += area;
-    t.frictional_power -= (px * at(fields.slip.x, k) + py * at(fields.slip.y, k)) * area;
-    t.elastic_energy += 0.5 * (px * at(fields.displacement.x, k) + py * at(fields.displacement.y, k)) * area;
-    t.peak_traction = std::max(t.peak_traction, std::hypot(px, py));
+    add(t, {.x = elements.x[k],
+            .y = elements.y[k],
+            .area = elements.area[k],
+            .slides = fields.state[k] == CellState::slip,
+            .traction = at(fields.traction, k),
+            .slip = at(fields.slip, k),
+            .displacement = at(fields.displacement, k)});
   }
   for (std::size_t k = 0; k < fields.pressure.size(); ++k) {
     t.my -= elements.x[k] * fields.pressure[k] * elements.area[k];
     t.peak_pressure = std::max(t.peak_pressure, fields.pressure[k]);
   }
   t.frictional_power *= speed;
-  t.power_by_creepage = -speed * (creepage.longitudinal * t.fx + creepage.lateral * t.fy + creepage.spin * t.mz);
+  t.power_by_creepage = power_by_creepage(t, creepage, speed);
   return t;
 }
 

@@ -4,6 +4,7 @@
 #include "microslip/contact/creepage.hpp"
 #include "microslip/contact/elements.hpp"
 #include "microslip/contact/surface_fields.hpp"
+#include "microslip/vec2.hpp"
 
 namespace microslip {
 
@@ -25,7 +26,21 @@ struct Totals {
   double peak_traction = 0;     ///< largest |p| of an element [Pa]
 };
 
-/// The only place where fields are summed. Elements in adhesion or slip count, in the order of their indices; fields
+/// What an element in adhesion or slip has.
+struct LoadedElement {
+  double x = 0, y = 0, area = 0; ///< [m], [m], [m^2]
+  bool slides = false;
+  Vec2 traction = {}, slip = {}, displacement = {};
+};
+
+/// Adds what an element contributes to forces, areas, energy and, for V = 1, frictional power. Every sum over a contact
+/// goes through here.
+void add(Totals& totals, const LoadedElement& element);
+
+/// The power by the creepages, which follows from the forces. `speed` as for find_totals.
+double power_by_creepage(const Totals& totals, const Creepage& creepage, double speed);
+
+/// The totals of fields. Elements in adhesion or slip count, in the order of their indices; fields
 /// that are empty count as zero. `speed` is V [m/s], 1 for a shift.
 Totals find_totals(const Elements& elements, const SurfaceFields& fields, const Creepage& creepage, double speed);
 

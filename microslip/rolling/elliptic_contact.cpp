@@ -6,6 +6,7 @@
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/method.hpp"
 #include "microslip/simplified/fastsim2_start.hpp"
 
 #include <algorithm>
@@ -47,9 +48,7 @@ EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : opti
   require_count("mx", options.mx, 1, most_elements);
   require_count("my", options.my, 1, most_elements);
   require_between("tolerance", options.tolerance, "-", 1e-14, 1);
-  if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
-    throw Error("elements: bilinear ones need the classical discretisation");
-  if (options.temperature_effect && !options.thermal) throw Error("temperature_effect: needs thermal bodies");
+  require_compatible(options);
   if (options.thermal) check(*options.thermal);
   if (options.temperature_effect) check(*options.temperature_effect);
   require_memory_for(options.discretisation == Discretisation::second_order ? ContactProblem::second_order
@@ -261,6 +260,7 @@ ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, con
   try {
     check(contact);
     check(motion);
+    require_compatible(options_, contact, motion);
   } catch (const Error& refusal) {
     return solution_without_result(Status::invalid_input, refusal.what());
   }

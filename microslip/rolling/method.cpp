@@ -129,6 +129,40 @@ void require_compatible(const RollingProblem& problem, const Method& method) {
   if (!found.empty()) throw Error(found.front().message());
 }
 
+namespace {
+
+RollingProblem problem_of(const ExactOptions& options) {
+  RollingProblem problem;
+  if (options.bodies) problem.bodies = *options.bodies;
+  problem.friction.memory = options.friction_memory;
+  problem.friction.temperature_effect = options.temperature_effect;
+  problem.thermal = options.thermal;
+  return problem;
+}
+
+/// The discretisation of these options is what is taken where it is possible.
+Method method_of(const ExactOptions& options) {
+  Method method{.mx = options.mx, .my = options.my, .elements = options.elements, .coupling = options.coupling};
+  if (options.discretisation == Discretisation::classical) method.discretisation = options.discretisation;
+  return method;
+}
+
+} // namespace
+
+void require_compatible(const ExactOptions& options) {
+  require_compatible(problem_of(options), method_of(options));
+}
+
+void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion) {
+  RollingProblem problem = problem_of(options);
+  problem.friction.law = contact.friction;
+  problem.motion.kind = motion.kind;
+  problem.motion.force_x = motion.force_x;
+  problem.motion.force_y = motion.force_y;
+  problem.motion.step = motion.step;
+  require_compatible(problem, method_of(options));
+}
+
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction) {
   SimplifiedOptions options{.mx = method.mx, .my = method.my};
   set_defaults(method.theory, options);

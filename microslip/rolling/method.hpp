@@ -46,6 +46,10 @@ std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, co
 /// Throws Error with the first of them.
 void require_compatible(const RollingProblem& problem, const Method& method);
 
+/// The same for what EllipticContactSolver is given: options alone, or with a contact and its motion.
+void require_compatible(const ExactOptions& options);
+void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion);
+
 /// Whether the exact theory needs its classical discretisation: for shifts and transient rolling, dissimilar or
 /// viscoelastic bodies, layers, friction that depends on slip, temperatures.
 bool needs_classical(const RollingProblem& problem);

@@ -1,5 +1,6 @@
 #include "microslip/simplified/grid_fastsim.hpp"
 
+#include "microslip/contact/totals.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -174,22 +175,21 @@ GridSolution GridFastsim::slide(const Flexibilities& l, std::span<const double> 
 }
 
 void find_totals(const ElementGrid& grid, const Flexibilities& l, double rolling_speed, GridSolution& s) {
-  const double area = grid.element_area();
-  s.forces = {};
-  s.frictional_power = s.peak_traction = 0;
+  Totals totals;
   for (std::size_t k = 0; k < s.state.size(); ++k) {
     s.ux[k] = l.longitudinal * s.px[k];
     s.uy[k] = l.lateral * s.py[k];
-    const double px = s.px[k] * area, py = s.py[k] * area;
-    const double x = grid.x(static_cast<int>(k % grid.mx)), y = grid.y(static_cast<int>(k / grid.mx));
-    s.forces.fx += px;
-    s.forces.fy += py;
-    s.forces.mz += x * py - y * px;
-    s.frictional_power -= rolling_speed * (px * s.sx[k] + py * s.sy[k]);
-    s.peak_traction = std::max(s.peak_traction, std::hypot(px, py) / area);
-    if (s.state[k] == CellState::adhesion) s.forces.adhesion_area += area;
-    if (s.state[k] == CellState::slip) s.forces.slip_area += area;
+    if (s.state[k] == CellState::exterior) continue;
+    add(totals, {.x = grid.x(static_cast<int>(k % grid.mx)),
+                 .y = grid.y(static_cast<int>(k / grid.mx)),
+                 .area = grid.element_area(),
+                 .slides = s.state[k] == CellState::slip,
+                 .traction = {s.px[k], s.py[k]},
+                 .slip = {s.sx[k], s.sy[k]}});
   }
+  s.forces = {totals.fx, totals.fy, totals.mz, totals.adhesion_area, totals.slip_area, s.forces.status};
+  s.frictional_power = rolling_speed * totals.frictional_power;
+  s.peak_traction = totals.peak_traction;
 }
 
 } // namespace microslip

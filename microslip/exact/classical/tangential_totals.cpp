@@ -1,6 +1,7 @@
 #include "microslip/exact/classical/tangential_totals.hpp"
 
-#include <algorithm>
+#include "microslip/contact/totals.hpp"
+
 #include <cmath>
 
 namespace microslip {
@@ -46,28 +47,30 @@ void find_totals(const ElementGrid& grid, const TangentialInput& input, Friction
   out.products = s.products;
   out.state.assign(n, CellState::exterior);
   out.slip_direction.assign(n, 0.0);
-  ContactForces& f = out.forces;
-  f.status = s.status;
+  Totals totals;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
       if (!(out.bound[k] > 0)) continue;
-      const double px = s.px[k], py = s.py[k];
       const bool slides = s.sliding[k];
-      f.fx += px * area;
-      f.fy += py * area;
-      f.mz += (grid.x(i) * py - grid.y(j) * px) * area;
       out.state[k] = slides ? CellState::slip : CellState::adhesion;
-      (slides ? f.slip_area : f.adhesion_area) += area;
-      if (slides) out.slip_direction[k] = std::atan2(-py, -px); // known even where slip is as small as its residual
-      out.elastic_energy += 0.5 * (px * out.ux[k] + py * out.uy[k]) * area;
-      out.frictional_power -= (px * s.sx[k] + py * s.sy[k]) * area;
-      out.peak_traction = std::max(out.peak_traction, std::hypot(px, py));
+      if (slides)
+        out.slip_direction[k] = std::atan2(-s.py[k], -s.px[k]); // known even where slip is as small as its residual
+      add(totals, {.x = grid.x(i),
+                   .y = grid.y(j),
+                   .area = area,
+                   .slides = slides,
+                   .traction = {s.px[k], s.py[k]},
+                   .slip = {s.sx[k], s.sy[k]},
+                   .displacement = {out.ux[k], out.uy[k]}});
     }
   const double speed = input.motion == ContactMotion::shift ? 1 : input.rolling_speed;
-  out.frictional_power *= speed;
-  out.power_by_creepage =
-      -speed * (out.creepage.longitudinal * f.fx + out.creepage.lateral * f.fy + out.creepage.spin * f.mz);
+  ContactForces& f = out.forces;
+  f = {totals.fx, totals.fy, totals.mz, totals.adhesion_area, totals.slip_area, s.status};
+  out.elastic_energy = totals.elastic_energy;
+  out.peak_traction = totals.peak_traction;
+  out.frictional_power = speed * totals.frictional_power;
+  out.power_by_creepage = power_by_creepage(totals, out.creepage, speed);
   out.tractions = {std::move(s.px), std::move(s.py)};
   out.sx = std::move(s.sx);
   out.sy = std::move(s.sy);
