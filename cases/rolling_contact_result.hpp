@@ -2,7 +2,7 @@
 
 #include "cases/creep_curve.hpp"
 #include "io/case_file.hpp"
-#include "io/result_file.hpp"
+#include "io/result_writer.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 #include <filesystem>
@@ -45,7 +45,7 @@ struct RollingContactResult {
 };
 
 /// A number of a result file.
-struct Quantity {
+struct ResultNumber {
   std::string path; ///< e.g. "hertz/a"
   double value;
   const char* unit;
@@ -53,9 +53,9 @@ struct Quantity {
 };
 
 /// Of body `number`, 1 or 2: inputs/rolling_radius_1 and so on.
-std::vector<Quantity> body_quantities(const BodyInput& body, int number);
+std::vector<ResultNumber> body_quantities(const BodyInput& body, int number);
 /// hertz/normal_force and so on, tolerances/hertz_relative.
-std::vector<Quantity> hertz_quantities(const HertzContact& hertz);
+std::vector<ResultNumber> hertz_quantities(const HertzContact& hertz);
 
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const RollingCase& input);
@@ -69,6 +69,11 @@ std::string simplified_assumption(const RollingCase& input);
 /// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
 
+/// Why its status is not ok; empty if it is.
+std::string reason_of(const RollingCase& input, const RollingContactResult& result);
+
+/// Writes inputs, solutions and their tolerances.
+void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file);
 /// Writes it as HDF5. Error if that is impossible.
 void write_result(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
                   const std::filesystem::path& path);

@@ -51,14 +51,14 @@ EllipticContact cpp_form(const microslip_contact& c) {
           .poisson_ratio = c.poisson_ratio,
           .normal_force = c.normal_force,
           .friction = FrictionLaw::coulomb(c.friction),
-          .creepage = {c.creep_longitudinal, c.creep_lateral, c.spin},
+          .creepage = {c.creepage_longitudinal, c.creepage_lateral, c.spin},
           .rolling_speed = c.rolling_speed};
 }
 
 void expect_same(const microslip_exact_result& found, const ContactSolution& wanted) {
   EXPECT_TRUE(same(found.forces, wanted.forces()));
-  EXPECT_TRUE(same(found.creep_longitudinal, wanted.creepage.longitudinal));
-  EXPECT_TRUE(same(found.creep_lateral, wanted.creepage.lateral));
+  EXPECT_TRUE(same(found.creepage_longitudinal, wanted.creepage.longitudinal));
+  EXPECT_TRUE(same(found.creepage_lateral, wanted.creepage.lateral));
   EXPECT_TRUE(same(found.spin, wanted.creepage.spin));
   EXPECT_TRUE(same(found.approach, wanted.approach));
   EXPECT_TRUE(same(found.peak_pressure, wanted.totals.peak_pressure));
@@ -106,7 +106,7 @@ TEST(CExact, MotionsReachTheSolver) {
   expect_same(found,
               EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(contact), {.force_x = -9e3, .force_y = 4e3}));
   EXPECT_NEAR(found.forces.fx, -9e3, 1);
-  contact.creep_longitudinal = 4e-6, contact.creep_lateral = contact.spin = 0;
+  contact.creepage_longitudinal = 4e-6, contact.creepage_lateral = contact.spin = 0;
   const microslip_exact_motion shift = motion_of_kind(MICROSLIP_SHIFT);
   expect_same(solve(make(small_grid()), contact, &shift),
               EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(contact), {.kind = ContactMotion::shift}));
