@@ -54,15 +54,15 @@ int convert(const ConvertArguments& arguments) {
     throw Error(arguments.input.string() + ": cannot be read: it is a folder");
   std::ifstream input(arguments.input, std::ios::binary);
   if (!input) throw Error(arguments.input.string() + ": cannot be read: " + std::generic_category().message(errno));
-  ContactInputReader reader(input, arguments.input.string());
+  contact_program::InputReader reader(input, arguments.input.string());
   create_folder(arguments.folder);
   const std::string name = arguments.input.stem().string();
   auto written = Json::array(), refused = Json::array();
-  while (const ContactCase* c = reader.next()) {
+  while (const contact_program::Case* c = reader.next()) {
     InterruptGuard::throw_if_interrupted();
     try {
       const auto path = arguments.folder / fmt::format("{}.{:04}.toml", name, c->number);
-      save(path, to_toml(*c, fmt::format("{}, case {}", plain(name), c->number)));
+      save(path, contact_program::to_toml(*c, fmt::format("{}, case {}", plain(name), c->number)));
       written.push_back(path.string());
       if (!arguments.json) fmt::print("{}\n", path.string());
     } catch (const Error& error) {

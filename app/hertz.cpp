@@ -80,7 +80,7 @@ void print_document(const HertzArguments& arguments, const HertzResult& result,
   auto document = json_document("hertz");
   document["case_file"] = arguments.case_file.string();
   auto units = Json::object();
-  const auto add = [&](const std::vector<Quantity>& quantities) {
+  const auto add = [&](const std::vector<StoredNumber>& quantities) {
     for (const auto& quantity : quantities) {
       document[Json::json_pointer("/" + quantity.path)] = json_number(quantity.value);
       units[quantity.path] = quantity.unit;

@@ -33,6 +33,9 @@ namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
+using contact_program::Case;
+using contact_program::InputReader;
+using contact_program::Outcome;
 
 struct RunArguments {
   fs::path input, folder = "results";
@@ -53,9 +56,9 @@ std::ifstream open(const fs::path& path) {
 /// Number of cases of a file without mistakes.
 int count_cases(const fs::path& path) {
   auto file = open(path);
-  ContactInputReader reader(file, path.string());
+  InputReader reader(file, path.string());
   int count = 0;
-  while (const ContactCase* c = reader.next()) {
+  while (const Case* c = reader.next()) {
     count = c->number;
     if (count % 256 == 0) InterruptGuard::throw_if_interrupted();
   }
@@ -86,24 +89,24 @@ private:
   std::string names_, values_;
 };
 
-const char* motion_name(int tang) {
+const char* motion_name(contact_program::Tangential tang) {
   constexpr const char* names[] = {"without friction", "shift", "transient rolling", "steady rolling"};
-  return names[tang];
+  return names[number(tang)];
 }
 
 std::string with_unit(const std::string& name) {
   return name.starts_with("SHIFT") ? name + " [mm]" : name;
 }
 
-void print_totals(const ContactCase& c, const ContactOutcome& outcome) {
-  const ContactTotals& t = outcome.totals;
+void print_totals(const Case& c, const Outcome& outcome) {
+  const contact_program::PrintedTotals& t = outcome.totals;
   Lines forces, relative, counts;
   forces.add("FN [N]", t.fn);
   forces.add("FX [N]", t.fx);
   forces.add("FY [N]", t.fy);
   forces.add("MZ [N mm]", t.mz);
   forces.add("ELAST.EN. [J]", t.elastic_energy);
-  forces.add(c.digits.tang >= 2 ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
+  forces.add(c.digits.rolls() ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
   forces.print();
   relative.add("FN/G [mm2]", t.fn_over_g);
   relative.add(with_unit(t.x_name), t.x);
@@ -124,7 +127,7 @@ void print_totals(const ContactCase& c, const ContactOutcome& outcome) {
 }
 
 /// Extremes of the stresses at each block of points.
-void print_interior(const ContactOutcome& outcome) {
+void print_interior(const Outcome& outcome) {
   int number = 0;
   for (const auto& [points, states] : outcome.interior) {
     fmt::print("  points inside the bodies, block {}: {} x {} x {}\n", ++number, points.x.size(), points.y.size(),
@@ -149,9 +152,9 @@ public:
   /// Returns whether all cases are solved.
   bool run() {
     auto input = open(path_);
-    ContactInputReader reader(input, path_.string());
-    while (const ContactCase* c = reader.next()) {
-      const ContactOutcome outcome = run_.run(*c);
+    InputReader reader(input, path_.string());
+    while (const Case* c = reader.next()) {
+      const Outcome outcome = run_.run(*c);
       count(outcome);
       if (shows_both_) bar_.clear();
       if (json_)
@@ -159,7 +162,7 @@ public:
       else
         print(*c, outcome);
       file_.add(*c, outcome);
-      if (mat_ && outcome.kind == ContactOutcome::Kind::solved) write_texts(*c, outcome);
+      if (mat_ && outcome.kind == Outcome::Kind::solved) write_texts(*c, outcome);
       InterruptGuard::throw_if_interrupted();
       bar_.update(static_cast<double>(c->number) / count_);
     }
@@ -180,16 +183,16 @@ private:
     return arguments.folder / (arguments.input.stem().string() + ".h5");
   }
 
-  void count(const ContactOutcome& outcome) {
-    if (outcome.kind == ContactOutcome::Kind::refused) ++refused_;
-    if (outcome.kind == ContactOutcome::Kind::solved && outcome.solution.status != Status::ok) ++unsolved_;
+  void count(const Outcome& outcome) {
+    if (outcome.kind == Outcome::Kind::refused) ++refused_;
+    if (outcome.kind == Outcome::Kind::solved && outcome.solution.status != Status::ok) ++unsolved_;
   }
 
-  void print(const ContactCase& c, const ContactOutcome& outcome) {
+  void print(const Case& c, const Outcome& outcome) {
     fmt::print("{}Case {} (line {}): ", c.number == 1 ? "" : "\n", c.number, c.line);
-    if (outcome.kind == ContactOutcome::Kind::skipped) {
-      fmt::print("skipped, R = {}\n", c.digits.solve);
-    } else if (outcome.kind == ContactOutcome::Kind::refused) {
+    if (outcome.kind == Outcome::Kind::skipped) {
+      fmt::print("skipped, {}\n", written(c.digits.solve));
+    } else if (outcome.kind == Outcome::Kind::refused) {
       fmt::print("not run\n");
       for (const auto& reason : outcome.reasons) fmt::print("  {}\n", reason);
     } else {
@@ -205,8 +208,8 @@ private:
   }
 
   /// What the result file does not have.
-  void keep(const ContactCase& c, const ContactOutcome& outcome) {
-    if (outcome.kind == ContactOutcome::Kind::refused)
+  void keep(const Case& c, const Outcome& outcome) {
+    if (outcome.kind == Outcome::Kind::refused)
       refusals_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
     known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
     int block = 0;
@@ -230,13 +233,14 @@ private:
   }
 
   /// In CONTACT's own layout.
-  void write_texts(const ContactCase& c, const ContactOutcome& outcome) {
-    if (c.digits.matfil > 0) write_text(c, "mat", contact_mat(c, outcome));
-    if (!outcome.interior.empty() && c.points_matfil > 0) write_text(c, "subs", contact_subs(c, outcome.interior));
+  void write_texts(const Case& c, const Outcome& outcome) {
+    if (c.digits.matfil != contact_program::Stored::none) write_text(c, "mat", contact_program::mat_text(c, outcome));
+    if (!outcome.interior.empty() && c.subs_file != contact_program::SubsFile::none)
+      write_text(c, "subs", contact_program::subs_text(c, outcome.interior));
   }
 
   /// Beside the result file, numbered as CONTACT does.
-  void write_text(const ContactCase& c, const char* kind, const std::string& text) {
+  void write_text(const Case& c, const char* kind, const std::string& text) {
     auto name = output_;
     OutputFile file(name.replace_extension(fmt::format(".{:04}.{}", c.number, kind)));
     file.write(text);
@@ -248,10 +252,10 @@ private:
   bool mat_, json_;
   int count_;
   fs::path output_;
-  ContactRunFile file_;
+  contact_program::RunFile file_;
   ProgressBar bar_;
   bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
-  ContactRun run_;
+  contact_program::Run run_;
   std::set<std::string> known_notes_; ///< each is printed once
   std::size_t refused_ = 0, unsolved_ = 0;
   // Of the document:

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 using namespace microslip;
 using namespace microslip::c;
@@ -21,13 +22,12 @@ using namespace microslip::c;
 struct microslip_exact {
   microslip_exact_options options;
   std::variant<EllipticContactSolver, AccurateContactSolver> solver;
-  bool stopped = false; ///< by the caller's function
-  /// Combined G, nu and V that the solver's bodies were made for, where it has bodies of its own.
-  std::optional<std::array<double, 3>> made_for = {};
+  ExactOptions made_with; ///< the solver
+  bool stopped = false;   ///< by the caller's function
   // Last solved:
   EllipticContact contact = {};
   ExactMotion motion = {};
-  ExactOptions used = {}; ///< on the grid that the fields are on
+  int finest = 0; ///< with an accuracy given: elements across
   std::optional<ContactSolution> solution = {};
 };
 
@@ -79,7 +79,8 @@ microslip_exact* make_solver(const microslip_exact_options& o) {
   any.layer = {};
   RollingProblem problem = problem_of(any, {}, {});
   if (!problem.thermal) problem.friction.temperature_effect.reset();
-  return new microslip_exact{.options = o, .solver = solver_for(solver_options(any, problem), o.accuracy)};
+  const ExactOptions options = solver_options(any, problem);
+  return new microslip_exact{.options = o, .solver = solver_for(options, o.accuracy), .made_with = options};
 }
 
 /// Makes the handle ready for a contact. Throws Error if options, contact and motion do not go together.
@@ -87,14 +88,14 @@ void prepare(microslip_exact& handle, const EllipticContact& contact, const Exac
   const microslip_exact_options& o = handle.options;
   const RollingProblem problem = problem_of(o, contact, motion);
   require_compatible(problem, method_of(o));
-  handle.used = solver_options(o, problem);
+  ExactOptions options = solver_options(o, problem);
+  handle.solution.reset();
+  if (!(options == handle.made_with)) {
+    handle.solver = solver_for(options, o.accuracy);
+    handle.made_with = std::move(options);
+  }
   handle.contact = contact;
   handle.motion = motion;
-  handle.solution.reset();
-  const std::array key = {contact.shear_modulus, contact.poisson_ratio, contact.rolling_speed};
-  if (!has_bodies(o) || handle.made_for == key) return;
-  handle.solver = solver_for(handle.used, o.accuracy);
-  handle.made_for = key;
 }
 
 ExactMotion motion_of(const microslip_exact_motion& m) {
@@ -147,7 +148,7 @@ microslip_exact_result solve_with(AccurateContactSolver& solver, microslip_exact
   out.creepage_lateral = found.creepage.lateral;
   out.error = found.error;
   out.products = found.products;
-  handle.used.mx = handle.used.my = found.elements;
+  handle.finest = found.elements;
   std::string& reason = found.finest.report.reason;
   if (reason.empty() && found.forces.status == Status::not_converged) reason = accuracy_missed(found.error);
   handle.solution = std::move(found.finest);
@@ -191,9 +192,14 @@ const ContactSolution& solution_of(const microslip_exact* solver) {
 /// Where the solution has no distance of the bodies, from the normal problem on its grid.
 void find_gap(microslip_exact& handle) {
   if (!handle.solution || handle.solution->elements.size() == 0 || !handle.solution->fields.gap.empty()) return;
-  auto* const theory = std::get_if<EllipticContactSolver>(&handle.solver);
-  handle.solution->fields.gap = theory ? theory->deformed_gap(handle.contact, handle.motion).gap
-                                       : EllipticContactSolver(handle.used).deformed_gap(handle.contact).gap;
+  std::vector<double>& gap = handle.solution->fields.gap;
+  if (auto* const solver = std::get_if<EllipticContactSolver>(&handle.solver)) {
+    gap = solver->deformed_gap(handle.contact, handle.motion).gap;
+    return;
+  }
+  ExactOptions finest = handle.made_with;
+  finest.mx = finest.my = handle.finest;
+  gap = EllipticContactSolver(finest).deformed_gap(handle.contact).gap;
 }
 
 } // namespace

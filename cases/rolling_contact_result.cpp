@@ -1,6 +1,7 @@
 #include "cases/rolling_contact_result.hpp"
 
 #include "io/option_words.hpp"
+#include "microslip/contact/quantities.hpp"
 #include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
@@ -41,7 +42,9 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
   return result;
 }
 
-SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& contact) {
+/// Of similar bodies: beside the exact theory's result for dissimilar ones it is a comparison that says so.
+SimplifiedResult solve_simplified(const RollingCase& input, EllipticContact contact) {
+  contact.dissimilarity = 0;
   const auto& options = input.options;
   auto finer = options;
   finer.mx *= 2;
@@ -116,7 +119,7 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   return result;
 }
 
-void write(ResultWriter& file, const std::vector<ResultNumber>& quantities) {
+void write(ResultWriter& file, const std::vector<StoredNumber>& quantities) {
   for (const auto& [path, value, unit, description] : quantities) file.scalar(path, value, unit, description);
 }
 
@@ -138,7 +141,8 @@ void write_friction(ResultWriter& file, const RollingCase& input) {
   }
 }
 
-/// What was given: a creepage whose force is given in its place is a result, exact/creep_x or creep_y.
+/// What was given: a creepage whose force is given in its place is a result, exact/creepage_longitudinal or
+/// creepage_lateral.
 void write_motion(ResultWriter& file, const RollingCase& input) {
   const auto& creepage = input.creepage;
   const bool shift = input.motion.kind == ContactMotion::shift;
@@ -210,73 +214,24 @@ ResultWriter::Shape shape_of(const Elements& elements) {
   return {static_cast<std::size_t>(elements.my()), static_cast<std::size_t>(elements.mx())};
 }
 
+/// All that a solution has, by the names of the table of quantities.
 void write_theory(ResultWriter& file, const std::string& theory, const ContactSolution& solution) {
-  const ContactForces forces = solution.forces();
-  const SurfaceFields& fields = solution.fields;
-  const Elements& elements = solution.elements;
-  file.scalar(theory + "/fx", forces.fx, "N", "longitudinal force on body 1");
-  file.scalar(theory + "/fy", forces.fy, "N", "lateral force on body 1");
-  file.scalar(theory + "/mz", forces.mz, "N m", "spin moment on body 1");
-  file.scalar(theory + "/adhesion_area", forces.adhesion_area, "m^2", "area of adhesion");
-  file.scalar(theory + "/slip_area", forces.slip_area, "m^2", "area of slip");
-  file.scalar(theory + "/frictional_power", solution.totals.frictional_power, "W", "power lost to friction");
-  file.text(theory + "/status", std::string(to_string(forces.status)), "how the calculation ended");
+  for (const Quantity& q : quantities())
+    if (q.applies(solution))
+      file.scalar(theory + "/" + std::string(q.name), q.value(solution), std::string(q.unit_of(solution)),
+                  std::string(q.description));
+  file.text(theory + "/status", std::string(to_string(solution.report.status)), "how the calculation ended");
+  if (!solution.report.reason.empty()) file.text(theory + "/reason", solution.report.reason, "why it is not ok");
 
-  const ResultWriter::Shape shape = shape_of(elements);
-  const auto field = [&](const char* name, const std::vector<double>& values, const char* unit, const char* what) {
-    file.array(theory + "/fields/" + name, values, unit, what, shape);
-  };
-  field("x", elements.x, "m", "x of the cell's centre");
-  field("y", elements.y, "m", "y of the cell's centre");
-  field("area", elements.area, "m^2", "weight of the cell in the forces");
-  field("bound", fields.bound, "Pa", "traction bound g");
-  field("px", fields.traction.x, "Pa", "longitudinal traction on body 1");
-  field("py", fields.traction.y, "Pa", "lateral traction on body 1");
-  field("sx", fields.slip.x, "-", "relative slip of body 1 over body 2, longitudinal");
-  field("sy", fields.slip.y, "-", "relative slip of body 1 over body 2, lateral");
+  const ResultWriter::Shape shape = shape_of(solution.elements);
+  const std::string fields = theory + "/fields/";
+  for (const FieldQuantity& f : field_quantities())
+    if (!f.values(solution).empty())
+      file.array(fields + std::string(f.name), f.values(solution), std::string(f.unit_of(solution)),
+                 std::string(f.description), shape);
   std::vector<std::uint8_t> states;
-  for (const auto state : fields.state) states.push_back(static_cast<std::uint8_t>(state));
-  file.array(theory + "/fields/state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
-}
-
-void write_exact(ResultWriter& file, const ExactResult& result) {
-  const auto& contact = result.contact;
-  write_theory(file, "exact", contact);
-  const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
-    file.scalar(std::string("exact/") + name, value, unit, what);
-  };
-  scalar("creep_x", contact.creepage.longitudinal, "-", "longitudinal creepage; for a shift the shift in m");
-  scalar("creep_y", contact.creepage.lateral, "-", "lateral creepage; for a shift the shift in m");
-  scalar("approach", contact.approach, "m", "approach of distant points on this grid");
-  scalar("peak_pressure", contact.totals.peak_pressure, "Pa", "largest pressure of an element");
-  scalar("peak_traction", contact.totals.peak_traction, "Pa", "largest traction of an element");
-  scalar("power_by_creepage", contact.totals.power_by_creepage, "W",
-         "frictional power by the creepages; for a shift work in J");
-  scalar("elastic_energy", contact.totals.elastic_energy, "J", "of the tangential tractions");
-  scalar("my", contact.totals.my, "N m", "moment of the pressure about y on body 1: rolling resistance");
-  scalar("residual", contact.report.residual, "-", "of the tangential problem, relative");
-  scalar("newton_steps", contact.report.newton_steps, "-", "iterations of Newton's method");
-  if (contact.report.friction_iterations > 0) {
-    scalar("friction_rounds", contact.report.friction_iterations, "-",
-           "problems solved until friction went with the slip");
-    scalar("friction_residual", contact.report.friction_residual, "-", "last change of the slip, relative");
-  }
-  if (!contact.fields.temperature1.empty())
-    scalar("highest_temperature", contact.highest_temperature, "deg C", "of the surfaces in contact");
-  scalar("products", static_cast<double>(contact.report.products), "-",
-         "products with the matrix of influence coefficients");
-  const ResultWriter::Shape shape = shape_of(contact.elements);
-  file.array("exact/fields/pn", contact.fields.pressure, "Pa", "pressure", shape);
-  file.array("exact/fields/gap", contact.fields.gap, "m", "deformed distance of the bodies", shape);
-  file.array("exact/fields/ux", contact.fields.displacement.x, "m", "displacement difference, longitudinal", shape);
-  file.array("exact/fields/uy", contact.fields.displacement.y, "m", "displacement difference, lateral", shape);
-  const auto optional_field = [&](const char* name, const std::vector<double>& values, const char* unit,
-                                  const char* what) {
-    if (!values.empty()) file.array(std::string("exact/fields/") + name, values, unit, what, shape);
-  };
-  optional_field("mu", contact.fields.friction, "-", "coefficient of friction");
-  optional_field("temperature1", contact.fields.temperature1, "deg C", "of body 1's surface");
-  optional_field("temperature2", contact.fields.temperature2, "deg C", "of body 2's surface");
+  for (const auto state : solution.fields.state) states.push_back(static_cast<std::uint8_t>(state));
+  file.array(fields + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
 void write_limit(ResultWriter& file, const AccurateContact& limit) {
@@ -286,8 +241,9 @@ void write_limit(ResultWriter& file, const AccurateContact& limit) {
   scalar("fx", limit.forces.fx, "N", "longitudinal force, extrapolated");
   scalar("fy", limit.forces.fy, "N", "lateral force, extrapolated");
   scalar("mz", limit.forces.mz, "N m", "spin moment, extrapolated");
-  scalar("creep_x", limit.creepage.longitudinal, "-", "longitudinal creepage, extrapolated if its force is given");
-  scalar("creep_y", limit.creepage.lateral, "-", "lateral creepage, extrapolated if its force is given");
+  scalar("creepage_longitudinal", limit.creepage.longitudinal, "-",
+         "longitudinal creepage, extrapolated if its force is given");
+  scalar("creepage_lateral", limit.creepage.lateral, "-", "lateral creepage, extrapolated if its force is given");
   scalar("error", limit.error, "mu Fn", "estimated error of these");
   scalar("elements", limit.elements, "-", "across the ellipse, of the finest grid");
 }
@@ -332,8 +288,9 @@ void write_history(ResultWriter& file, const std::vector<SolutionStep>& history,
   write_history(file, history, "fx", "N", [](const SolutionStep& s) { return s.totals.fx; });
   write_history(file, history, "fy", "N", [](const SolutionStep& s) { return s.totals.fy; });
   write_history(file, history, "mz", "N m", [](const SolutionStep& s) { return s.totals.mz; });
-  write_history(file, history, "creep_x", "-", [](const SolutionStep& s) { return s.creepage.longitudinal; });
-  write_history(file, history, "creep_y", "-", [](const SolutionStep& s) { return s.creepage.lateral; });
+  write_history(file, history, "creepage_longitudinal", "-",
+                [](const SolutionStep& s) { return s.creepage.longitudinal; });
+  write_history(file, history, "creepage_lateral", "-", [](const SolutionStep& s) { return s.creepage.lateral; });
 }
 
 void write_curve(ResultWriter& file, const std::string& theory, const CreepCurve& curve) {
@@ -368,12 +325,12 @@ void write_curve_point(ResultWriter& file, const CreepCurve& curve, const Creepa
 
 } // namespace
 
-std::vector<ResultNumber> body_quantities(const BodyInput& body, int number) {
+std::vector<StoredNumber> body_quantities(const BodyInput& body, int number) {
   const auto suffix = std::to_string(number), of_body = " of body " + suffix;
   const auto quantity = [&](const std::string& name, double value, const char* unit, const std::string& what) {
-    return ResultNumber{"inputs/" + name + "_" + suffix, value, unit, what + of_body};
+    return StoredNumber{"inputs/" + name + "_" + suffix, value, unit, what + of_body};
   };
-  std::vector<ResultNumber> quantities = {
+  std::vector<StoredNumber> quantities = {
       quantity("rolling_radius", body.rolling_radius, "m", "radius in the plane of rolling"),
       quantity("transverse_radius", body.transverse_radius, "m", "radius in the lateral plane"),
       quantity("shear_modulus", body.material.shear_modulus, "Pa", "shear modulus G"),
@@ -393,7 +350,7 @@ std::vector<ResultNumber> body_quantities(const BodyInput& body, int number) {
   return quantities;
 }
 
-std::vector<ResultNumber> hertz_quantities(const HertzContact& hertz) {
+std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz) {
   return {{"hertz/normal_force", hertz.normal_force, "N", "normal force Fn"},
           {"hertz/a", hertz.a, "m", "semi-axis along x"},
           {"hertz/b", hertz.b, "m", "semi-axis along y"},
@@ -467,7 +424,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   if (const auto& exact = result.exact) {
-    write_exact(file, *exact);
+    write_theory(file, "exact", exact->contact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
     write_tolerances(file, "exact", exact->grid_error, "half the elements");
     write_interior(file, input.interior, exact->interior);

@@ -45,7 +45,7 @@ struct RollingContactResult {
 };
 
 /// A number of a result file.
-struct ResultNumber {
+struct StoredNumber {
   std::string path; ///< e.g. "hertz/a"
   double value;
   const char* unit;
@@ -53,9 +53,9 @@ struct ResultNumber {
 };
 
 /// Of body `number`, 1 or 2: inputs/rolling_radius_1 and so on.
-std::vector<ResultNumber> body_quantities(const BodyInput& body, int number);
+std::vector<StoredNumber> body_quantities(const BodyInput& body, int number);
 /// hertz/normal_force and so on, tolerances/hertz_relative.
-std::vector<ResultNumber> hertz_quantities(const HertzContact& hertz);
+std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz);
 
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const RollingCase& input);

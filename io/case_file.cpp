@@ -166,79 +166,42 @@ void refuse_at(const TomlSection& section, std::string_view name, std::string_vi
   section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
 }
 
-/// Limits are those of steady rolling at second order; bodies that differ or flow and falling friction are classical.
-void check_exact(const TomlSection& motion, const TomlSection& solution, RollingCase& input) {
-  const bool is_classical = needs_classical(input);
-  refuse_at(motion, "motion", "kind",
-            input.motion.kind != ContactMotion::steady && (input.body1.creep.ratio > 0 || input.body2.creep.ratio > 0),
-            "must be steady with viscoelastic bodies");
-  refuse_at(solution, "solution", "discretisation",
-            is_classical && solution.has("discretisation") && input.discretisation == Discretisation::second_order,
-            "must be classical for bodies of different materials, viscoelastic ones, a layer, falling friction and "
-            "temperatures");
-  if (is_classical) input.discretisation = Discretisation::classical;
-  refuse_at(solution, "solution", "elements",
-            input.elements == ElementShape::bilinear && input.discretisation != Discretisation::classical,
-            "bilinear ones need solution.discretisation = \"classical\"");
-  const bool has_limit = input.motion.kind == ContactMotion::steady && input.motion.step == 0 &&
-                         input.discretisation == Discretisation::second_order;
-  refuse_at(solution, "solution", "accuracy", input.accuracy && !has_limit,
-            "needs steady rolling without motion.step, of second order");
-}
-
-/// Temperatures are those of steady rolling and need the data of both bodies; friction that depends on them needs them,
-/// and does not go with a layer that yields.
+/// Temperatures need the data of both bodies.
 void check_thermal(const TomlSection& root, const RollingCase& input) {
-  const auto friction = root.required_section("friction"), motion = root.required_section("motion");
   const bool has1 = input.body1.thermal.has_value(), has2 = input.body2.thermal.has_value();
   for (const auto& [name, other, alone] :
        {std::tuple{"body1", "body2", has1 && !has2}, {"body2", "body1", has2 && !has1}})
     refuse_at(root.required_section(name), name, "bulk_temperature", alone,
               "needs the thermal data of " + std::string(other) + ", too");
-  refuse_at(friction, "friction", "thermal_change", input.temperature_effect && !has1,
-            "needs the thermal data of both bodies: bulk_temperature, conductivity, density, heat_capacity");
-  refuse_at(friction, "friction", "thermal_change", input.temperature_effect && input.layer.yields(),
-            "does not go with a layer that yields");
-  refuse_at(motion, "motion", "kind", has1 && input.motion.kind != ContactMotion::steady,
-            "must be steady with thermal data of the bodies");
 }
 
-/// FaStrip needs Hertz's pressure and does not know a reduced slope.
-void check_fastrip(const TomlSection& solution, const RollingCase& input) {
-  solution.at("bound", [&] {
-    if (input.options.bound != TractionBound::elliptic)
-      throw Error("solution.bound = \"parabolic\": must be elliptic with solution.theory = \"fastrip\"");
-  });
-  const SlopeReduction& slope = input.options.slope_reduction;
-  solution.at("slope_reduction", [&] {
-    if (slope.initial != 1 || slope.at_infinity != 1)
-      throw Error("solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\"");
-  });
+/// The method with what the text gives only.
+Method given_method(const TomlSection& solution, const RollingCase& input) {
+  Method method = method_of(input);
+  if (!solution.has("discretisation")) method.discretisation.reset();
+  if (!solution.has("elements")) method.elements.reset();
+  if (!solution.has("coupling")) method.coupling.reset();
+  if (!solution.has("slip_start")) method.slip_start.reset();
+  if (!solution.has("bound")) method.bound.reset();
+  if (!solution.has("flexibility")) method.flexibility.reset();
+  return method;
 }
 
-/// The simplified theory knows steady rolling of elastic bodies with given creepages.
-void check_simplified(const TomlSection& root, const RollingCase& input) {
-  const std::string exact = "needs solution.theory = \"exact\"";
-  const auto motion = root.required_section("motion"), friction = root.required_section("friction");
-  const auto solution = root.optional_section("solution");
-  if (input.theory == Theory::fastrip) {
-    refuse_at(friction, "friction", "law", input.friction_law != "coulomb",
-              "must be coulomb with solution.theory = \"fastrip\"");
-    check_fastrip(solution, input);
+/// Throws an Error for something at the first of the places `field` names, "motion.kind, motion.step", that the text
+/// has.
+void refuse_where_given(const TomlSection& root, const std::string& name, const Incompatibility& found) {
+  std::string_view fields = found.field;
+  while (!fields.empty()) {
+    const auto end = fields.find(", ");
+    const std::string_view field = fields.substr(0, end), section = field.substr(0, field.find('.')),
+                           key = field.substr(field.find('.') + 1);
+    fields = end == std::string_view::npos ? std::string_view() : fields.substr(end + 2);
+    if (section == "case" && root.has(key)) refuse_at(root, section, key, true, std::string(found.text));
+    if (!root.has(section)) continue;
+    const auto table = root.required_section(section);
+    if (table.has(key)) refuse_at(table, section, key, true, std::string(found.text));
   }
-  for (const auto* key : {"accuracy", "elements", "coupling", "slip_start"})
-    refuse_at(solution, "solution", key, solution.has(key), exact);
-  refuse_at(motion, "motion", "kind", input.motion.kind != ContactMotion::steady, exact);
-  for (const auto* key : {"force_longitudinal", "force_lateral", "step"})
-    refuse_at(motion, "motion", key, motion.has(key), exact);
-  for (const auto key : memory_keys) refuse_at(friction, "friction", key, friction.has(key), exact);
-  for (const auto key : effect_keys) refuse_at(friction, "friction", key, friction.has(key), exact);
-  refuse_at(root, "case", "layer", root.has("layer"), exact);
-  for (const auto* name : {"body1", "body2"}) {
-    const auto body = root.required_section(name);
-    refuse_at(body, name, "creep_ratio", body.has("creep_ratio"), exact);
-    for (const auto key : thermal_keys) refuse_at(body, name, key, body.has(key), exact);
-  }
+  throw Error(name + ": " + found.message());
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
@@ -279,9 +242,9 @@ void read_interior(const TomlSection& interior, RollingCase& input) {
 } // namespace
 
 bool needs_classical(const RollingCase& input) {
-  const Bodies bodies = bodies_of(input);
-  return input.friction_law != "coulomb" || input.body1.thermal || bodies.are_coupled() || !bodies.are_elastic() ||
-         bodies.layer.flexibility > 0;
+  RollingProblem problem = rolling_problem(input);
+  problem.motion.kind = ContactMotion::steady; // of shifts and transient rolling it goes without saying
+  return needs_classical(problem);
 }
 
 RollingCase parse_case(std::string_view text, const std::string& name) {
@@ -305,12 +268,10 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   } catch (const Error& error) {
     throw Error(name + ": [body1], [body2] and [load] together: " + error.what());
   }
-  if (input.theory == Theory::exact) {
-    check_thermal(root, input);
-    check_exact(root.required_section("motion"), root.optional_section("solution"), input);
-  } else {
-    check_simplified(root, input);
-  }
+  check_thermal(root, input);
+  const auto found = incompatibilities(rolling_problem(input), given_method(root.optional_section("solution"), input));
+  if (!found.empty()) refuse_where_given(root, name, found.front());
+  if (input.theory == Theory::exact && needs_classical(input)) input.discretisation = Discretisation::classical;
   return input;
 }
 
@@ -346,32 +307,48 @@ HertzContact hertz_contact(const RollingCase& input) {
 }
 
 EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz) {
-  const auto material = combine(input.body1.material, input.body2.material);
-  return {.a = hertz.a,
-          .b = hertz.b,
-          .shear_modulus = material.shear_modulus,
-          .poisson_ratio = material.poisson_ratio,
-          .normal_force = hertz.normal_force,
-          .friction = input.friction,
-          .creepage = input.creepage,
-          .rolling_speed = input.rolling_speed};
+  return elliptic_contact(rolling_problem(input), hertz);
 }
 
-ExactOptions exact_options(const RollingCase& input) {
-  std::optional<ThermalBodies> thermal;
-  if (input.body1.thermal) thermal = {*input.body1.thermal, *input.body2.thermal};
-  return {.mx = input.options.mx,
+RollingProblem rolling_problem(const RollingCase& input) {
+  const auto &body1 = input.body1, &body2 = input.body2;
+  RollingProblem problem;
+  problem.geometry =
+      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
+  problem.bodies = bodies_of(input);
+  problem.load = input.normal_force ? NormalLoad{NormalLoad::Given::force, *input.normal_force}
+                                    : NormalLoad{NormalLoad::Given::approach, *input.approach};
+  problem.friction = {input.friction, input.friction_memory, input.temperature_effect};
+  problem.motion = {.kind = input.motion.kind,
+                    .creepage = input.creepage,
+                    .force_x = input.motion.force_x,
+                    .force_y = input.motion.force_y,
+                    .rolling_speed = input.rolling_speed,
+                    .direction = input.options.direction,
+                    .step = input.motion.step,
+                    .steps = input.motion.steps};
+  if (body1.thermal && body2.thermal) problem.thermal = {*body1.thermal, *body2.thermal};
+  return problem;
+}
+
+Method method_of(const RollingCase& input) {
+  return {.theory = input.theory,
+          .mx = input.options.mx,
           .my = input.options.my,
           .discretisation = input.discretisation,
           .elements = input.elements,
-          .direction = input.options.direction,
+          .accuracy = input.accuracy,
           .tolerance = input.tolerance,
-          .bodies = bodies_of(input),
           .coupling = input.coupling,
-          .friction_memory = input.friction_memory,
           .slip_start = input.slip_start,
-          .thermal = thermal,
-          .temperature_effect = input.temperature_effect};
+          .bound = input.options.bound,
+          .flexibility = input.options.flexibility,
+          .coefficients = input.options.creepage_table,
+          .slope_reduction = input.options.slope_reduction};
+}
+
+ExactOptions exact_options(const RollingCase& input) {
+  return exact_options(rolling_problem(input), method_of(input));
 }
 
 std::string read_case_text(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/rolling/theory.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
@@ -58,6 +59,10 @@ RollingCase parse_case(std::string_view text, const std::string& name);
 Bodies bodies_of(const RollingCase& input);
 /// One of them, for its interior field.
 InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
+
+/// The case as a problem and as a method, for Solver.
+RollingProblem rolling_problem(const RollingCase& input);
+Method method_of(const RollingCase& input);
 
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.

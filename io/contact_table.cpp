@@ -25,6 +25,13 @@ struct Column {
   constexpr std::string_view name() const { return label.substr(label_start.size()); }
 };
 
+/// The name of a column that was called otherwise before version 0.2.
+constexpr std::string_view present_name(std::string_view name) {
+  if (name == "creep_x") return "creepage_longitudinal";
+  if (name == "creep_y") return "creepage_lateral";
+  return name;
+}
+
 constexpr std::string_view dissimilarity_label = "column dissimilarity";
 
 /// First those that every table has.
@@ -41,9 +48,9 @@ constexpr std::array<Column, 11> known_columns = {{
      }},
     {"column normal_force",
      [](EllipticContact& c, auto label, double value) { c.normal_force = require_positive(label, value, "N"); }},
-    {"column creep_x",
+    {"column creepage_longitudinal",
      [](EllipticContact& c, auto label, double value) { c.creepage.longitudinal = require_finite(label, value, "-"); }},
-    {"column creep_y",
+    {"column creepage_lateral",
      [](EllipticContact& c, auto label, double value) { c.creepage.lateral = require_finite(label, value, "-"); }},
     {"column spin",
      [](EllipticContact& c, auto label, double value) { c.creepage.spin = require_finite(label, value, "1/m"); }},
@@ -184,7 +191,7 @@ void ContactTableReader::parse_header(std::string_view line, std::size_t number)
     fail(error.what());
   }
   for (const auto field : splitter.split(line)) {
-    const auto found = std::find(known_names.begin(), known_names.end(), field);
+    const auto found = std::find(known_names.begin(), known_names.end(), present_name(field));
     if (found == known_names.end()) fail("column " + printable(field) + ": unknown" + suggestion(field, known_names));
     if (std::find(columns_.begin(), columns_.end(), *found) != columns_.end())
       fail("column " + std::string(field) + ": is there twice");

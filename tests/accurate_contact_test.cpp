@@ -56,13 +56,11 @@ TEST(AccurateContact, ForcesGivenHaveALimitOfTheCreepage) {
 
 TEST(AccurateContact, ProgressMayEndIt) {
   AccurateContactSolver solver(1e-5);
-  int calls = 0;
   const AccurateContact result = solver.solve(test_case(2445), {}, [&](double fraction) {
-    EXPECT_GT(fraction, 0);
+    EXPECT_GE(fraction, 0);
     EXPECT_LE(fraction, 1);
-    return ++calls < 2;
+    return fraction == 0; // until there is a first limit
   });
-  EXPECT_EQ(calls, 2);
   EXPECT_EQ(result.forces.status, Status::not_converged);
   EXPECT_GT(result.error, 1e-5);
 }

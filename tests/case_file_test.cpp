@@ -288,7 +288,7 @@ TEST(CaseFile, ReadsTemperatures) {
   std::string other = text(effect, thermal, thermal);
   expect_refused(other + "discretisation = \"second_order\"", "must be classical for");
   expect_refused(other + "[layer]\nshear_modulus = 8e9\nthickness = 1e-5\nyield_stress = 1e8\n",
-                 "friction.thermal_change: does not go with a layer that yields");
+                 "friction.thermal_change: cannot be combined with a layer that yields");
   other.replace(other.find("rolling_speed = 30"), 18, "rolling_speed = 30\nkind = \"transient\"");
   expect_refused(other, "motion.kind: must be steady with thermal data of the bodies");
   const auto simplified = text(effect, thermal, thermal);
@@ -305,7 +305,7 @@ TEST(CaseFile, FaStripTakesWhatItNeeds) {
   EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
   EXPECT_EQ(parse_case(with_fastrip("flexibility = \"one\""), "w.toml").options.flexibility, FlexibilityModel::one);
   EXPECT_EQ(message_of(with_fastrip("bound = \"parabolic\"")),
-            "w.toml:20: solution.bound = \"parabolic\": must be elliptic with solution.theory = \"fastrip\"");
+            "w.toml:20: solution.bound: must be elliptic with solution.theory = \"fastrip\"");
   EXPECT_EQ(message_of(with_fastrip("[solution.slope_reduction]\ninitial = 0.5")),
             "w.toml:20: solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\"");
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// A sphere on a plane, R = 50 mm, shifted by half of the friction limit.
 inline const std::string first_shift = R"( 3 MODULE
@@ -39,18 +39,18 @@ inline std::string steady_rolling(const std::string& kinematics, const std::stri
 }
 
 struct RunCase {
-  ContactCase input;
-  ContactOutcome outcome;
+  Case input;
+  Outcome outcome;
 };
 
 /// All cases of a text, run in order.
 inline std::vector<RunCase> run_cases(const std::string& text) {
   std::istringstream stream(text);
-  ContactInputReader reader(stream, "a.inp");
-  ContactRun run;
+  InputReader reader(stream, "a.inp");
+  Run run;
   std::vector<RunCase> cases;
-  while (const ContactCase* c = reader.next()) cases.push_back({*c, run.run(*c)});
+  while (const Case* c = reader.next()) cases.push_back({*c, run.run(*c)});
   return cases;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

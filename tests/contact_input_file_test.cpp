@@ -10,14 +10,14 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-std::vector<ContactCase> read(const std::string& text) {
+std::vector<Case> read(const std::string& text) {
   std::istringstream stream(text);
-  ContactInputReader reader(stream, "a.inp");
-  std::vector<ContactCase> cases;
-  while (const ContactCase* c = reader.next()) cases.push_back(*c);
+  InputReader reader(stream, "a.inp");
+  std::vector<Case> cases;
+  while (const Case* c = reader.next()) cases.push_back(*c);
   return cases;
 }
 
@@ -39,13 +39,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(ContactInputFile, ReadsEveryRecordOfACase) {
   const auto cases = read(first_shift + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 1u);
-  const ContactCase& c = cases[0];
+  const Case& c = cases[0];
   EXPECT_EQ(c.number, 1);
   EXPECT_EQ(c.line, 2u);
-  EXPECT_EQ(c.digits.tang, 1);
-  EXPECT_EQ(c.digits.norm, 1);
-  EXPECT_EQ(c.digits.force, 1);
-  EXPECT_EQ(c.digits.output, 3);
+  EXPECT_EQ(c.digits.tang, Tangential::shift);
+  EXPECT_EQ(c.digits.norm, Normal::force);
+  EXPECT_EQ(c.digits.force, Prescribed::force_x);
+  EXPECT_EQ(number(c.digits.output), 3);
   EXPECT_EQ(c.solver.maxnr, 30);
   EXPECT_EQ(c.solver.eps, 1e-7);
   EXPECT_EQ(c.normal, 9.1954);
@@ -54,10 +54,10 @@ TEST(ContactInputFile, ReadsEveryRecordOfACase) {
   EXPECT_EQ(c.friction.sets[0][0], 0.4);
   EXPECT_EQ(c.material->poisson1, 0.42);
   EXPECT_EQ(c.material->shear2, 200.0);
-  EXPECT_EQ(c.potential->kind, 1);
+  EXPECT_EQ(c.potential->kind, Potential::corner_and_size);
   EXPECT_EQ(c.potential->mx, 19);
   EXPECT_EQ(c.potential->values[3], 0.13333);
-  EXPECT_EQ(c.geometry.base, 1);
+  EXPECT_EQ(c.geometry.base, Base::quadratic);
   EXPECT_EQ(c.geometry.values[2], 0.01);
 }
 
@@ -71,7 +71,7 @@ TEST(ContactInputFile, KeepsWhatTheDigitsSay) {
   EXPECT_EQ(cases[1].rolling->facphi, 0.5);
   EXPECT_EQ(cases[1].potential->mx, 19);
   EXPECT_EQ(cases[1].solver.eps, 1e-7);
-  EXPECT_EQ(cases[1].digits.iestim, 1);
+  EXPECT_EQ(cases[1].digits.iestim, InitialGuess::regularised);
   EXPECT_EQ(cases[2].friction.sets[0][0], 0.2);
   EXPECT_EQ(cases[2].rolling->dq, 0.25);
   EXPECT_EQ(cases[2].spin_y, 0.2);
@@ -80,9 +80,9 @@ TEST(ContactInputFile, KeepsWhatTheDigitsSay) {
 
 TEST(ContactInputFile, TheFirstCaseBeginsASequence) {
   const auto cases = read(replaced(first_shift, "201110", "001110") + first_shift);
-  EXPECT_EQ(cases[0].digits.pvtime, 2);
-  EXPECT_EQ(cases[1].digits.pvtime, 2);
-  EXPECT_EQ(read(replaced(first_shift, "0000331", "0030331"))[0].digits.iestim, 0);
+  EXPECT_EQ(cases[0].digits.pvtime, Continuation::nothing);
+  EXPECT_EQ(cases[1].digits.pvtime, Continuation::nothing);
+  EXPECT_EQ(read(replaced(first_shift, "0000331", "0030331"))[0].digits.iestim, InitialGuess::nothing);
 }
 
 TEST(ContactInputFile, StaysInTheModuleIfReturnSaysSo) {
@@ -135,7 +135,7 @@ TEST(ContactInputFile, ValuesOutOfRangeAreNamed) {
   expect_message(replaced(first_shift, ".42 .42", ".42 .62"), "a.inp:8: POISS2 = 0.62: must be in [0, 0.5]");
   expect_message(replaced(first_shift, "19 19", "0 19"), "a.inp:10: MX = 0: must be in 1 to 10000");
   expect_message(replaced(first_shift, " 1                   IPOTCN", " 0"),
-                 "a.inp:9: IPOTCN = 0: must be in -6 to -1 or 1 to 4");
+                 "a.inp:9: IPOTCN = 0: must be one of -6, -5, -4, -3, -2, -1, 1, 2, 3, 4");
   expect_message(replaced(first_shift, " 1 1  ", " 5 1"), "a.inp:11: IBASE = 5: must be one of 1, 2, 3, 9");
   const std::string plan = replaced(first_shift, " 1 1  ", " 1 3  ") + " -1 1 -1 1\n 2 3 3 2\n";
   expect_message(plan, "a.inp:14: PL(8) = 2: must be above PL(7)");
@@ -152,7 +152,7 @@ TEST(ContactInputFile, EveryTruncatedFileIsRefusedOrLacksWholeCases) {
   int whole = 0, refused = 0;
   for (std::size_t length = 0; length <= text.size(); ++length) {
     std::istringstream stream(text.substr(0, length));
-    ContactInputReader reader(stream, "a.inp");
+    InputReader reader(stream, "a.inp");
     try {
       while (reader.next()) {
       }
@@ -246,7 +246,7 @@ TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
   EXPECT_EQ(cases[0].points[0].range, (std::vector<int>{1, 1, 2, 1, 1, 3}));
   EXPECT_EQ(cases[0].points[1].x, (std::vector<double>{1, 2}));
   EXPECT_EQ(cases[0].points[2].z, (std::vector<double>{0, 1}));
-  EXPECT_EQ(cases[0].solver.method, 2);
+  EXPECT_EQ(cases[0].solver.method, SolverChoice::convex_gs);
   EXPECT_EQ(cases[0].geometry.values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(cases[0].geometry.plan_values.size(), 8u);
   EXPECT_EQ(cases[0].friction.sets.size(), 3u);
@@ -269,4 +269,4 @@ TEST(ContactInputFile, OtherModulesAreHandedOutAsUnreadable) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

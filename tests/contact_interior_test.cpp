@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 /// Steady rolling with blocks of points.
@@ -22,7 +22,7 @@ std::string with_points(const std::string& blocks, const std::string& output = "
   return steady_rolling("100. 2d-4 0 0", "0 .1 30000.", "203103") + " " + output + "\n" + blocks + "\n 0\n";
 }
 
-std::vector<ContactInterior> interior_of(const std::string& text) {
+std::vector<InteriorBlock> interior_of(const std::string& text) {
   const auto cases = run_cases(text);
   for (const auto& reason : cases.at(0).outcome.reasons) ADD_FAILURE() << reason;
   return cases.at(0).outcome.interior;
@@ -57,7 +57,7 @@ TEST(ContactInterior, BlocksNameTheirPointsInEightWays) {
 /// The same field from the case's tractions.
 TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
   const auto cases = run_cases(with_points(" 9\n 1 1 2\n .15\n -.2\n .4 -.4"));
-  const ContactOutcome& o = cases.at(0).outcome;
+  const Outcome& o = cases.at(0).outcome;
   const TangentialState& t = o.solution.tangential.tractions;
   const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
   const Material steel = {82e9, 0.28};
@@ -78,8 +78,8 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     const std::string material = "82000. 82000.\n";
     text.insert(text.find(material) + material.size(), " .5 2. 3d-5 1d-5\n");
     const auto cases = run_cases(text);
-    const ContactOutcome& o = cases.at(0).outcome;
-    ASSERT_EQ(o.kind, ContactOutcome::Kind::solved);
+    const Outcome& o = cases.at(0).outcome;
+    ASSERT_EQ(o.kind, Outcome::Kind::solved);
     const TangentialState& t = o.solution.tangential.tractions;
     const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
     const Material steel = {82e9, 0.28};
@@ -138,7 +138,7 @@ std::vector<std::vector<double>> table(std::istream& text) {
 TEST(ContactInterior, SubsFileHasTheColumnsAskedFor) {
   for (const std::string output : {"1 0", "2 0"}) {
     const auto cases = run_cases(with_points(" 9\n 2 1 1\n 0. .1\n 0.\n -.4", output));
-    std::istringstream text(contact_subs(cases.at(0).input, cases[0].outcome.interior));
+    std::istringstream text(subs_text(cases.at(0).input, cases[0].outcome.interior));
     const auto rows = table(text);
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].size(), output == "2 0" ? 14U : 8U);
@@ -162,7 +162,7 @@ TEST(ContactInterior, ContactsOwnTable) {
   std::stringstream text;
   text << input.rdbuf();
   const auto cases = run_cases(text.str());
-  std::istringstream ours(contact_subs(cases.at(1).input, cases[1].outcome.interior));
+  std::istringstream ours(subs_text(cases.at(1).input, cases[1].outcome.interior));
   const auto rows = table(ours), expected = table(printed);
   ASSERT_EQ(rows.size(), expected.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -172,4 +172,4 @@ TEST(ContactInterior, ContactsOwnTable) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -39,7 +39,7 @@ Outcome run(const TemporaryFolder& folder, const std::string& arguments) {
 
 /// Steady rolling with growing creepages, all but the first case keeping what the first has given.
 std::string many_cases(int count) {
-  std::string text = steady_rolling("100. 0 0 0");
+  std::string text = contact_program::steady_rolling("100. 0 0 0");
   for (int k = 1; k < count; ++k)
     text += " 3 MODULE\n 203100\n 100000\n 0100331\n 100. " + std::to_string(1e-6 * k) + " 0 0\n";
   return text + " 0 MODULE\n";
@@ -77,7 +77,7 @@ TEST(ContactProgram, RunsTheExample) {
 
 TEST(ContactProgram, StoresWhatDigitAAsksFor) {
   const TemporaryFolder folder;
-  std::string text = first_shift;
+  std::string text = contact_program::first_shift;
   save(folder / "a.inp", text.replace(text.find("0000331"), 7, "0001331"));
   ASSERT_EQ(run(folder, "a.inp -o out").exit_code, 0);
   const Hdf5Reader file(folder / "out/a.h5");
@@ -135,9 +135,9 @@ TEST(ContactProgram, ConvertsCasesOfTheirOwn) {
 TEST(ContactProgram, NamesWhatIsNotRunAndRunsTheRest) {
   const TemporaryFolder folder;
   const std::string wheel = " 1 MODULE\n 0203100\n 'a.prr' 0 1\n";
-  std::string approximate = steady_rolling("100. 1d-3 0 0");
+  std::string approximate = contact_program::steady_rolling("100. 1d-3 0 0");
   approximate.replace(approximate.find("203100"), 6, "253100");
-  save(folder / "a.inp", wheel + approximate + first_shift + " 0 MODULE\n");
+  save(folder / "a.inp", wheel + approximate + contact_program::first_shift + " 0 MODULE\n");
   const auto outcome = run(folder, "a.inp -o out");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.output.find("Case 1 (line 2): not run\n  MODULE = 1 (wheel on rail)\n"), std::string::npos);
@@ -155,9 +155,9 @@ TEST(ContactProgram, NamesWhatIsNotRunAndRunsTheRest) {
 
 TEST(ContactProgram, BadInputIsRefusedBeforeAnythingRuns) {
   const TemporaryFolder folder;
-  std::string wrong = first_shift;
+  std::string wrong = contact_program::first_shift;
   wrong.replace(wrong.find(".4 .4"), 5, "-.4 .4");
-  save(folder / "a.inp", first_shift + wrong);
+  save(folder / "a.inp", contact_program::first_shift + wrong);
   auto outcome = run(folder, "a.inp -o out");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors, "microslip: a.inp:19: FSTAT = -0.4: must be in [0, 10]\n");
@@ -171,7 +171,7 @@ TEST(ContactProgram, BadInputIsRefusedBeforeAnythingRuns) {
 
 TEST(ContactProgram, AFileCutShortBetweenCasesIsReported) {
   const TemporaryFolder folder;
-  save(folder / "a.inp", first_shift);
+  save(folder / "a.inp", contact_program::first_shift);
   const auto outcome = run(folder, "a.inp -o out");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: the file ends without MODULE 0; is it complete?\n");

@@ -12,10 +12,10 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-using Kind = ContactOutcome::Kind;
+using Kind = Outcome::Kind;
 
 std::string with(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
@@ -23,7 +23,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 
 TEST(ContactRun, TotalsAreInContactsUnits) {
   const auto cases = run_cases(first_shift);
-  const ContactTotals& t = cases.at(0).outcome.totals;
+  const PrintedTotals& t = cases.at(0).outcome.totals;
   // Cattaneo and Mindlin: a = 1 mm, Wx = 3 mu Fn (2 - nu)/(8 G a) (1 - (1 - .5)^(2/3)), c/a = (1 - .5)^(1/3).
   EXPECT_NEAR(t.fn, 9.1954, 1e-9);
   EXPECT_NEAR(t.fx, -0.5 * 0.4 * 9.1954, 1e-6);
@@ -43,7 +43,7 @@ TEST(ContactRun, TotalsAreInContactsUnits) {
 
 TEST(ContactRun, RollingIsThatOfTheLibrary) {
   const auto cases = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
-  const ContactTotals& t = cases.at(0).outcome.totals;
+  const PrintedTotals& t = cases.at(0).outcome.totals;
   ExactOptions options{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
   const EllipticContact contact{.a = 1e-3,
                                 .b = 0.8e-3,
@@ -61,7 +61,7 @@ TEST(ContactRun, RollingIsThatOfTheLibrary) {
 TEST(ContactRun, RollingTheOtherWayIsTheMirrorImage) {
   const auto forward = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
   const auto backward = run_cases(steady_rolling("100. -2d-4 -1d-4 -1d-4", "180d .1 30000."));
-  const ContactTotals &a = forward.at(0).outcome.totals, &b = backward.at(0).outcome.totals;
+  const PrintedTotals &a = forward.at(0).outcome.totals, &b = backward.at(0).outcome.totals;
   EXPECT_NEAR(a.fx, -b.fx, 1e-5);
   EXPECT_NEAR(a.fy, b.fy, 1e-5);
   EXPECT_NEAR(a.mz, -b.mz, 1e-5);
@@ -70,11 +70,11 @@ TEST(ContactRun, RollingTheOtherWayIsTheMirrorImage) {
 
 TEST(ContactRun, TheForceOfACreepageGivesTheCreepageBack) {
   const auto given = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4 .1 .2"));
-  const ContactTotals& a = given.at(0).outcome.totals;
+  const PrintedTotals& a = given.at(0).outcome.totals;
   char kinematics[120];
   std::snprintf(kinematics, sizeof kinematics, "100. %.12g %.12g 1d-4 .1 .2", a.x, a.y);
   const auto found = run_cases(steady_rolling(kinematics, "0 .1 30000.", "203120"));
-  const ContactTotals& b = found.at(0).outcome.totals;
+  const PrintedTotals& b = found.at(0).outcome.totals;
   EXPECT_EQ(b.x_name, "CREEP X");
   EXPECT_NEAR(b.x, 2e-4, 1e-9);
   EXPECT_NEAR(b.y, -1e-4, 1e-9);
@@ -106,7 +106,7 @@ TEST(ContactRun, BilinearElements) {
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_EQ(bilinear.at(k).outcome.kind, Kind::solved);
     EXPECT_EQ(bilinear[k].outcome.step.grid.shape, ElementShape::bilinear);
-    const ContactTotals &a = constant.at(k).outcome.totals, &b = bilinear[k].outcome.totals;
+    const PrintedTotals &a = constant.at(k).outcome.totals, &b = bilinear[k].outcome.totals;
     EXPECT_NEAR(b.fx, a.fx, 1e-6);
     EXPECT_NE(b.x, a.x);
     EXPECT_NEAR(b.x, a.x, 2e-3 * std::abs(a.x));
@@ -147,7 +147,7 @@ TEST(ContactRun, DissimilarBodiesRun) {
   const auto incompressible = run_cases(with(first_shift, ".42 .42 200. 200.", ".5 .5 200. 82000.")).at(0).outcome;
   EXPECT_EQ(incompressible.kind, Kind::solved);
   // Pressure makes tractions across the shift only where the materials are unlike.
-  const auto across = [](const ContactOutcome& o) {
+  const auto across = [](const Outcome& o) {
     double sum = 0;
     for (const double p : o.solution.tangential.tractions.py) sum += std::abs(p);
     return sum / o.solution.tangential.peak_traction;
@@ -167,9 +167,9 @@ TEST(ContactRun, SkippedCasesLeaveNoTrace) {
 TEST(ContactRun, ApproximatePressures) {
   std::string text = " 3 MODULE\n 203000\n 022020\n 0000331\n 100 100 30 1 1e-7\n .05 4d-4 0 0\n .3 .3\n 0 .2 30000.\n"
                      " .28 .28 82000. 82000.\n 1\n 36 36 -9. -9. .5 .5\n 1 1\n .001 0 .001 0 0 0\n";
-  const ContactTotals exact = run_cases(text).at(0).outcome.totals;
+  const PrintedTotals exact = run_cases(text).at(0).outcome.totals;
   for (const std::string bound : {"25", "26"}) {
-    const ContactTotals quick = run_cases(with(text, "203000", bound + "3000")).at(0).outcome.totals;
+    const PrintedTotals quick = run_cases(with(text, "203000", bound + "3000")).at(0).outcome.totals;
     EXPECT_NEAR(quick.fn / exact.fn, 1, 0.02) << bound;
     EXPECT_NEAR(quick.fx / exact.fx, 1, 0.02) << bound;
     EXPECT_NEAR(quick.peak_pressure / exact.peak_pressure, 1, 0.02) << bound;
@@ -192,7 +192,7 @@ TEST(ContactRun, RollingAlongYIsRollingAlongXTurned) {
   const auto along_x = steps("3d-4 -1d-4 1d-4", "2d-4 1d-4 2d-4", "0 .11 30000.");
   const auto along_y = steps("1d-4 3d-4 1d-4", "-1d-4 2d-4 2d-4", "90d .11 30000.");
   for (std::size_t k = 0; k < 2; ++k) {
-    const ContactTotals &a = along_x.at(k).outcome.totals, &b = along_y.at(k).outcome.totals;
+    const PrintedTotals &a = along_x.at(k).outcome.totals, &b = along_y.at(k).outcome.totals;
     EXPECT_NEAR(b.fx, -a.fy, 1e-5);
     EXPECT_NEAR(b.fy, a.fx, 1e-5);
     EXPECT_NEAR(b.mz, a.mz, 1e-5);
@@ -225,7 +225,7 @@ TEST(ContactRun, SurfaceTemperatures) {
   EXPECT_NEAR(cases[0].outcome.totals.temperature.value(), 100, 1e-9);
   EXPECT_GT(cases.at(1).outcome.totals.temperature.value(), 100.1);
   EXPECT_FALSE(cases.at(2).outcome.temperature);
-  const ContactOutcome& o = cases[1].outcome;
+  const Outcome& o = cases[1].outcome;
   for (std::size_t k = 0; k < o.step.grid.count(); ++k)
     EXPECT_TRUE(element_state(o, k) == 0 || o.temperature->body1[k] == o.temperature->body2[k]);
   EXPECT_EQ(o.temperature->body1[15], 20); // ahead of the contact
@@ -246,7 +246,7 @@ TEST(ContactRun, FrictionThatDependsOnTheTemperature) {
     ASSERT_EQ(cases.at(k).outcome.kind, Kind::solved);
     ASSERT_EQ(cases[k].outcome.solution.status, Status::ok);
   }
-  const ContactOutcome& o = cases[0].outcome;
+  const Outcome& o = cases[0].outcome;
   EXPECT_GT(o.totals.temperature.value(), 60);
   int warm = 0;
   for (std::size_t k = 0; k < o.step.grid.count(); ++k) {
@@ -286,4 +286,4 @@ TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

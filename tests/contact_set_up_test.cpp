@@ -13,12 +13,12 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-ContactCase first_case(const std::string& text) {
+Case first_case(const std::string& text) {
   std::istringstream stream(text);
-  ContactInputReader reader(stream, "a.inp");
+  InputReader reader(stream, "a.inp");
   return *reader.next();
 }
 
@@ -221,4 +221,4 @@ TEST(ContactSetUp, StepsOfRolling) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -14,7 +14,8 @@
 namespace microslip {
 namespace {
 
-const std::string header = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
+const std::string header =
+    "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
 const std::string row = "0.006,0.005,82e9,0.28,0.3,80e3,0.001,-0.002,0.5\n";
 
 struct Table {
@@ -108,9 +109,18 @@ TEST(ContactTable, RefusesImpossibleDissimilaritiesAndThoseThatTheSolverCannotHo
   }
 }
 
+TEST(ContactTable, ReadsColumnsByTheirFormerNames) {
+  const std::string former = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
+  std::istringstream stream(former + row);
+  ContactTableReader reader(stream, "in.csv");
+  EXPECT_EQ(reader.columns().at(6), "creepage_longitudinal");
+  EXPECT_EQ(message_of(former + row), "no error");
+}
+
 TEST(ContactTable, FindsColumnsByNameInAnyOrder) {
-  const auto table = read_table("spin,creep_y,creep_x,normal_force,friction,poisson_ratio,shear_modulus,b,a\n"
-                                "0.5,-0.002,0.001,80e3,0.3,0.28,82e9,0.005,0.006\n");
+  const auto table =
+      read_table("spin,creepage_lateral,creepage_longitudinal,normal_force,friction,poisson_ratio,shear_modulus,b,a\n"
+                 "0.5,-0.002,0.001,80e3,0.3,0.28,82e9,0.005,0.006\n");
   ASSERT_EQ(table.contacts.size(), 1u);
   EXPECT_EQ(table.columns.front(), "spin");
   EXPECT_EQ(table.contacts[0].a, 0.006);
@@ -146,8 +156,10 @@ TEST(ContactTable, NamesColumnsThatAreWrong) {
     return message_of(text.replace(text.find(from), from.size(), to));
   };
   EXPECT_EQ(renamed(",spin", ""), "in.csv:1: column spin: is missing");
-  EXPECT_EQ(renamed("creep_x", "creepx"), "in.csv:1: column \"creepx\": unknown; did you mean creep_x?");
-  EXPECT_EQ(renamed("creep_y", "creep_x"), "in.csv:1: column creep_x: is there twice");
+  EXPECT_EQ(renamed("creepage_longitudinal", "creepage_longitudina"),
+            "in.csv:1: column \"creepage_longitudina\": unknown; did you mean creepage_longitudinal?");
+  EXPECT_EQ(renamed("creepage_lateral", "creepage_longitudinal"),
+            "in.csv:1: column creepage_longitudinal: is there twice");
   EXPECT_EQ(renamed("spin", "spin,note"), "in.csv:1: column \"note\": unknown");
   EXPECT_EQ(renamed("spin", "spin,"), "in.csv:1: column \"\": unknown");
   EXPECT_EQ(renamed("a,", "\"a,"), "in.csv:1: a quote is not closed or inside a field");
@@ -186,7 +198,7 @@ TEST(ContactTable, NamesLinesThatAreWrong) {
 TEST(ContactTable, RefusesFilesThatAreNoTables) {
   const std::string empty =
       "in.csv: is empty; the first line must name the columns a, b, shear_modulus, poisson_ratio, "
-      "friction, normal_force, creep_x, creep_y and spin";
+      "friction, normal_force, creepage_longitudinal, creepage_lateral and spin";
   EXPECT_EQ(message_of(""), empty);
   EXPECT_EQ(message_of("\n \n"), empty);
   EXPECT_EQ(message_of("\xef\xbb\xbf"), empty);

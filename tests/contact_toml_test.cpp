@@ -12,12 +12,12 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
-ContactCase first_case(const std::string& text) {
+Case first_case(const std::string& text) {
   std::istringstream stream(text);
-  ContactInputReader reader(stream, "a.inp");
+  InputReader reader(stream, "a.inp");
   return *reader.next();
 }
 
@@ -47,7 +47,7 @@ ContactForces forces_of(const RollingCase& input) {
 TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
   for (const std::string chi : {"0", "180d"}) {
     const std::string text = steady_rolling("100. 2d-4 -1d-4 1d-4 .2 .1", chi + " .1 30000.");
-    const ContactTotals t = run_cases(text).at(0).outcome.totals;
+    const PrintedTotals t = run_cases(text).at(0).outcome.totals;
     const RollingCase input = converted(text);
     EXPECT_EQ(input.title, "a case");
     EXPECT_EQ(input.theory, Theory::exact);
@@ -74,7 +74,7 @@ TEST(ContactToml, FrictionThatDependsOnTheTemperature) {
   std::string text = with(steady_rolling("1000. 2d-1 0 0"), " .3 .3\n", " .3 50. -.25 150.\n 0 0\n");
   text = with(with(text, "022020", "622020"), "0000331", "3000331");
   text = with(text, " -3\n", " 20. 450. 50e-3 7.85e-6\n 30. 450. 50e-3 7.85e-6\n -3\n");
-  const ContactTotals t = run_cases(text).at(0).outcome.totals;
+  const PrintedTotals t = run_cases(text).at(0).outcome.totals;
   EXPECT_NEAR(forces_of(converted(text)).fx, t.fx, 1e-4 * 300);
   EXPECT_LT(std::abs(t.fx), 290);
 }
@@ -116,10 +116,10 @@ TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
   expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");
   expect_refused(with_coefficients_from_a_file(first_shift), "C = 9 (influence coefficients from a file)");
   expect_refused(" 1 MODULE\n", "MODULE = 1 (wheel on rail)");
-  ContactCase next = first_case(first_shift);
-  next.digits.pvtime = 0;
+  Case next = first_case(first_shift);
+  next.digits.pvtime = Continuation::previous;
   EXPECT_THROW(to_toml(next, ""), Error);
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -9,22 +9,22 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 /// Calls `read` with the words of a text.
 template <class Read> auto with_words(const std::string& text, Read read) {
   std::istringstream stream(text);
-  ContactWords words(stream, "a.inp");
+  Words words(stream, "a.inp");
   return read(words);
 }
 
 double real(const std::string& text) {
-  return with_words(text, [](ContactWords& words) { return words.real("X"); });
+  return with_words(text, [](Words& words) { return words.real("X"); });
 }
 
 double angle(const std::string& text) {
-  return with_words(text, [](ContactWords& words) { return words.angle("CHI"); });
+  return with_words(text, [](Words& words) { return words.angle("CHI"); });
 }
 
 template <class Read> void expect_refused(const std::string& text, const std::string& message, Read read) {
@@ -74,7 +74,7 @@ TEST(ContactWords, AnglesInDegreesEndInD) {
 }
 
 TEST(ContactWords, ARecordSpreadsOverLinesAndTheRestIsARemark) {
-  with_words("1,2=3 % 9\n\n  4 FN, CKSI 7\n5", [](ContactWords& words) {
+  with_words("1,2=3 % 9\n\n  4 FN, CKSI 7\n5", [](Words& words) {
     for (const double wanted : {1., 2., 3., 4.}) EXPECT_EQ(words.real("X"), wanted);
     words.end_record();
     EXPECT_EQ(words.line(), 4u);
@@ -86,7 +86,7 @@ TEST(ContactWords, ARecordSpreadsOverLinesAndTheRestIsARemark) {
 
 TEST(ContactWords, OptionalValuesStayOnTheLine) {
   const auto read = [](const std::string& text) {
-    return with_words(text, [](ContactWords& words) {
+    return with_words(text, [](Words& words) {
       words.real("X");
       const double first = words.optional_real("A", -1), second = words.optional_real("B", -2);
       return std::to_string(first) + " " + std::to_string(second);
@@ -101,7 +101,7 @@ TEST(ContactWords, OptionalValuesStayOnTheLine) {
 
 TEST(ContactWords, ControlIntegersAreRightAligned) {
   const auto read = [](const std::string& text) {
-    return with_words(text, [](ContactWords& words) { return words.control("PBTNFS", 6); });
+    return with_words(text, [](Words& words) { return words.control("PBTNFS", 6); });
   };
   EXPECT_EQ(read("203100"), (std::vector<int>{2, 0, 3, 1, 0, 0}));
   EXPECT_EQ(read("100"), (std::vector<int>{0, 0, 0, 1, 0, 0}));
@@ -112,7 +112,7 @@ TEST(ContactWords, ControlIntegersAreRightAligned) {
 }
 
 TEST(ContactWords, FindsTheNextModule) {
-  with_words("1 2 3 rest\n 3 modul\n x 3 MODULE\n % 3 MODULE\n 3 Module % next\n 7", [](ContactWords& words) {
+  with_words("1 2 3 rest\n 3 modul\n x 3 MODULE\n % 3 MODULE\n 3 Module % next\n 7", [](Words& words) {
     words.real("X");
     EXPECT_TRUE(words.skip_to_module());
     EXPECT_EQ(words.line(), 5u);
@@ -123,4 +123,4 @@ TEST(ContactWords, FindsTheNextModule) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::contact_program

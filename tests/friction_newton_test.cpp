@@ -336,12 +336,11 @@ TEST(FrictionNewton, NotConvergedIsAStatus) {
   MatrixOperator response(n, 0.9, 11);
   const Field g = random.field(n, 0.1, 1), cx = random.field(n, -2, 2), cy = random.field(n, -2, 2);
   const FrictionProblem problem{response, g, cx, cy, 1};
-  for (const int steps : {1, 2}) {
-    int left = steps;
-    const auto end_after_steps = [&](double) { return --left > 0; };
-    const FrictionSolution s = FrictionNewton().solve(problem, {.tolerance = 1e-12, .progress = end_after_steps});
+  for (const int calls : {1, 8, 20}) { // before a product or after a step
+    int left = calls;
+    const auto end_after_calls = [&](double) { return --left > 0; };
+    const FrictionSolution s = FrictionNewton().solve(problem, {.tolerance = 1e-12, .progress = end_after_calls});
     EXPECT_EQ(s.status, Status::not_converged);
-    EXPECT_EQ(s.newton_steps, steps);
     EXPECT_GT(s.residual, 1e-12);
     EXPECT_TRUE(std::isfinite(s.residual));
     for (std::size_t k = 0; k < n; ++k) EXPECT_LE(std::hypot(s.px[k], s.py[k]), g[k] * (1 + 1e-15));

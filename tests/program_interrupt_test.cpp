@@ -92,7 +92,7 @@ void expect_end_without_answer(int signals) {
   const auto table = (folder / "in.csv").string();
   ASSERT_EQ(mkfifo(table.c_str(), 0600), 0);
   const int pipe = open(table.c_str(), O_RDWR | O_CLOEXEC); // never closed while the program runs
-  const std::string rows = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
+  const std::string rows = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
   const std::string more = rows + std::string(40 * 1024, '\n');
   ASSERT_EQ(write(pipe, more.data(), more.size()), static_cast<ssize_t>(more.size()));
   const auto writes = [&](pid_t) { return has_ending(folder, ".tmp"); };
@@ -119,7 +119,7 @@ TEST(ProgramInterrupt, Validate) {
 TEST(ProgramInterrupt, Convert) {
   const TemporaryFolder folder;
   std::string text;
-  for (int k = 0; k < 20000; ++k) text += steady_rolling("100. 0.001 0 0");
+  for (int k = 0; k < 20000; ++k) text += contact_program::steady_rolling("100. 0.001 0 0");
   save(folder / "a.inp", text + " 0 MODULE\n");
   const auto has_begun = [&](pid_t) { return std::filesystem::exists(folder / "out/a.0003.toml"); };
   EXPECT_EQ(interrupt(folder, {"convert", "a.inp", "-o", "out"}, has_begun), 130);

@@ -33,7 +33,7 @@ using Names = std::vector<std::string>;
 
 const std::string example = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
 const std::string example_table = MICROSLIP_SOURCE_DIR "/examples/contacts.csv";
-const std::string header = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
+const std::string header = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
 
 /// The lines of a table of results, without the header, split at commas.
 std::vector<Names> rows_of(const fs::path& path) {
@@ -172,7 +172,7 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   {
     const Hdf5Reader reader(folder / "out/result.h5");
     EXPECT_NEAR(reader.values<double>("exact/fx", H5T_NATIVE_DOUBLE).at(0), -12e3, 0.1);
-    EXPECT_GT(reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0), 0);
+    EXPECT_GT(reader.values<double>("exact/creepage_longitudinal", H5T_NATIVE_DOUBLE).at(0), 0);
     EXPECT_FALSE(reader.has("inputs/shift_longitudinal")); // the force is what was given
     EXPECT_EQ(reader.values<double>("inputs/shift_lateral", H5T_NATIVE_DOUBLE).at(0), 1e-6);
     EXPECT_EQ(reader.text("inputs/motion"), "shift");
@@ -181,10 +181,10 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   {
     const Hdf5Reader reader(folder / "out/result.h5");
     const auto fx = reader.values<double>("exact/history/fx", H5T_NATIVE_DOUBLE);
-    const auto creep = reader.values<double>("exact/history/creep_x", H5T_NATIVE_DOUBLE);
+    const auto creep = reader.values<double>("exact/history/creepage_longitudinal", H5T_NATIVE_DOUBLE);
     ASSERT_EQ(fx.size(), 4u);
     for (const double force : fx) EXPECT_NEAR(force, -12e3, 0.1);
-    EXPECT_EQ(creep.back(), reader.values<double>("exact/creep_x", H5T_NATIVE_DOUBLE).at(0));
+    EXPECT_EQ(creep.back(), reader.values<double>("exact/creepage_longitudinal", H5T_NATIVE_DOUBLE).at(0));
     EXPECT_NE(creep[0], creep[3]);
   }
   ASSERT_EQ(solve("force_longitudinal = -12e3\nspin = 0.2\nrolling_speed = 2").exit_code, 0);
@@ -193,7 +193,7 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
     const auto number = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
     EXPECT_FALSE(reader.has("inputs/creepage_longitudinal"));
     EXPECT_EQ(number("inputs/creepage_lateral"), 0);
-    EXPECT_EQ(number("creep_curve/creepage_longitudinal"), number("exact/creep_x"));
+    EXPECT_EQ(number("creep_curve/creepage_longitudinal"), number("exact/creepage_longitudinal"));
     EXPECT_EQ(number("creep_curve/spin"), number("inputs/spin"));
   }
   const auto too_much = solve("force_longitudinal = -30e3\nrolling_speed = 2");
@@ -537,7 +537,8 @@ TEST(Program, MarksWhatCannotBeComputed) {
   save(folder / "w.toml", text);
   const auto solve = run_program(folder, "solve w.toml -o out --no-pictures");
   EXPECT_EQ(solve.exit_code, 1);
-  EXPECT_EQ(solve.errors.rfind("microslip: warning: w.toml: the numbers are too large", 0), 0u);
+  EXPECT_NE(solve.errors.find("microslip: warning: w.toml: overflow or underflow in the computation"),
+            std::string::npos);
   EXPECT_NE(Hdf5Reader(folder / "out/result.h5").text("exact/status"), "ok");
 }
 
@@ -549,7 +550,7 @@ TEST(Program, BatchRefusesBadTables) {
   for (unsigned i = 0; i < 100000; ++i) binary += static_cast<char>((i * 7919) >> 3);
   save(folder / "empty.csv", "");
   save(folder / "binary.csv", binary);
-  save(folder / "missing.csv", "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y\n");
+  save(folder / "missing.csv", "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral\n");
   save(folder / "truncated.csv", many + row.substr(0, 20));
   save(folder / "bad.csv", many + "0.006,0.005,82e9,0.7,0.3,80e3,0.001,0,0\n" + row);
   save(folder / "late.csv", many + many.substr(header.size()) + "x\n");

@@ -23,6 +23,8 @@ namespace microslip::validation {
 namespace {
 
 namespace fs = std::filesystem;
+using contact_program::Case;
+using contact_program::Outcome;
 
 constexpr const char* printed_file = MICROSLIP_REFERENCE_DATA "/contact_results.csv";
 constexpr const char* input_folder = MICROSLIP_REFERENCE_DATA "/../contact-cases";
@@ -101,7 +103,7 @@ struct Comparison {
 };
 
 /// A row of elements of the contact.
-double row_of_elements(const ContactOutcome& o) {
+double row_of_elements(const Outcome& o) {
   const ElementGrid& grid = o.step.grid;
   int longest = 1;
   for (int j = 0; j < grid.my; ++j) {
@@ -112,8 +114,8 @@ double row_of_elements(const ContactOutcome& o) {
   return grid.my == 1 ? 1 : longest;
 }
 
-std::vector<Comparison> compare(const ContactOutcome& o, const Printed& printed) {
-  const ContactTotals& t = o.totals;
+std::vector<Comparison> compare(const Outcome& o, const Printed& printed) {
+  const contact_program::PrintedTotals& t = o.totals;
   std::vector<Comparison> all;
   const auto add = [&](const char* column, const std::string& name, double ours, double least) {
     const auto theirs = number(printed, column);
@@ -152,11 +154,14 @@ struct SteadyCase {
   double fx, fy;        ///< classical
 };
 
-std::optional<SteadyCase> steady_case(const std::string& name, const ContactCase& c, const ContactOutcome& o) {
+std::optional<SteadyCase> steady_case(const std::string& name, const Case& c, const Outcome& o) {
+  using namespace contact_program; // its digits
   const ContactStep& step = o.step;
   const auto gap = gap_curvatures(c);
-  const bool is_plain = c.digits.tang == 3 && c.digits.mater == 0 && c.friction.law == 0 && !c.friction.by_row &&
-                        c.digits.force == 0 && c.extra == 0 && !step.bodies.are_coupled() && !step.given;
+  const bool is_plain = c.digits.tang == Tangential::steady && c.digits.mater == Bulk::elastic &&
+                        c.friction.law == Law::coulomb && !c.friction.by_row &&
+                        c.digits.force == Prescribed::creepages && c.extra == ExtraSlip::none &&
+                        !step.bodies.are_coupled() && !step.given;
   if (!is_plain || !gap || !(gap->y > 0) || o.solution.adhesion_elements == 0 || o.solution.slip_elements == 0)
     return {};
   const CombinedMaterial& material = step.bodies.material;
@@ -219,11 +224,11 @@ public:
     const fs::path path = fs::path(input_folder) / (name_ + ".inp");
     std::ifstream in(path);
     if (!in) throw Error(path.string() + ": cannot be read");
-    ContactInputReader reader(in, path.filename().string());
-    ContactRun runs;
+    contact_program::InputReader reader(in, path.filename().string());
+    contact_program::Run runs;
     report_.heading(name_ + ".inp");
     int last = printed_.empty() ? 1 : printed_.rbegin()->first;
-    while (const ContactCase* c = reader.next()) {
+    while (const Case* c = reader.next()) {
       take(*c, runs.run(*c));
       if (progress && !progress(std::min(1.0, static_cast<double>(c->number) / last))) return false;
     }
@@ -233,13 +238,13 @@ public:
   const std::vector<SteadyCase>& rolling_cases() const { return rolling_; }
 
 private:
-  void take(const ContactCase& c, const ContactOutcome& o) {
+  void take(const Case& c, const Outcome& o) {
     ++cases_;
-    if (o.kind == ContactOutcome::Kind::refused) {
+    if (o.kind == Outcome::Kind::refused) {
       for (const auto& reason : o.reasons) ++refused_[reason];
       return;
     }
-    if (o.kind != ContactOutcome::Kind::solved) return;
+    if (o.kind != Outcome::Kind::solved) return;
     ++solved_;
     converged_ += o.solution.status == Status::ok;
     note_extremes(c.number, o);
@@ -251,7 +256,7 @@ private:
   }
 
   /// Stresses are printed to three decimals [N/mm2].
-  void note_extremes(int number, const ContactOutcome& o) {
+  void note_extremes(int number, const Outcome& o) {
     const auto theirs = extremes_.find(number);
     if (theirs == extremes_.end()) return;
     std::vector<std::pair<std::string, double>> ours;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr int most_points = 9999, most_heights = 10000, most_patches = 100;
@@ -23,22 +23,22 @@ constexpr Names grid_names[] = {{{"XL", "YL", "DX", "DY"}},
                                 {{"XC1", "YC1", "DX", "DY"}},
                                 {{"XC1", "YC1", "XCM", "YCM"}}};
 
-void read_hertzian(ContactWords& words, PotentialContact& p) {
-  const Names& names = hertzian_names[-p.kind - 1];
+void read_hertzian(Words& words, PotentialContact& p) {
+  const Names& names = hertzian_names[-number(p.kind) - 1];
   for (std::size_t k = 0; k < 4 && names.of[k]; ++k) p.values[k] = words.positive(names.of[k]);
   p.scale = words.positive("SCALE");
 }
 
 /// A place and a size, or two places.
-void read_rectangle(ContactWords& words, PotentialContact& p) {
-  const Names& names = grid_names[p.kind - 1];
-  const bool has_sizes = p.kind % 2 == 1;
+void read_rectangle(Words& words, PotentialContact& p) {
+  const Names& names = grid_names[number(p.kind) - 1];
+  const bool has_sizes = p.kind == Potential::corner_and_size || p.kind == Potential::centre_and_size;
   for (std::size_t k = 0; k < 4; ++k) {
     const char* name = names.of[k];
     p.values[k] = has_sizes && k >= 2 ? words.positive(name) : words.real(name);
     if (has_sizes || k < 2) continue;
     const int elements = k == 2 ? p.mx : p.my;
-    if (p.kind == 4 && elements == 1)
+    if (p.kind == Potential::centres && elements == 1)
       words.fail(name, p.values[k], "gives no size to a single element; take IPOTCN = 3");
     if (!(p.values[k] > p.values[k - 2]))
       words.fail(name, p.values[k], std::string("must be above ") + names.of[k - 2]);
@@ -46,7 +46,7 @@ void read_rectangle(ContactWords& words, PotentialContact& p) {
 }
 
 /// The circle along x and the heights along y.
-std::vector<double> read_circle(ContactWords& words) {
+std::vector<double> read_circle(Words& words) {
   const int count = words.integer("NN", 1, most_heights);
   const double xm = words.real("XM"), rm = words.real("RM");
   if (rm == 0) words.fail("RM", 0, "must not be 0");
@@ -58,7 +58,7 @@ std::vector<double> read_circle(ContactWords& words) {
   return values;
 }
 
-std::vector<double> read_waves(ContactWords& words) {
+std::vector<double> read_waves(Words& words) {
   const auto values = words.reals("B", 8);
   for (const std::size_t k : {6u, 7u})
     if (values[k] == 0) words.fail("B(" + std::to_string(k + 1) + ")", 0, "must not be 0");
@@ -66,7 +66,7 @@ std::vector<double> read_waves(ContactWords& words) {
 }
 
 /// XL XH YL YH of two rectangles.
-std::vector<double> read_rectangles(ContactWords& words) {
+std::vector<double> read_rectangles(Words& words) {
   const auto values = words.reals("PL", 8);
   for (std::size_t k = 1; k < values.size(); k += 2)
     if (!(values[k] > values[k - 1]))
@@ -75,7 +75,7 @@ std::vector<double> read_rectangles(ContactWords& words) {
 }
 
 /// The number of sub-patches, y between them, and by how much each of a pair acts on the other.
-std::vector<double> read_sub_patches(ContactWords& words) {
+std::vector<double> read_sub_patches(Words& words) {
   const int count = words.integer("NPATCH", 1, most_patches);
   words.end_record();
   const auto patches = static_cast<std::size_t>(count);
@@ -88,30 +88,27 @@ std::vector<double> read_sub_patches(ContactWords& words) {
   return values;
 }
 
-std::vector<double> read_indices(ContactWords& words, const char* axis, int count) {
+std::vector<double> read_indices(Words& words, const char* axis, int count) {
   std::vector<double> indices;
   for (int k = 0; k < count; ++k) indices.push_back(words.integer(axis, 1, any_element));
   words.end_record();
   return indices;
 }
 
-/// A block of points; kind 0 ends them.
-ContactPoints read_block(ContactWords& words) {
-  ContactPoints points;
-  points.kind = words.integer("ISUBS", 0, 9);
+/// A block of points.
+PointBlock read_block(Words& words) {
+  PointBlock points;
+  points.kind = read_choice<Points>(words);
   words.end_record();
   const auto count = [&](const char* field) { return words.integer(field, 1, most_points); };
   const auto places = [&](const char* field, int number) {
     return words.reals(field, static_cast<std::size_t>(number));
   };
   switch (points.kind) {
-  case 0:
+  case Points::end:
     return points;
-  case 4:
-  case 8:
-    words.fail("ISUBS", points.kind, "must be one of 0, 1, 2, 3, 5, 6, 7, 9");
-  case 2:
-  case 6:
+  case Points::range:
+  case Points::range_at:
     for (const char* axis : {"IX", "IY"}) {
       const std::string name = axis;
       const int low = words.integer(name + "L", 1, any_element), step = words.integer(name + "INC", 0, any_element);
@@ -119,15 +116,15 @@ ContactPoints read_block(ContactWords& words) {
       words.end_record();
     }
     break;
-  case 3:
-  case 7: {
+  case Points::listed:
+  case Points::listed_at: {
     const int nx = count("NX"), ny = count("NY");
     words.end_record();
     points.x = read_indices(words, "IX", nx);
     points.y = read_indices(words, "IY", ny);
     break;
   }
-  case 9: {
+  case Points::anywhere: {
     const int nx = count("NX"), ny = count("NY"), nz = count("NZ");
     words.end_record();
     points.x = places("X", nx);
@@ -135,11 +132,12 @@ ContactPoints read_block(ContactWords& words) {
     points.z = places("Z", nz);
     return points;
   }
-  default:
+  case Points::all:
+  case Points::all_at:
     break;
   }
   const int nz = count("NZ");
-  if (points.kind <= 3) {
+  if (points.has_equal_depths()) {
     const double zl = words.real("ZL"), dz = words.real("DZ");
     points.z = {static_cast<double>(nz), zl, dz};
     words.end_record();
@@ -152,10 +150,9 @@ ContactPoints read_block(ContactWords& words) {
 
 } // namespace
 
-PotentialContact read_potential_contact(ContactWords& words) {
+PotentialContact read_potential_contact(Words& words) {
   PotentialContact p;
-  p.kind = words.integer("IPOTCN", -6, 4);
-  if (p.kind == 0) words.fail("IPOTCN", 0, "must be in -6 to -1 or 1 to 4");
+  p.kind = read_choice<Potential>(words);
   words.end_record();
   p.mx = words.integer("MX", 1, most_cells);
   p.my = words.integer("MY", 1, most_cells);
@@ -167,29 +164,28 @@ PotentialContact read_potential_contact(ContactWords& words) {
   return p;
 }
 
-ContactGeometry read_geometry(ContactWords& words, const PotentialContact& potential) {
-  ContactGeometry g;
-  g.base = words.integer("IBASE", 1, 9);
-  if (g.base > 3 && g.base < 9) words.fail("IBASE", g.base, "must be one of 1, 2, 3, 9");
-  g.planform = words.integer("IPLAN", 1, 4);
+Geometry read_geometry(Words& words, const PotentialContact& potential) {
+  Geometry g;
+  g.base = read_choice<Base>(words);
+  g.planform = read_choice<Planform>(words);
   words.end_record();
-  if (g.base == 1) g.values = words.reals("B", 6);
-  if (g.base == 2) g.values = read_circle(words);
-  if (g.base == 3) g.values = read_waves(words);
-  if (g.base == 9) g.values = words.reals("H", potential.elements());
-  if (g.planform == 2) g.plan_values = words.reals("PL", 6);
-  if (g.planform == 3) g.plan_values = read_rectangles(words);
-  if (g.planform == 4) g.plan_values = read_sub_patches(words);
+  if (g.base == Base::quadratic) g.values = words.reals("B", 6);
+  if (g.base == Base::circle) g.values = read_circle(words);
+  if (g.base == Base::waves) g.values = read_waves(words);
+  if (g.base == Base::by_element) g.values = words.reals("H", potential.elements());
+  if (g.planform == Planform::quadratic) g.plan_values = words.reals("PL", 6);
+  if (g.planform == Planform::rectangles) g.plan_values = read_rectangles(words);
+  if (g.planform == Planform::sub_patches) g.plan_values = read_sub_patches(words);
   return g;
 }
 
-std::vector<ContactPoints> read_points(ContactWords& words) {
-  std::vector<ContactPoints> blocks;
+std::vector<PointBlock> read_points(Words& words) {
+  std::vector<PointBlock> blocks;
   for (;;) {
-    ContactPoints block = read_block(words);
-    if (block.kind == 0) return blocks;
+    PointBlock block = read_block(words);
+    if (block.kind == Points::end) return blocks;
     blocks.push_back(std::move(block));
   }
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

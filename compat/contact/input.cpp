@@ -4,60 +4,40 @@
 #include <limits>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr int most_angles = 10000;
 constexpr double largest_friction = 10;
 
-/// A digit, its letter and the values that it may have.
-struct DigitRule {
-  char letter;
-  int ContactDigits::*digit;
-  const char* allowed;
-};
-
-constexpr DigitRule first_word[] = {
-    {'P', &ContactDigits::pvtime, "0123"}, {'B', &ContactDigits::bound, "0123456"},
-    {'T', &ContactDigits::tang, "0123"},   {'N', &ContactDigits::norm, "01"},
-    {'F', &ContactDigits::force, "012"},   {'S', &ContactDigits::stress, "0123"},
-};
-constexpr DigitRule second_word[] = {
-    {'V', &ContactDigits::varfrc, "03"},      {'L', &ContactDigits::frclaw, "012346"},
-    {'D', &ContactDigits::discns, "012"},     {'C', &ContactDigits::inflcf, "012349"},
-    {'M', &ContactDigits::mater, "01234567"}, {'Z', &ContactDigits::rznorm, "012"},
-    {'E', &ContactDigits::exrhs, "01239"},
-};
-constexpr DigitRule third_word[] = {
-    {'X', &ContactDigits::xflow, "01"},      {'H', &ContactDigits::heat, "013"},
-    {'G', &ContactDigits::gausei, "012345"}, {'I', &ContactDigits::iestim, "0123"},
-    {'A', &ContactDigits::matfil, "012"},    {'O', &ContactDigits::output, "0123456"},
-    {'W', &ContactDigits::flow, "01234569"}, {'R', &ContactDigits::solve, "0123"},
-};
-
-std::string listed_digits(const std::string& allowed) {
-  std::string text;
-  for (const char digit : allowed) text += (text.empty() ? "" : ", ") + std::string(1, digit);
-  return text;
+/// Whether the points of the interior field are those of an earlier case.
+bool keeps_points(const Digits& d) {
+  return d.stress == InteriorPoints::stored || d.stress == InteriorPoints::stored_again;
 }
 
-template <std::size_t count>
-void read_control(ContactWords& words, const char* field, const DigitRule (&rules)[count], ContactDigits& digits) {
-  const auto values = words.control(field, count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto& [letter, digit, allowed] = rules[k];
-    if (std::string(allowed).find(static_cast<char>('0' + values[k])) == std::string::npos)
-      words.fail(std::string("digit ") + letter + " of " + field, values[k],
-                 "must be one of " + listed_digits(allowed));
-    digits.*digit = values[k];
+/// How many numbers M adds to the material's.
+std::size_t numbers_of(Bulk model) {
+  switch (model) {
+  case Bulk::viscoelastic:
+  case Bulk::fastsim_one:
+  case Bulk::layer:
+    return 4;
+  case Bulk::fastsim:
+  case Bulk::fastrip:
+    return 3;
+  case Bulk::elastic:
+  case Bulk::fastrip_first:
+  case Bulk::fastrip_first_bounded:
+    break;
   }
+  return 0;
 }
 
 } // namespace
 
-ContactInputReader::ContactInputReader(std::istream& stream, std::string name) : words_(stream, std::move(name)) {}
+InputReader::InputReader(std::istream& stream, std::string name) : words_(stream, std::move(name)) {}
 
-const ContactCase* ContactInputReader::next() {
+const Case* InputReader::next() {
   const int module = ended_ ? 0 : in_module_ ? 3 : read_module();
   ended_ = module == 0;
   if (ended_) return nullptr;
@@ -69,7 +49,7 @@ const ContactCase* ContactInputReader::next() {
   ended_ = words_.at_end();
   if (ended_) return nullptr;
   now_ = &sequences_[sequence_];
-  ContactCase& c = now_->last;
+  Case& c = now_->last;
   c.number = ++cases_;
   c.line = lost_.line = words_.line();
   c.sequence = sequence_;
@@ -78,12 +58,12 @@ const ContactCase* ContactInputReader::next() {
   if (!c.unreadable.empty()) return give_up(c.unreadable);
   now_->has_case = true;
   now_->lost = 0;
-  in_module_ = c.digits.solve == 0 || c.digits.solve == 2;
+  in_module_ = c.digits.stays_in_module();
   return &c;
 }
 
 /// The number of the next module; 0 at the end.
-int ContactInputReader::read_module() {
+int InputReader::read_module() {
   if (words_.at_end()) return 0;
   const int module = words_.integer("MODULE", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   if (module != 0 && module != 1 && module != 3) words_.fail("MODULE", module, "must be 0, 1 or 3");
@@ -96,7 +76,7 @@ int ContactInputReader::read_module() {
 }
 
 /// A case that cannot be read; later cases of its sequence may keep something of it.
-const ContactCase* ContactInputReader::give_up(const std::string& why) {
+const Case* InputReader::give_up(const std::string& why) {
   const auto line = lost_.line;
   lost_ = {};
   lost_.line = line;
@@ -109,8 +89,8 @@ const ContactCase* ContactInputReader::give_up(const std::string& why) {
   return &lost_;
 }
 
-void ContactInputReader::read_case(ContactCase& c) {
-  read_digits(c);
+void InputReader::read_case(Case& c) {
+  c.digits = read_digits(words_, now_->has_damping ? Damping::keep : Damping::none);
   check_digits(c);
   if (keeps_lost(c)) {
     c.unreadable = "it keeps what case " + std::to_string(now_->lost) + " has changed, which cannot be run";
@@ -120,7 +100,7 @@ void ContactInputReader::read_case(ContactCase& c) {
   read_solver(c);
   read_kinematics(c);
   read_friction(c);
-  if (c.digits.inflcf >= 2) {
+  if (c.digits.reads_material()) {
     read_rolling(c);
     read_material(c);
   }
@@ -134,67 +114,53 @@ void ContactInputReader::read_case(ContactCase& c) {
   read_points(c);
 }
 
-void ContactInputReader::read_digits(ContactCase& c) {
-  ContactDigits& d = c.digits;
-  read_control(words_, "PBTNFS", first_word, d);
-  words_.end_record();
-  read_control(words_, "VLDCMZE", second_word, d);
-  d.damping = words_.optional_integer("M2", now_->has_damping ? 1 : 0, 0, 2);
-  words_.end_record();
-  read_control(words_, "XHGIAOWR", third_word, d);
-  words_.end_record();
-  if (d.xflow == 1) {
-    words_.control("PSFLCIN", 9); // versions differ in the number of digits
-    words_.end_record();
-  }
-}
-
 /// Digits that do not go together.
-void ContactInputReader::check_digits(const ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  if ((d.gausei == 3 || d.gausei == 5) && d.tang != 3)
-    words_.fail("digit G", d.gausei, "must go with T = 3, a solver for steady rolling");
-  if (d.heat != 0 && (d.tang == 1 || d.tang == 2)) words_.fail("digit H", d.heat, "must be 0 with T = 1 or 2");
-  if (d.mater == 1 && d.tang != 3 && d.tang != 0) words_.fail("digit M", 1, "must go with T = 3 (or 0)");
+void InputReader::check_digits(const Case& c) {
+  const Digits& d = c.digits;
+  if ((d.gausei == SolverChoice::steady_gs || d.gausei == SolverChoice::gd_steady) && d.tang != Tangential::steady)
+    words_.fail("digit G", number(d.gausei), "must go with T = 3, a solver for steady rolling");
+  if (d.heat != Heat::none && d.has_history()) words_.fail("digit H", number(d.heat), "must be 0 with T = 1 or 2");
+  if (d.mater == Bulk::viscoelastic && d.has_history())
+    words_.fail("digit M", number(d.mater), "must go with T = 3 (or 0)");
 }
 
-void ContactInputReader::fail_keep(const ContactCase& c, const char* digit, int value, const char* what) const {
-  words_.fail("case " + std::to_string(c.number) + ": digit " + digit + " = " + std::to_string(value) + " keeps " +
-              what + ", which no earlier case has given");
+void InputReader::fail_keep(const Case& c, const std::string& digit, const char* what) const {
+  words_.fail("case " + std::to_string(c.number) + ": digit " + digit + " keeps " + what +
+              ", which no earlier case has given");
 }
 
 /// Whether it keeps something that a case has changed which could not be read.
-bool ContactInputReader::keeps_lost(const ContactCase& c) const {
-  const ContactDigits& d = c.digits;
-  const bool keeps_points = d.stress == 1 || d.stress == 2;
-  return now_->lost > 0 && (d.gausei == 1 || d.frclaw == 1 || d.inflcf < 2 || d.discns < 2 || d.exrhs == 1 ||
-                            d.heat == 1 || keeps_points);
+bool InputReader::keeps_lost(const Case& c) const {
+  const Digits& d = c.digits;
+  return now_->lost > 0 &&
+         (d.gausei == SolverChoice::keep || d.frclaw == Law::keep || !d.reads_material() ||
+          d.discns != GridSource::read || d.exrhs == ExtraSlip::keep || d.heat == Heat::keep || keeps_points(d));
 }
 
 /// What is to be kept must be there. The first case of a sequence cannot continue anything.
-void ContactInputReader::check_kept(ContactCase& c) {
-  ContactDigits& d = c.digits;
-  const auto need = [&](bool keeps, bool has, const char* digit, int value, const char* what) {
-    if (keeps && !has) fail_keep(c, digit, value, what);
+void InputReader::check_kept(Case& c) {
+  Digits& d = c.digits;
+  const auto need = [&](bool keeps, bool has, auto digit, const char* what) {
+    if (keeps && !has) fail_keep(c, written(digit), what);
   };
-  need(d.gausei == 1, now_->has_solver, "G", 1, "the solvers' parameters");
-  need(d.frclaw == 1, now_->has_friction, "L", 1, "the friction law");
-  need(d.inflcf < 2, c.material.has_value(), "C", d.inflcf, "the material");
-  need(d.discns < 2, c.potential.has_value(), "D", d.discns, "the potential contact");
-  need(d.exrhs == 1, now_->has_case, "E", 1, "the extra rigid slip");
-  need(d.heat == 1, c.heat.has_value(), "H", 1, "the heat parameters");
-  need(d.stress == 1 || d.stress == 2, !c.points.empty(), "S", d.stress, "the points of the interior field");
-  if (d.damping == 1 && !now_->has_damping) d.damping = 0;
+  need(d.gausei == SolverChoice::keep, now_->has_solver, d.gausei, "the solvers' parameters");
+  need(d.frclaw == Law::keep, now_->has_friction, d.frclaw, "the friction law");
+  need(!d.reads_material(), c.material.has_value(), d.inflcf, "the material");
+  need(d.discns != GridSource::read, c.potential.has_value(), d.discns, "the potential contact");
+  need(d.exrhs == ExtraSlip::keep, now_->has_case, d.exrhs, "the extra rigid slip");
+  need(d.heat == Heat::keep, c.heat.has_value(), d.heat, "the heat parameters");
+  need(keeps_points(d), !c.points.empty(), d.stress, "the points of the interior field");
+  if (d.damping == Damping::keep && !now_->has_damping) d.damping = Damping::none;
   if (!now_->has_case) {
-    d.pvtime = 2;
-    d.iestim = 0;
+    d.pvtime = Continuation::nothing;
+    d.iestim = InitialGuess::nothing;
   }
 }
 
-void ContactInputReader::read_solver(ContactCase& c) {
-  if (c.digits.gausei == 1) return;
+void InputReader::read_solver(Case& c) {
+  if (c.digits.gausei == SolverChoice::keep) return;
   constexpr int most = 1000000;
-  ContactSolver& s = c.solver;
+  SolverData& s = c.solver;
   s.method = c.digits.gausei;
   s.maxgs = words_.integer("MAXGS", 1, most);
   s.maxin = words_.integer("MAXIN", 1, most);
@@ -202,24 +168,24 @@ void ContactInputReader::read_solver(ContactCase& c) {
   s.maxout = words_.integer("MAXOUT", 1, most);
   s.eps = words_.positive("EPS");
   words_.end_record();
-  if (s.method == 2 || s.method == 3) {
+  if (s.method == SolverChoice::convex_gs || s.method == SolverChoice::steady_gs) {
     s.omegah = words_.real("OMEGAH");
     s.omegas = words_.real("OMEGAS");
   }
-  if (s.method >= 2 && s.method <= 4) {
+  if (s.starts_from_slip()) {
     s.inislp = words_.real("INISLP");
     s.omgslp = words_.real("OMGSLP");
     words_.end_record();
   }
-  if (s.method == 5) words_.reals("FDECAY to POW_S", 8);
+  if (s.method == SolverChoice::gd_steady) words_.reals("FDECAY to POW_S", 8);
   now_->has_solver = true;
 }
 
-void ContactInputReader::read_kinematics(ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  c.normal = d.norm == 1 ? words_.positive("FN") : words_.real("PEN");
-  c.x = words_.real(d.force >= 1 ? "FX" : "CKSI");
-  c.y = words_.real(d.force == 2 ? "FY" : "CETA");
+void InputReader::read_kinematics(Case& c) {
+  const Digits& d = c.digits;
+  c.normal = d.norm == Normal::force ? words_.positive("FN") : words_.real("PEN");
+  c.x = words_.real(d.force != Prescribed::creepages ? "FX" : "CKSI");
+  c.y = words_.real(d.force == Prescribed::force_x_and_y ? "FY" : "CETA");
   c.phi = words_.real("CPHI");
   c.spin_x = words_.optional_real("SPINXO", 0);
   c.spin_y = words_.optional_real("SPINYO", 0);
@@ -227,14 +193,14 @@ void ContactInputReader::read_kinematics(ContactCase& c) {
 }
 
 /// A set of friction data, by the law.
-std::vector<double> ContactInputReader::read_friction_set(int law) {
+std::vector<double> InputReader::read_friction_set(Law law) {
   const auto coefficient = [&](const char* field) { return words_.between(field, 0, largest_friction); };
   std::vector<double> set;
-  if (law == 0) {
+  if (law == Law::coulomb) {
     set = {coefficient("FSTAT"), coefficient("FKIN")};
     if (std::abs(set[0] - set[1]) > 1e-3 * set[0])
       words_.fail("FKIN", set[1], "must be FSTAT; a static coefficient above the kinetic one is not supported");
-  } else if (law == 6) {
+  } else if (law == Law::thermal) {
     set = {coefficient("FREF"), words_.real("TREF"), words_.real("DFHEAT"), words_.positive("DTHEAT")};
     if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
       words_.fail("DFHEAT", set[2], "must keep FREF + DFHEAT in [0, 10]");
@@ -243,25 +209,25 @@ std::vector<double> ContactInputReader::read_friction_set(int law) {
       set.push_back(words_.between(field, 0, 1e12));
   }
   words_.end_record();
-  if (law == 0) return set;
+  if (law == Law::coulomb) return set;
   set.push_back(words_.between("MEMDST", 0, 1e12));
   set.push_back(words_.between("MEM_S0", 0, 1e12));
   words_.end_record();
   return set;
 }
 
-void ContactInputReader::read_friction(ContactCase& c) {
-  if (c.digits.frclaw == 1) return;
+void InputReader::read_friction(Case& c) {
+  if (c.digits.frclaw == Law::keep) return;
   c.friction.law = c.digits.frclaw;
-  c.friction.by_row = c.digits.varfrc == 3;
+  c.friction.by_row = c.digits.varfrc == FrictionSets::by_row;
   c.friction.sets.clear();
   if (!c.friction.by_row) c.friction.sets.push_back(read_friction_set(c.friction.law));
   now_->has_friction = true;
 }
 
-void ContactInputReader::read_rolling(ContactCase& c) {
-  if (c.digits.tang < 2) return;
-  ContactRolling rolling;
+void InputReader::read_rolling(Case& c) {
+  if (!c.digits.rolls()) return;
+  RollingData rolling;
   rolling.chi = words_.angle("CHI");
   rolling.dq = words_.positive("DQ");
   rolling.veloc = words_.positive("VELOC");
@@ -271,11 +237,11 @@ void ContactInputReader::read_rolling(ContactCase& c) {
   c.rolling = rolling;
 }
 
-void ContactInputReader::read_material(ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  ContactMaterial m;
+void InputReader::read_material(Case& c) {
+  const Digits& d = c.digits;
+  MaterialData m;
   m.coefficients = d.inflcf;
-  if (d.inflcf == 4) {
+  if (d.inflcf == Coefficients::angle_corrected) {
     words_.integer("IF_METH", 0, 1);
     words_.integer("VARIANT", 1, 4);
     const int count = words_.integer("NN", 1, most_angles);
@@ -286,7 +252,7 @@ void ContactInputReader::read_material(ContactCase& c) {
     }
     words_.end_record();
   }
-  if (d.inflcf == 9) {
+  if (d.inflcf == Coefficients::from_file) {
     words_.text("CFNAME");
     words_.end_record();
   }
@@ -295,31 +261,31 @@ void ContactInputReader::read_material(ContactCase& c) {
   m.shear1 = words_.positive("GG1");
   m.shear2 = words_.positive("GG2");
   words_.end_record();
-  if (d.bound == 1) {
+  if (d.bound == PressureModel::thin_sheet) {
     m.sheet_flexibility = words_.positive("FLXZ");
     words_.end_record();
   }
-  constexpr std::size_t counts[] = {0, 4, 4, 3, 4, 3, 0, 0};
   m.model = d.mater;
-  if (const auto count = counts[d.mater]) m.model_data = words_.reals("material", count);
+  if (const auto count = numbers_of(d.mater)) m.model_data = words_.reals("material", count);
   c.material = m;
 }
 
 /// What C = 0 or 1 has not read must be there from before.
-void ContactInputReader::check_read(const ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  if (d.mater != 0 && c.material->model != d.mater)
-    words_.fail("digit M", d.mater, "must go with C >= 2, which reads its data");
-  if (d.tang >= 2 && !c.rolling) words_.fail("digit T", d.tang, "must go with C >= 2, which reads CHI, DQ and VELOC");
+void InputReader::check_read(const Case& c) {
+  const Digits& d = c.digits;
+  if (d.mater != Bulk::elastic && c.material->model != d.mater)
+    words_.fail("digit M", number(d.mater), "must go with C >= 2, which reads its data");
+  if (d.rolls() && !c.rolling)
+    words_.fail("digit T", number(d.tang), "must go with C >= 2, which reads CHI, DQ and VELOC");
 }
 
-void ContactInputReader::read_damping_and_heat(ContactCase& c) {
-  if (c.digits.damping == 2) {
+void InputReader::read_damping_and_heat(Case& c) {
+  if (c.digits.damping == Damping::read) {
     words_.reals("damping", 4);
     now_->has_damping = true;
   }
-  if (c.digits.heat != 3) return;
-  ContactHeat heat;
+  if (c.digits.heat != Heat::read) return;
+  HeatData heat;
   for (auto* body : {&heat.body1, &heat.body2}) {
     for (std::size_t k = 0; k < 4; ++k) {
       constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
@@ -327,79 +293,81 @@ void ContactInputReader::read_damping_and_heat(ContactCase& c) {
     }
     words_.end_record();
   }
-  if (c.digits.mater == 4) {
+  if (c.digits.mater == Bulk::layer) {
     heat.plastic_share = words_.real("BETAPL");
     words_.end_record();
   }
   c.heat = heat;
 }
 
-void ContactInputReader::read_potential(ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  if (d.discns == 2) {
+void InputReader::read_potential(Case& c) {
+  const Digits& d = c.digits;
+  if (d.discns == GridSource::read) {
     c.potential = read_potential_contact(words_);
     if (c.potential->is_hertzian()) now_->has_geometry = false;
   }
-  if (d.discns >= 1 && c.potential->is_hertzian() && d.norm == 0 && !(c.normal > 0))
+  if (d.discns != GridSource::keep && c.potential->is_hertzian() && d.norm == Normal::approach && !(c.normal > 0))
     words_.fail("PEN", c.normal, "must be > 0 with Hertz's geometry, IPOTCN < 0");
-  if (d.discns >= 1) {
+  if (d.discns != GridSource::keep) {
     c.formed_norm = d.norm;
     c.formed_normal = c.normal;
   }
-  const bool needs_ellipse = d.bound >= 2 && d.bound <= 4;
+  const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
+                             d.bound == PressureModel::half_ellipses;
   if (needs_ellipse && !c.potential->is_hertzian())
-    words_.fail("digit B", d.bound, "must go with Hertz's geometry, IPOTCN < 0");
+    words_.fail("digit B", number(d.bound), "must go with Hertz's geometry, IPOTCN < 0");
 }
 
 /// Whether the undeformed distance stays; then it must fit the elements.
-bool ContactInputReader::keeps_geometry(ContactCase& c) {
-  const int digit = c.digits.rznorm;
-  if (digit == 2) return false;
+bool InputReader::keeps_geometry(Case& c) {
+  const DistanceSource digit = c.digits.rznorm;
+  if (digit == DistanceSource::read) return false;
   if (now_->lost > 0) {
     c.unreadable = "it keeps the undeformed distance that case " + std::to_string(now_->lost) +
                    " has changed, which cannot be run";
     return true;
   }
-  if (!now_->has_geometry) fail_keep(c, "Z", digit, "the undeformed distance");
-  if (c.geometry.base == 9 && c.geometry.values.size() != c.potential->elements())
-    words_.fail("case " + std::to_string(c.number) + ": digit Z = " + std::to_string(digit) +
+  if (!now_->has_geometry) fail_keep(c, written(digit), "the undeformed distance");
+  if (c.geometry.base == Base::by_element && c.geometry.values.size() != c.potential->elements())
+    words_.fail("case " + std::to_string(c.number) + ": digit " + written(digit) +
                 " keeps the undeformed distance of " + std::to_string(c.geometry.values.size()) +
                 " elements, and there are " + std::to_string(c.potential->elements()));
   return true;
 }
 
-void ContactInputReader::read_geometry(ContactCase& c) {
+void InputReader::read_geometry(Case& c) {
   if (c.potential->is_hertzian() || keeps_geometry(c)) return;
-  c.geometry = microslip::read_geometry(words_, *c.potential);
+  c.geometry = contact_program::read_geometry(words_, *c.potential);
   now_->has_geometry = true;
 }
 
-void ContactInputReader::read_friction_by_rows(ContactCase& c) {
+void InputReader::read_friction_by_rows(Case& c) {
   if (!c.friction.by_row) return;
   const auto rows = static_cast<std::size_t>(c.potential->my);
-  if (c.digits.frclaw != 1)
+  if (c.digits.frclaw != Law::keep)
     for (std::size_t row = 0; row < rows; ++row) c.friction.sets.push_back(read_friction_set(c.friction.law));
   if (c.friction.sets.size() != rows)
     words_.fail("V = 3: there are friction data for " + std::to_string(c.friction.sets.size()) + " rows, and MY is " +
                 std::to_string(rows));
 }
 
-void ContactInputReader::read_extra_slip(ContactCase& c) {
-  const ContactDigits& d = c.digits;
-  if (d.exrhs != 1) c.extra = d.exrhs;
+void InputReader::read_extra_slip(Case& c) {
+  const Digits& d = c.digits;
+  if (d.exrhs != ExtraSlip::keep) c.extra = d.exrhs;
   const std::size_t count = 2 * c.potential->elements();
-  if (d.exrhs == 9) c.extra_slip = words_.reals("EXRHS", count);
-  if (c.extra != 9) c.extra_slip.clear();
-  if (c.extra == 9 && c.extra_slip.size() != count)
-    words_.fail("digit E", d.exrhs, "keeps the extra rigid slip of another number of elements");
+  if (d.exrhs == ExtraSlip::by_element) c.extra_slip = words_.reals("EXRHS", count);
+  if (c.extra != ExtraSlip::by_element) c.extra_slip.clear();
+  if (c.extra == ExtraSlip::by_element && c.extra_slip.size() != count)
+    words_.fail("digit E", number(d.exrhs), "keeps the extra rigid slip of another number of elements");
 }
 
-void ContactInputReader::read_points(ContactCase& c) {
-  if (c.digits.stress < 2) return;
-  c.points_matfil = words_.integer("A_s", 0, 2);
+void InputReader::read_points(Case& c) {
+  const InteriorPoints digit = c.digits.stress;
+  if (digit == InteriorPoints::none || digit == InteriorPoints::stored) return;
+  c.subs_file = read_choice<SubsFile>(words_);
   words_.integer("O_s", 0, 6);
   words_.end_record();
-  if (c.digits.stress == 3) c.points = microslip::read_points(words_);
+  if (digit == InteriorPoints::read) c.points = contact_program::read_points(words_);
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -10,19 +10,19 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6, newton_per_mm2 = 1e6;
 
 /// The columns, or rows, of elements that a block names, from 0, as far as the grid has them; `part` is 0 for x, 1 for
 /// y.
-std::vector<int> elements_of(const ContactPoints& block, std::size_t part, int count) {
+std::vector<int> elements_of(const PointBlock& block, std::size_t part, int count) {
   std::vector<int> indices;
-  if (block.kind == 1 || block.kind == 5) {
+  if (block.kind == Points::all || block.kind == Points::all_at) {
     indices.resize(static_cast<std::size_t>(count));
     std::iota(indices.begin(), indices.end(), 0);
-  } else if (block.kind == 2 || block.kind == 6) {
+  } else if (block.kind == Points::range || block.kind == Points::range_at) {
     const int first = block.range[3 * part], step = block.range[3 * part + 1], last = block.range[3 * part + 2];
     for (int k = first; k <= std::min(last, count); k += step) indices.push_back(k - 1);
   } else {
@@ -41,16 +41,16 @@ std::vector<double> places(std::vector<double> values) {
   return values;
 }
 
-InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
+InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
   InteriorGrid points;
-  if (block.kind == 9) {
+  if (block.kind == Points::anywhere) {
     points.x = places(block.x);
     points.y = places(block.y);
   } else {
     for (const int i : elements_of(block, 0, grid.mx)) points.x.push_back(grid.x(i));
     for (const int j : elements_of(block, 1, grid.my)) points.y.push_back(grid.y(j));
   }
-  if (block.kind <= 3)
+  if (block.has_equal_depths())
     for (int k = 0; k < static_cast<int>(block.z[0]); ++k) points.z.push_back((block.z[1] + k * block.z[2]) * mm);
   else
     points.z = places(block.z);
@@ -60,10 +60,10 @@ InteriorGrid points_of(const ContactPoints& block, const ElementGrid& grid) {
 }
 
 /// FG and TC of a viscoelastic body make a part of its displacements come late.
-InteriorBody body_of(const ContactCase& c, std::size_t body) {
-  const ContactMaterial& m = *c.material;
+InteriorBody body_of(const Case& c, std::size_t body) {
+  const MaterialData& m = *c.material;
   const Material material = {(body == 0 ? m.shear1 : m.shear2) * newton_per_mm2, body == 0 ? m.poisson1 : m.poisson2};
-  if (c.digits.mater != 1) return material;
+  if (c.digits.mater != Bulk::viscoelastic) return material;
   return {material, delay_of(creep_of(c, body), rolling_velocity(c))};
 }
 
@@ -75,12 +75,12 @@ std::string row(const std::vector<double>& values) {
 
 } // namespace
 
-std::vector<ContactInterior> contact_interior(const ContactCase& c, const ContactStep& step,
-                                              const ContactStepSolution& solution) {
-  std::vector<ContactInterior> fields;
-  if (c.digits.stress == 0) return fields;
+std::vector<InteriorBlock> interior_blocks(const Case& c, const ContactStep& step,
+                                           const ContactStepSolution& solution) {
+  std::vector<InteriorBlock> fields;
+  if (c.digits.stress == InteriorPoints::none) return fields;
   const TangentialState& tractions = solution.tangential.tractions;
-  for (const ContactPoints& block : c.points) {
+  for (const PointBlock& block : c.points) {
     const InteriorGrid points = points_of(block, step.grid);
     auto states = interior_states(body_of(c, 0), body_of(c, 1), step.grid,
                                   {tractions.px, tractions.py, solution.normal.pressure}, points);
@@ -89,8 +89,8 @@ std::vector<ContactInterior> contact_interior(const ContactCase& c, const Contac
   return fields;
 }
 
-std::string contact_subs(const ContactCase& c, const std::vector<ContactInterior>& blocks) {
-  const bool all = c.points_matfil == 2;
+std::string subs_text(const Case& c, const std::vector<InteriorBlock>& blocks) {
+  const bool all = c.subs_file == SubsFile::components;
   std::string text;
   for (const auto& [points, states] : blocks) {
     std::vector<double> sizes(all ? 14 : 8, 0);
@@ -112,4 +112,4 @@ std::string contact_subs(const ContactCase& c, const std::vector<ContactInterior
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double per_m = 1e3, mega = 1e-6; ///< to mm, to N/mm2
@@ -18,39 +18,41 @@ std::string numbers(const std::vector<double>& values) {
   return line + "\n";
 }
 
-std::string head(const ContactCase& c, const ContactOutcome& outcome) {
+std::string head(const Case& c, const Outcome& outcome) {
   const ElementGrid& grid = outcome.step.grid;
-  const ContactMaterial& m = *c.material;
-  const bool rolls = c.digits.tang >= 2;
+  const MaterialData& m = *c.material;
+  const bool rolls = c.digits.rolls();
   std::string text = "%    MX    MY  XL  YL  DX  DY  CHI  DQ  CONFIG  D  YNOM_WHL\n";
   text += numbers({double(grid.mx), double(grid.my), (grid.x0 - grid.dx / 2) * per_m, (grid.y0 - grid.dy / 2) * per_m,
                    grid.dx * per_m, grid.dy * per_m, rolls ? c.rolling->chi : 0,
                    rolls ? outcome.step.motion.step * per_m : 1, 0, 0, 0});
   text += "%    T     M   GG1  GG2  POISS1  POISS2\n";
-  text += numbers({double(c.digits.tang), double(c.digits.mater), m.shear1, m.shear2, m.poisson1, m.poisson2});
+  text += numbers(
+      {double(number(c.digits.tang)), double(number(c.digits.mater)), m.shear1, m.shear2, m.poisson1, m.poisson2});
   text += "%    H     L   VELOC  FRICTION PARAMETERS\n";
-  std::vector<double> friction = {double(c.digits.heat), double(c.friction.law), rolls ? c.rolling->veloc : 1};
+  std::vector<double> friction = {double(number(c.digits.heat)), double(number(c.friction.law)),
+                                  rolls ? c.rolling->veloc : 1};
   friction.insert(friction.end(), c.friction.sets[0].begin(), c.friction.sets[0].end());
   return text + numbers(friction);
 }
 
-double coefficient(const ContactOutcome& outcome, std::size_t k) {
+double coefficient(const Outcome& outcome, std::size_t k) {
   const auto& friction = outcome.solution.friction;
   return outcome.step.frictionless || friction.empty() ? 0 : friction[k];
 }
 
 } // namespace
 
-std::string contact_mat(const ContactCase& c, const ContactOutcome& outcome) {
+std::string mat_text(const Case& c, const Outcome& outcome) {
   const NormalSolution& n = outcome.solution.normal;
   const TangentialSolution& t = outcome.solution.tangential;
   const auto& temperature = outcome.temperature;
-  const bool shifts = c.digits.tang == 1;
+  const bool shifts = c.digits.tang == Tangential::shift;
   std::string text = head(c, outcome) + "%    I IGS  H  MU  PN  PX  PY  UN  UX  UY  " + (shifts ? "SHFT" : "SREL") +
                      (temperature ? "  TEMP1  TEMP2\n" : "\n");
   for (std::size_t k = 0; k < outcome.step.grid.count(); ++k) {
     const int state = element_state(outcome, k);
-    if (c.digits.matfil == 1 && state == 0) continue;
+    if (c.digits.matfil == Stored::contact && state == 0) continue;
     fmt::format_to(std::back_inserter(text), "{:7} {:2}", k + 1, state);
     std::vector<double> line = {(outcome.step.gap[k] - n.approach) * per_m,
                                 coefficient(outcome, k),
@@ -67,4 +69,4 @@ std::string contact_mat(const ContactCase& c, const ContactOutcome& outcome) {
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -5,66 +5,67 @@
 #include "compat/contact/support.hpp"
 #include "microslip/error.hpp"
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 /// Whether its tractions depend on those of the case before.
-bool goes_on(const ContactCase& c) {
-  return (c.digits.tang == 1 || c.digits.tang == 2) && (c.digits.pvtime == 0 || c.digits.pvtime == 3);
+bool goes_on(const Case& c) {
+  const Continuation from = c.digits.pvtime;
+  return c.digits.has_history() && (from == Continuation::previous || from == Continuation::repeated);
 }
 
-ContactOutcome refused(std::vector<std::string> reasons) {
-  ContactOutcome outcome;
-  outcome.kind = ContactOutcome::Kind::refused;
+Outcome refused(std::vector<std::string> reasons) {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::refused;
   outcome.reasons = std::move(reasons);
   return outcome;
 }
 
 } // namespace
 
-int element_state(const ContactOutcome& outcome, std::size_t element) {
+int element_state(const Outcome& outcome, std::size_t element) {
   if (!(outcome.solution.normal.pressure[element] > 0)) return 0;
   if (outcome.step.frictionless) return 1;
   return outcome.solution.tangential.state[element] == CellState::adhesion ? 1 : 2;
 }
 
-ContactOutcome ContactRun::solve(const ContactCase& c, Sequence& sequence) {
-  ContactOutcome outcome;
+Outcome Run::solve(const Case& c, Sequence& sequence) {
+  Outcome outcome;
   outcome.step = contact_step(c);
-  SpringState springs = sequence.springs.value_or(SpringState());
-  outcome.solution = is_simplified(c) ? solve_simplified(c, outcome.step, sequence.steps, springs)
-                                      : sequence.steps.solve(outcome.step);
+  CarriedSprings springs = sequence.springs.value_or(CarriedSprings());
+  outcome.solution = c.digits.is_simplified() ? solve_simplified(c, outcome.step, sequence.steps, springs)
+                                              : sequence.steps.solve(outcome.step);
   sequence.springs.reset();
-  if (is_simplified(c)) sequence.springs = std::move(springs);
-  if (outcome.step.frictionless) sequence.springs = SpringState();
-  outcome.totals = contact_totals(c, outcome.step, outcome.solution);
+  if (c.digits.is_simplified()) sequence.springs = std::move(springs);
+  if (outcome.step.frictionless) sequence.springs = CarriedSprings();
+  outcome.totals = printed_totals(c, outcome.step, outcome.solution);
   outcome.temperature = temperatures_of(outcome.step, outcome.solution);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
-  outcome.interior = contact_interior(c, outcome.step, outcome.solution);
+  outcome.interior = interior_blocks(c, outcome.step, outcome.solution);
   outcome.notes = left_out(c, outcome.step);
   if (outcome.solution.normal.touches_border)
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");
-  if (c.digits.tang == 3 && !has_one_solution(outcome.step.grid, outcome.step.motion))
+  if (c.digits.tang == Tangential::steady && !has_one_solution(outcome.step.grid, outcome.step.motion))
     outcome.notes.emplace_back("DQ is below .55 DX on elements longer than wide: there may be several solutions");
   return outcome;
 }
 
-ContactOutcome ContactRun::run(const ContactCase& c) {
+Outcome Run::run(const Case& c) {
   Sequence& sequence = sequences_[c.sequence];
   auto reasons = unsupported(c);
-  if (reasons.empty() && c.digits.solve >= 2) {
-    ContactOutcome outcome;
-    outcome.kind = ContactOutcome::Kind::skipped;
+  if (reasons.empty() && c.digits.is_skipped()) {
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::skipped;
     return outcome;
   }
-  if (reasons.empty() && goes_on(c) && is_simplified(c) && !sequence.springs)
-    reasons.push_back("P = " + std::to_string(c.digits.pvtime) + " (FASTSIM goes on from FASTSIM only)");
-  if (reasons.empty() && goes_on(c) && !is_simplified(c) && sequence.lost > 0)
-    reasons.push_back("P = " + std::to_string(c.digits.pvtime) + " (it goes on from case " +
-                      std::to_string(sequence.lost) + ", which has left no tractions)");
+  if (reasons.empty() && goes_on(c) && c.digits.is_simplified() && !sequence.springs)
+    reasons.push_back(written(c.digits.pvtime) + " (FASTSIM goes on from FASTSIM only)");
+  if (reasons.empty() && goes_on(c) && !c.digits.is_simplified() && sequence.lost > 0)
+    reasons.push_back(written(c.digits.pvtime) + " (it goes on from case " + std::to_string(sequence.lost) +
+                      ", which has left no tractions)");
   if (reasons.empty()) try {
-      ContactOutcome outcome = solve(c, sequence);
-      sequence.lost = outcome.solution.status == Status::invalid_input || is_simplified(c) ? c.number : 0;
+      Outcome outcome = solve(c, sequence);
+      sequence.lost = outcome.solution.status == Status::invalid_input || c.digits.is_simplified() ? c.number : 0;
       return outcome;
     } catch (const Error& error) {
       reasons.emplace_back(error.what());
@@ -74,4 +75,4 @@ ContactOutcome ContactRun::run(const ContactCase& c) {
   return refused(std::move(reasons));
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// What became of a case.
-struct ContactOutcome {
+struct Outcome {
   enum class Kind { solved, skipped, refused };
   Kind kind = Kind::solved;
   std::vector<std::string> reasons = {}; ///< why it was refused
@@ -25,29 +25,30 @@ struct ContactOutcome {
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};
   std::optional<SurfaceTemperature> temperature = {}; ///< if asked for, H > 0
-  std::vector<ContactInterior> interior = {};         ///< at the points that are asked for, S > 0
-  ContactTotals totals = {};
+  std::vector<InteriorBlock> interior = {};           ///< at the points that are asked for, S > 0
+  PrintedTotals totals = {};
 };
 
 /// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip.
-int element_state(const ContactOutcome& outcome, std::size_t element);
+int element_state(const Outcome& outcome, std::size_t element);
 
 /// Runs the cases of an input file in their order, each with what the ones before it have left. A case that asks for
 /// something unsupported is refused, and so is one that goes on from the tractions of a refused one; all others run.
-class ContactRun {
+class Run {
 public:
-  ContactOutcome run(const ContactCase& c);
+  Outcome run(const Case& c);
 
 private:
   struct Sequence {
     ContactSequence steps;
     int lost = 0; ///< number of the case that could not be run after the last one that was solved
-    std::optional<SpringState> springs = SpringState(); ///< of the last case if it was FASTSIM's, or without friction
+    std::optional<CarriedSprings> springs =
+        CarriedSprings(); ///< of the last case if it was FASTSIM's, or without friction
   };
 
-  ContactOutcome solve(const ContactCase& c, Sequence& sequence);
+  Outcome solve(const Case& c, Sequence& sequence);
 
   std::map<std::pair<int, int>, Sequence> sequences_;
 };
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -13,57 +13,54 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A number of a solved case.
 struct Column {
   const char *name, *unit, *description;
-  double (*value)(const ContactOutcome& outcome);
+  double (*value)(const Outcome& outcome);
 };
 
 constexpr Column columns[] = {
-    {"normal_force", "N", "normal force Fn", [](const ContactOutcome& o) { return o.solution.normal_force; }},
-    {"fx", "N", "longitudinal force on body 1",
-     [](const ContactOutcome& o) { return o.solution.tangential.forces.fx; }},
-    {"fy", "N", "lateral force on body 1", [](const ContactOutcome& o) { return o.solution.tangential.forces.fy; }},
+    {"normal_force", "N", "normal force Fn", [](const Outcome& o) { return o.solution.normal_force; }},
+    {"fx", "N", "longitudinal force on body 1", [](const Outcome& o) { return o.solution.tangential.forces.fx; }},
+    {"fy", "N", "lateral force on body 1", [](const Outcome& o) { return o.solution.tangential.forces.fy; }},
     {"mz", "N m", "moment about the normal on body 1",
-     [](const ContactOutcome& o) { return o.solution.tangential.forces.mz; }},
+     [](const Outcome& o) { return o.solution.tangential.forces.mz; }},
     {"elastic_energy", "J", "elastic energy of pressure and tractions",
-     [](const ContactOutcome& o) { return o.solution.normal.elastic_energy + o.solution.tangential.elastic_energy; }},
+     [](const Outcome& o) { return o.solution.normal.elastic_energy + o.solution.tangential.elastic_energy; }},
     {"frictional_power", "W", "power lost by friction; for a shift the work [J]",
-     [](const ContactOutcome& o) { return o.solution.tangential.frictional_power; }},
+     [](const Outcome& o) { return o.solution.tangential.frictional_power; }},
     {"creepage_longitudinal", "-", "given or found, about the origin; for a shift the way [m]",
-     [](const ContactOutcome& o) { return o.solution.tangential.creepage.longitudinal; }},
+     [](const Outcome& o) { return o.solution.tangential.creepage.longitudinal; }},
     {"creepage_lateral", "-", "given or found, about the origin; for a shift the way [m]",
-     [](const ContactOutcome& o) { return o.solution.tangential.creepage.lateral; }},
+     [](const Outcome& o) { return o.solution.tangential.creepage.lateral; }},
     {"spin", "1/m", "given; for a shift the rotation [rad]",
-     [](const ContactOutcome& o) { return o.solution.tangential.creepage.spin; }},
-    {"approach", "m", "approach of distant points", [](const ContactOutcome& o) { return o.solution.normal.approach; }},
+     [](const Outcome& o) { return o.solution.tangential.creepage.spin; }},
+    {"approach", "m", "approach of distant points", [](const Outcome& o) { return o.solution.normal.approach; }},
     {"peak_pressure", "Pa", "largest pressure of an element",
-     [](const ContactOutcome& o) { return o.solution.normal.peak_pressure; }},
+     [](const Outcome& o) { return o.solution.normal.peak_pressure; }},
     {"highest_temperature", "deg C", "of the surfaces in contact; NaN where not asked for",
-     [](const ContactOutcome& o) { return o.totals.temperature.value_or(nan); }},
-    {"residual", "-", "of the tangential problem",
-     [](const ContactOutcome& o) { return o.solution.tangential.residual; }},
+     [](const Outcome& o) { return o.totals.temperature.value_or(nan); }},
+    {"residual", "-", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.residual; }},
     {"shear_modulus", "Pa", "combined shear modulus G",
-     [](const ContactOutcome& o) { return o.step.bodies.material.shear_modulus; }},
+     [](const Outcome& o) { return o.step.bodies.material.shear_modulus; }},
     {"poisson_ratio", "-", "combined Poisson's ratio",
-     [](const ContactOutcome& o) { return o.step.bodies.material.poisson_ratio; }},
-    {"x0", "m", "centre of the first element", [](const ContactOutcome& o) { return o.step.grid.x0; }},
-    {"y0", "m", "centre of the first element", [](const ContactOutcome& o) { return o.step.grid.y0; }},
-    {"dx", "m", "length of an element", [](const ContactOutcome& o) { return o.step.grid.dx; }},
-    {"dy", "m", "width of an element", [](const ContactOutcome& o) { return o.step.grid.dy; }},
+     [](const Outcome& o) { return o.step.bodies.material.poisson_ratio; }},
+    {"x0", "m", "centre of the first element", [](const Outcome& o) { return o.step.grid.x0; }},
+    {"y0", "m", "centre of the first element", [](const Outcome& o) { return o.step.grid.y0; }},
+    {"dx", "m", "length of an element", [](const Outcome& o) { return o.step.grid.dx; }},
+    {"dy", "m", "width of an element", [](const Outcome& o) { return o.step.grid.dy; }},
 };
 
 /// A count of a solved case.
 struct CountColumn {
   const char *name, *description;
-  int (*value)(const ContactOutcome& outcome);
+  int (*value)(const Outcome& outcome);
 };
 
 constexpr CountColumn counts[] = {
-    {"mx", "elements of the potential contact along x", [](const ContactOutcome& o) { return o.step.grid.mx; }},
-    {"my", "elements of the potential contact along y", [](const ContactOutcome& o) { return o.step.grid.my; }},
-    {"contact_elements", "elements in contact", [](const ContactOutcome& o) { return o.solution.contact_elements; }},
-    {"adhesion_elements", "of these in adhesion", [](const ContactOutcome& o) { return o.solution.adhesion_elements; }},
-    {"slip_elements", "of these in slip", [](const ContactOutcome& o) { return o.solution.slip_elements; }},
-    {"newton_steps", "of the tangential problem",
-     [](const ContactOutcome& o) { return o.solution.tangential.newton_steps; }},
+    {"mx", "elements of the potential contact along x", [](const Outcome& o) { return o.step.grid.mx; }},
+    {"my", "elements of the potential contact along y", [](const Outcome& o) { return o.step.grid.my; }},
+    {"contact_elements", "elements in contact", [](const Outcome& o) { return o.solution.contact_elements; }},
+    {"adhesion_elements", "of these in adhesion", [](const Outcome& o) { return o.solution.adhesion_elements; }},
+    {"slip_elements", "of these in slip", [](const Outcome& o) { return o.solution.slip_elements; }},
+    {"newton_steps", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.newton_steps; }},
 };
 
 /// A number of a point inside the bodies.
@@ -86,20 +83,20 @@ constexpr InteriorColumn interior_columns[] = {
 };
 
 /// The elements to be stored: all, or those in contact.
-std::vector<std::size_t> chosen(const ContactCase& c, const ContactOutcome& outcome) {
+std::vector<std::size_t> chosen(const Case& c, const Outcome& outcome) {
   std::vector<std::size_t> elements;
-  if (c.digits.matfil == 0 || outcome.kind != ContactOutcome::Kind::solved) return elements;
+  if (c.digits.matfil == Stored::none || outcome.kind != Outcome::Kind::solved) return elements;
   for (std::size_t k = 0; k < outcome.step.grid.count(); ++k)
-    if (c.digits.matfil == 2 || outcome.solution.normal.pressure[k] > 0) elements.push_back(k);
+    if (c.digits.matfil == Stored::all || outcome.solution.normal.pressure[k] > 0) elements.push_back(k);
   return elements;
 }
 
 } // namespace
 
-ContactRunFile::ContactRunFile(const std::filesystem::path& path, const Provenance& provenance)
+RunFile::RunFile(const std::filesystem::path& path, const Provenance& provenance)
     : file_(path, provenance, ResultFile::Storage::disk) {}
 
-int ContactRunFile::add_elements(const ContactCase& c, const ContactOutcome& outcome) {
+int RunFile::add_elements(const Case& c, const Outcome& outcome) {
   const auto elements = chosen(c, outcome);
   std::vector<int> index, state;
   for (const std::size_t k : elements) {
@@ -134,7 +131,7 @@ int ContactRunFile::add_elements(const ContactCase& c, const ContactOutcome& out
   return static_cast<int>(elements.size());
 }
 
-int ContactRunFile::add_points(const ContactOutcome& outcome) {
+int RunFile::add_points(const Outcome& outcome) {
   std::vector<int> blocks;
   std::vector<double> x, y, z;
   std::vector<InteriorState> states;
@@ -163,8 +160,8 @@ int ContactRunFile::add_points(const ContactOutcome& outcome) {
   return static_cast<int>(states.size());
 }
 
-void ContactRunFile::add(const ContactCase& c, const ContactOutcome& outcome) {
-  const bool solved = outcome.kind == ContactOutcome::Kind::solved;
+void RunFile::add(const Case& c, const Outcome& outcome) {
+  const bool solved = outcome.kind == Outcome::Kind::solved;
   const auto add_count = [&](const char* name, int value, const char* what) {
     file_.append(std::string("cases/") + name, std::span<const int>(&value, 1), "-", what);
   };
@@ -172,7 +169,7 @@ void ContactRunFile::add(const ContactCase& c, const ContactOutcome& outcome) {
   add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
   add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0,
             "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction");
-  add_count("motion", c.digits.tang, "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
+  add_count("motion", number(c.digits.tang), "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
   for (const auto& [name, what, value] : counts) add_count(name, solved ? value(outcome) : 0, what);
   for (const auto& [name, unit, what, value] : columns) {
     const double number = solved ? value(outcome) : nan;
@@ -189,4 +186,4 @@ void ContactRunFile::add(const ContactCase& c, const ContactOutcome& outcome) {
   points_ += points;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -5,14 +5,15 @@
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 #include "microslip/exact/normal/approximate_pressure.hpp"
-#include "microslip/friction/traction_bound.hpp"
+#include "microslip/exact/normal/thin_sheet.hpp"
+#include "microslip/friction/line_traction_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, per_mm = 1e3, newton_per_mm2 = 1e6;
@@ -37,34 +38,34 @@ HalfEllipses half_ellipses(const PotentialContact& p, double normal_force) {
 GapCurvatures gap_of(const PotentialContact& p, const CombinedMaterial& material, const NormalLoad& load) {
   const auto [first, second, third, fourth] = p.values;
   switch (p.kind) {
-  case -1:
+  case Potential::curvatures:
     return {first * per_mm, second * per_mm};
-  case -2: {
+  case Potential::curvature_and_ratio: {
     const GapCurvatures of_ratio = hertz_from_ellipse(second, 1, material, 1).gap;
     return {first * per_mm, first * per_mm * of_ratio.y / of_ratio.x};
   }
-  case -3:
+  case Potential::semi_axes:
     return gap_of_ellipse(first * mm, second * mm, material, load);
-  case -4:
+  case Potential::line_curvature:
     return {first * per_mm, 0};
-  case -6: // given by its contact alone
+  case Potential::half_ellipses: // given by its contact alone
     return {0, 0};
-  default: { // -5: p0 = 2 fn/(pi a) = E* A a
+  default: { // line_half_width: p0 = 2 fn/(pi a) = E* A a
     const double a = first * mm, force_per_length = load.value / (2 * second * mm);
     return {2 * force_per_length / (std::numbers::pi * a * a * material.contact_modulus()), 0};
   }
   }
 }
 
-NormalLoad load_of(int norm, double value) {
-  if (norm == 1) return {NormalLoad::Given::force, value};
+NormalLoad load_of(Normal norm, double value) {
+  if (norm == Normal::force) return {NormalLoad::Given::force, value};
   return {NormalLoad::Given::approach, value * mm};
 }
 
 /// The ellipse, or the strip, for a load.
 HertzianShape shape_of(const PotentialContact& p, const CombinedMaterial& material, const GapCurvatures& gap,
                        const NormalLoad& load) {
-  if (p.kind == -6) {
+  if (p.kind == Potential::half_ellipses) {
     const HalfEllipses contact = half_ellipses(p, load.value);
     return {contact.a, contact.half_width(), gap, 0, load.value};
   }
@@ -97,15 +98,15 @@ ElementGrid hertzian_grid(const PotentialContact& p, const HertzianShape& shape)
 ElementGrid given_grid(const PotentialContact& p) {
   const auto [x, y, second_x, second_y] = p.values;
   ElementGrid grid{p.mx, p.my, x * mm, y * mm, second_x * mm, second_y * mm};
-  if (p.kind == 2) { // the corners
+  if (p.kind == Potential::corners) {
     grid.dx = (second_x - x) * mm / p.mx;
     grid.dy = (second_y - y) * mm / p.my;
   }
-  if (p.kind == 4) { // centres of the first and the last element
+  if (p.kind == Potential::centres) { // of the first and the last element
     grid.dx = (second_x - x) * mm / (p.mx - 1);
     grid.dy = (second_y - y) * mm / (p.my - 1);
   }
-  if (p.kind <= 2) {
+  if (p.kind == Potential::corner_and_size || p.kind == Potential::corners) {
     grid.x0 += grid.dx / 2;
     grid.y0 += grid.dy / 2;
   }
@@ -126,63 +127,55 @@ double interpolated(const double* heights, std::size_t count, double y1, double 
 }
 
 /// The undeformed distance [mm] at a place [mm]. A circle is the parabola of its curvature, as in CONTACT.
-double distance(const ContactGeometry& g, double x, double y) {
+double distance(const Geometry& g, double x, double y) {
   const double* v = g.values.data();
-  if (g.base == 1) return quadratic_form(v, x, y);
-  if (g.base == 2)
+  if (g.base == Base::quadratic) return quadratic_form(v, x, y);
+  if (g.base == Base::circle)
     return (x - v[0]) * (x - v[0]) / (2 * v[1]) + interpolated(v + 4, g.values.size() - 4, v[2], v[3], y);
   return v[0] * std::sin(v[1] * (x - v[2])) - v[3] * std::sin(v[4] * (x - v[5])) + x * x / v[6] + y * y / v[7];
 }
 
-bool is_excluded(const ContactGeometry& g, double x, double y) {
+bool is_excluded(const Geometry& g, double x, double y) {
   const double* v = g.plan_values.data();
-  if (g.planform == 1) return false;
-  if (g.planform == 2) return !(quadratic_form(v, x, y) < 0);
+  if (g.planform == Planform::all) return false;
+  if (g.planform == Planform::quadratic) return !(quadratic_form(v, x, y) < 0);
   const auto within = [&](const double* side) { return x >= side[0] && x <= side[1] && y >= side[2] && y <= side[3]; };
   return !within(v) && !within(v + 4);
 }
 
-void set_given_geometry(const ContactGeometry& g, ContactStep& step) {
+void set_given_geometry(const Geometry& g, ContactStep& step) {
   const ElementGrid& grid = step.grid;
   step.gap.resize(grid.count());
-  if (g.planform != 1) step.excluded.resize(grid.count());
+  if (g.planform != Planform::all) step.excluded.resize(grid.count());
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
       const double x = grid.x(i) / mm, y = grid.y(j) / mm;
-      step.gap[k] = mm * (g.base == 9 ? g.values[k] : distance(g, x, y));
-      if (g.planform != 1) step.excluded[k] = is_excluded(g, x, y);
+      step.gap[k] = mm * (g.base == Base::by_element ? g.values[k] : distance(g, x, y));
+      if (g.planform != Planform::all) step.excluded[k] = is_excluded(g, x, y);
     }
   const bool none_left = std::all_of(step.excluded.begin(), step.excluded.end(), [](char out) { return out; });
-  if (none_left && g.planform != 1) throw Error("IPLAN = " + std::to_string(g.planform) + ": leaves no element");
-}
-
-/// A strip of half-width a: the ellipse, or the parabola of the same force.
-double line_pressure(TractionBound shape, const HertzianShape& strip, double x, double y) {
-  if (std::abs(y) > strip.b) return 0;
-  const double force_per_length = strip.normal_force / (2 * strip.b), xi = x / strip.a;
-  const double height = std::max(0.0, 1 - xi * xi);
-  if (shape == TractionBound::parabolic) return 0.75 * force_per_length / strip.a * height;
-  return 2 * force_per_length / (std::numbers::pi * strip.a) * std::sqrt(height);
+  if (none_left && g.planform != Planform::all) throw Error(written(g.planform) + ": leaves no element");
 }
 
 /// B = 2, 3: Hertz's pressure, or the parabola, for the load of this case.
-GivenPressure hertzian_pressure(const ContactCase& c, const ContactStep& step) {
+GivenPressure hertzian_pressure(const Case& c, const ContactStep& step) {
   const PotentialContact& p = *c.potential;
   const HertzianShape shape = shape_of(p, step.bodies.material, *gap_curvatures(c), step.load);
-  const auto bound = c.digits.bound == 3 ? TractionBound::parabolic : TractionBound::elliptic;
+  const auto bound = c.digits.bound == PressureModel::parabolic ? TractionBound::parabolic : TractionBound::elliptic;
+  const auto pressure = [&](double x, double y) {
+    if (!p.is_line()) return traction_bound(bound, shape.a, shape.b, shape.normal_force, 1, x, y);
+    return std::abs(y) > shape.b ? 0 : line_traction_bound(bound, shape.a, shape.normal_force / (2 * shape.b), 1, x);
+  };
   GivenPressure given{{}, shape.approach, shape.normal_force, {}};
   const ElementGrid& grid = step.grid;
   for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      given.pressure.push_back(
-          p.is_line() ? line_pressure(bound, shape, grid.x(i), grid.y(j))
-                      : traction_bound(bound, shape.a, shape.b, shape.normal_force, 1, grid.x(i), grid.y(j)));
+    for (int i = 0; i < grid.mx; ++i) given.pressure.push_back(pressure(grid.x(i), grid.y(j)));
   return given;
 }
 
 /// B = 4.
-GivenPressure half_elliptic_pressure(const ContactCase& c, const ElementGrid& grid) {
+GivenPressure half_elliptic_pressure(const Case& c, const ElementGrid& grid) {
   const HalfEllipses contact = half_ellipses(*c.potential, c.normal);
   GivenPressure given{{}, 0, c.normal, {}};
   for (int j = 0; j < grid.my; ++j)
@@ -191,50 +184,44 @@ GivenPressure half_elliptic_pressure(const ContactCase& c, const ElementGrid& gr
 }
 
 /// B = 5, 6: KPEC and ANALYN.
-GivenPressure approximate_pressure(const ContactCase& c, const ContactStep& step) {
+GivenPressure approximate_pressure(const Case& c, const ContactStep& step) {
   std::vector<double> gap = step.gap;
   constexpr double never = 1e20; // [m]
   for (std::size_t k = 0; k < step.excluded.size(); ++k)
     if (step.excluded[k]) gap[k] = never;
-  const auto method = c.digits.bound == 5 ? kik_piotrowski_pressure : analyn_pressure;
+  const auto method = c.digits.bound == PressureModel::kik_piotrowski ? kik_piotrowski_pressure : analyn_pressure;
   GivenPressure given{method(step.bodies.material, step.grid, gap, step.load.value), step.load.value, 0, {}};
   for (const double p : given.pressure) given.normal_force += p * step.grid.element_area();
   return given;
 }
 
-/// The approach at which a sheet with u = L p carries a force: as many of the lowest elements as it then reaches.
-double sheet_approach(std::vector<double> gaps, double flexibility_times_force_over_area) {
-  std::sort(gaps.begin(), gaps.end());
-  double sum = flexibility_times_force_over_area, approach = 0;
-  for (std::size_t n = 1; n <= gaps.size(); ++n) {
-    sum += gaps[n - 1];
-    approach = sum / static_cast<double>(n);
-    if (n < gaps.size() && approach <= gaps[n]) break;
-  }
-  return approach;
-}
-
-/// B = 1: a thin compressible sheet, p = (delta - h)/L where that is positive.
-GivenPressure sheet_pressure(const ContactCase& c, const ContactStep& step) {
+/// B = 1.
+GivenPressure sheet_pressure(const Case& c, const ContactStep& step) {
   const double flexibility = c.material->sheet_flexibility * mm / newton_per_mm2;
-  const auto is_out = [&](std::size_t k) { return !step.excluded.empty() && step.excluded[k]; };
-  GivenPressure given;
-  given.approach = step.load.value;
-  if (step.load.given == NormalLoad::Given::force) {
-    std::vector<double> gaps;
-    for (std::size_t k = 0; k < step.gap.size(); ++k)
-      if (!is_out(k)) gaps.push_back(step.gap[k]);
-    given.approach = sheet_approach(std::move(gaps), flexibility * step.load.value / step.grid.element_area());
-  }
-  for (std::size_t k = 0; k < step.gap.size(); ++k) {
-    given.displacement.push_back(is_out(k) ? 0 : std::max(0.0, given.approach - step.gap[k]));
-    given.pressure.push_back(given.displacement[k] / flexibility);
-    given.normal_force += given.pressure[k] * step.grid.element_area();
-  }
-  return given;
+  NormalSolution s = solve_thin_sheet(flexibility, step.grid, step.gap, step.load, step.excluded);
+  return {std::move(s.pressure), s.approach, s.normal_force, std::move(s.displacement)};
 }
 
-void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
+/// B: the pressure, unless it is solved for.
+std::optional<GivenPressure> given_pressure(const Case& c, const ContactStep& step) {
+  switch (c.digits.bound) {
+  case PressureModel::half_space:
+    break;
+  case PressureModel::thin_sheet:
+    return sheet_pressure(c, step);
+  case PressureModel::elliptic:
+  case PressureModel::parabolic:
+    return hertzian_pressure(c, step);
+  case PressureModel::half_ellipses:
+    return half_elliptic_pressure(c, step.grid);
+  case PressureModel::kik_piotrowski:
+  case PressureModel::analyn:
+    return approximate_pressure(c, step);
+  }
+  return {};
+}
+
+void set_hertzian_geometry(const Case& c, ContactStep& step) {
   const PotentialContact& p = *c.potential;
   const NormalLoad formed = load_of(c.formed_norm, c.formed_normal);
   const GapCurvatures gap = *gap_curvatures(c);
@@ -248,15 +235,15 @@ void set_hertzian_geometry(const ContactCase& c, ContactStep& step) {
 }
 
 /// The law in force, with a set of its numbers as they stand in the file.
-FrictionLaw friction_law(int law, const std::vector<double>& set) {
+FrictionLaw friction_law(Law law, const std::vector<double>& set) {
   if (set.empty()) return FrictionLaw();
-  if (law == 0 || law == 6) return FrictionLaw::coulomb(set[0]);
+  if (law == Law::coulomb || law == Law::thermal) return FrictionLaw::coulomb(set[0]);
   constexpr double least_velocity = 1e-4; // [mm/s], where a file says 0
   const auto term = [&](std::size_t k) {
     return FrictionTerm{.drop = set[k], .half_velocity = std::max(set[k + 1], least_velocity) * mm};
   };
-  if (law == 2) return FrictionLaw::linear(set[0], term(1), term(3));
-  if (law == 3) return FrictionLaw::rational(set[0], term(1), term(3));
+  if (law == Law::linear) return FrictionLaw::linear(set[0], term(1), term(3));
+  if (law == Law::rational) return FrictionLaw::rational(set[0], term(1), term(3));
   return FrictionLaw::exponential(set[0], term(1), term(3));
 }
 
@@ -270,49 +257,56 @@ ThermalBody thermal_body(const std::array<double, 4>& data) {
 }
 
 /// H > 0 and L = 6, whose sets are FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
-void set_temperatures(const ContactCase& c, ContactStep& step) {
+void set_temperatures(const Case& c, ContactStep& step) {
   step.thermal = thermal_bodies(c);
-  if (!step.thermal || c.friction.law != 6) return;
+  if (!step.thermal || c.friction.law != Law::thermal) return;
   for (const auto& set : c.friction.sets)
     step.temperature_effect.push_back({.change = set[2], .begin = set[1], .range = set[3]});
 }
 
 /// Friction by rows; what FX and FY are relative to, over Fn.
-double set_friction(const ContactCase& c, ContactStep& step) {
+double set_friction(const Case& c, ContactStep& step) {
   for (const auto& set : c.friction.sets) step.friction.push_back(friction_law(c.friction.law, set));
-  if (c.friction.law == 0) return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
+  if (c.friction.law == Law::coulomb) return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
   const auto& set = c.friction.sets[0]; // its last two numbers, MEMDST and MEM_S0, hold for all rows
   step.friction_memory = {set[set.size() - 2] * mm, set[set.size() - 1] * mm};
-  const double begin = c.solver.method >= 2 && c.solver.method <= 4 ? c.solver.inislp : 0;
-  step.slip_start = begin < 0                           ? SlipStart::above
-                    : begin > 0 || c.digits.iestim == 0 ? SlipStart::below
-                                                        : SlipStart::given;
+  const double begin = c.solver.starts_from_slip() ? c.solver.inislp : 0;
+  step.slip_start = begin < 0                                               ? SlipStart::above
+                    : begin > 0 || c.digits.iestim == InitialGuess::nothing ? SlipStart::below
+                                                                            : SlipStart::given;
   return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
 }
 
 /// CONTACT's solvers, but for SteadyGS, correct steps that are longer than the elements, as if the edge were at the
 /// centre of the element ahead of the contact.
-bool corrects_leading_edge(const ContactCase& c, const ContactStep& step) {
+bool corrects_leading_edge(const Case& c, const ContactStep& step) {
   constexpr double rounding = 1e-3;
   return !takes_element_length(c) && step.motion.step > (1 + rounding) * step.grid.dx && rolls_along_x(c) &&
          step.bodies.are_elastic() && !step.bodies.are_coupled();
 }
 
-void set_motion(const ContactCase& c, ContactStep& step) {
-  const ContactDigits& d = c.digits;
-  const bool shifts = d.tang == 1;
+StepStart start_of(Continuation digit) {
+  if (digit == Continuation::previous) return StepStart::previous;
+  return digit == Continuation::repeated ? StepStart::repeated : StepStart::fresh;
+}
+
+void set_motion(const Case& c, ContactStep& step) {
+  const Digits& d = c.digits;
+  const bool shifts = d.tang == Tangential::shift;
   TangentialInput& motion = step.motion;
-  motion.motion = shifts ? ContactMotion::shift : d.tang == 2 ? ContactMotion::transient : ContactMotion::steady;
+  motion.motion = shifts                            ? ContactMotion::shift
+                  : d.tang == Tangential::transient ? ContactMotion::transient
+                                                    : ContactMotion::steady;
   // With the spin about (x0, y0): w = (xi - phi (y - y0), eta + phi (x - x0)).
   const double unit = shifts ? mm : 1, turn = shifts ? 1 : per_mm;
-  const double xi = d.force >= 1 ? 0 : c.x, eta = d.force == 2 ? 0 : c.y;
+  const double xi = d.force != Prescribed::creepages ? 0 : c.x, eta = d.force == Prescribed::force_x_and_y ? 0 : c.y;
   motion.creepage = {unit * (xi + c.phi * c.spin_y), unit * (eta - c.phi * c.spin_x), turn * c.phi};
   const double scale = set_friction(c, step);
-  if (d.force >= 1) step.force_x = c.x * scale;
-  if (d.force == 2) step.force_y = c.y * scale;
+  if (d.force != Prescribed::creepages) step.force_x = c.x * scale;
+  if (d.force == Prescribed::force_x_and_y) step.force_y = c.y * scale;
   motion.tolerance = std::clamp(c.solver.eps, 1e-10, 1e-8);
-  step.start = d.pvtime == 0 ? StepStart::previous : d.pvtime == 3 ? StepStart::repeated : StepStart::fresh;
-  step.warm_start = d.iestim > 0;
+  step.start = start_of(d.pvtime);
+  step.warm_start = d.iestim != InitialGuess::nothing;
   if (shifts) return;
   motion.step = takes_element_length(c) ? step.grid.dx : c.rolling->dq * mm;
   motion.spin_offset = c.rolling->facphi;
@@ -325,10 +319,10 @@ void set_motion(const ContactCase& c, ContactStep& step) {
 }
 
 /// E: slip of each element on top of that of the creepages, or against the spin's part of it.
-void set_extra_slip(const ContactCase& c, ContactStep& step) {
-  if (c.extra == 0) return;
+void set_extra_slip(const Case& c, ContactStep& step) {
+  if (c.extra == ExtraSlip::none) return;
   const ElementGrid& grid = step.grid;
-  const bool shifts = c.digits.tang == 1;
+  const bool shifts = c.digits.tang == Tangential::shift;
   const double unit = shifts ? mm : 1, turn = c.phi * (shifts ? 1 : per_mm);
   const Vec2 ahead = shifts ? Vec2{} : way_of(step.motion, step.motion.spin_offset * signed_step(step.motion, grid));
   step.extra_slip_x.assign(grid.count(), 0);
@@ -336,17 +330,17 @@ void set_extra_slip(const ContactCase& c, ContactStep& step) {
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
-      if (c.extra == 2) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead.x - c.spin_x * mm);
-      if (c.extra == 3) step.extra_slip_x[k] = turn * (grid.y(j) + ahead.y - c.spin_y * mm);
-      if (c.extra == 9)
+      if (c.extra == ExtraSlip::without_spin_y) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead.x - c.spin_x * mm);
+      if (c.extra == ExtraSlip::without_spin_x) step.extra_slip_x[k] = turn * (grid.y(j) + ahead.y - c.spin_y * mm);
+      if (c.extra == ExtraSlip::by_element)
         step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
     }
 }
 
 } // namespace
 
-CombinedMaterial combined_material(const ContactCase& c) {
-  const ContactMaterial& m = *c.material;
+CombinedMaterial combined_material(const Case& c) {
+  const MaterialData& m = *c.material;
   return combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2});
 }
 
@@ -362,53 +356,55 @@ InterfaceLayer interface_layer(const std::vector<double>& v) {
 
 } // namespace
 
-Bodies bodies_of(const ContactCase& c) {
-  const ContactMaterial& m = *c.material;
+Bodies bodies_of(const Case& c) {
+  const MaterialData& m = *c.material;
   const Material body1 = {m.shear1 * newton_per_mm2, m.poisson1}, body2 = {m.shear2 * newton_per_mm2, m.poisson2};
   Bodies elastic = combine(body1, body2);
-  if (c.digits.mater == 4) elastic.layer = interface_layer(m.model_data);
-  if (c.digits.mater != 1) return elastic;
+  if (c.digits.mater == Bulk::layer) elastic.layer = interface_layer(m.model_data);
+  if (c.digits.mater != Bulk::viscoelastic) return elastic;
   return viscoelastic(body1, creep_of(c, 0), body2, creep_of(c, 1), rolling_velocity(c));
 }
 
-Creep creep_of(const ContactCase& c, std::size_t body) {
+Creep creep_of(const Case& c, std::size_t body) {
   const auto& data = c.material->model_data; // FG1, FG2, TC1, TC2
   return {data[body], data[2 + body]};
 }
 
-std::optional<ThermalBodies> thermal_bodies(const ContactCase& c) {
-  if (c.digits.heat == 0 || c.digits.tang != 3) return {};
+std::optional<ThermalBodies> thermal_bodies(const Case& c) {
+  if (c.digits.heat == Heat::none || c.digits.tang != Tangential::steady) return {};
   return ThermalBodies{thermal_body(c.heat->body1), thermal_body(c.heat->body2)};
 }
 
-double rolling_velocity(const ContactCase& c) {
+double rolling_velocity(const Case& c) {
   return c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
 }
 
-bool takes_element_length(const ContactCase& c) {
-  return (c.digits.tang == 3 && c.solver.method != 2) || (c.digits.tang >= 2 && c.digits.mater == 4);
+bool takes_element_length(const Case& c) {
+  const Digits& d = c.digits;
+  return (d.tang == Tangential::steady && c.solver.method != SolverChoice::convex_gs) ||
+         (d.rolls() && d.mater == Bulk::layer);
 }
 
-bool rolls_along_x(const ContactCase& c) {
+bool rolls_along_x(const Case& c) {
   return std::abs(std::sin(c.rolling->chi)) <= 0.01;
 }
 
-std::optional<HertzianShape> hertzian_shape(const ContactCase& c, const ContactStep& step) {
+std::optional<HertzianShape> hertzian_shape(const Case& c, const ContactStep& step) {
   if (!c.potential->is_hertzian()) return {};
   return shape_of(*c.potential, step.bodies.material, *gap_curvatures(c), step.load);
 }
 
-std::optional<GapCurvatures> gap_curvatures(const ContactCase& c) {
+std::optional<GapCurvatures> gap_curvatures(const Case& c) {
   if (c.potential->is_hertzian())
     return gap_of(*c.potential, combined_material(c), load_of(c.formed_norm, c.formed_normal));
-  const ContactGeometry& g = c.geometry;
-  if (g.base != 1 || g.planform != 1) return {};
+  const Geometry& g = c.geometry;
+  if (g.base != Base::quadratic || g.planform != Planform::all) return {};
   const auto& b = g.values;
   if (b[1] != 0 || b[3] != 0 || b[4] != 0 || b[5] != 0) return {};
   return GapCurvatures{b[0] * per_mm, b[2] * per_mm};
 }
 
-ContactStep contact_step(const ContactCase& c) {
+ContactStep contact_step(const Case& c) {
   ContactStep step;
   step.bodies = bodies_of(c);
   step.load = load_of(c.digits.norm, c.normal);
@@ -418,12 +414,9 @@ ContactStep contact_step(const ContactCase& c) {
     step.grid = require_memory(ContactProblem::normal, given_grid(*c.potential));
     set_given_geometry(c.geometry, step);
   }
-  if (c.material->coefficients == 3) step.grid.shape = ElementShape::bilinear;
-  if (c.digits.bound == 1) step.given = sheet_pressure(c, step);
-  if (c.digits.bound == 2 || c.digits.bound == 3) step.given = hertzian_pressure(c, step);
-  if (c.digits.bound == 4) step.given = half_elliptic_pressure(c, step.grid);
-  if (c.digits.bound >= 5) step.given = approximate_pressure(c, step);
-  step.frictionless = c.digits.tang == 0;
+  if (c.material->coefficients == Coefficients::bilinear) step.grid.shape = ElementShape::bilinear;
+  step.given = given_pressure(c, step);
+  step.frictionless = !c.digits.has_friction();
   if (!step.frictionless) {
     set_motion(c, step);
     set_extra_slip(c, step);
@@ -432,4 +425,4 @@ ContactStep contact_step(const ContactCase& c) {
   return step;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

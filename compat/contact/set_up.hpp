@@ -6,28 +6,28 @@
 
 #include <optional>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// Constants of both bodies, SI; of viscoelastic ones for quick loads.
-CombinedMaterial combined_material(const ContactCase& c);
+CombinedMaterial combined_material(const Case& c);
 /// The same with what deforms late.
-Bodies bodies_of(const ContactCase& c);
+Bodies bodies_of(const Case& c);
 /// How body 1 (0) or 2 (1) of viscoelastic ones (M = 1) creeps.
-Creep creep_of(const ContactCase& c, std::size_t body);
+Creep creep_of(const Case& c, std::size_t body);
 /// What the bodies are for heat, SI: with H > 0 in steady rolling.
-std::optional<ThermalBodies> thermal_bodies(const ContactCase& c);
+std::optional<ThermalBodies> thermal_bodies(const Case& c);
 /// V [m/s], negative for rolling along -x.
-double rolling_velocity(const ContactCase& c);
+double rolling_velocity(const Case& c);
 
 /// Whether the step of rolling is the elements' length whatever the file says: in steady rolling CONTACT takes another
 /// one only with its solver ConvexGS, G = 2, and with a layer, M = 4, never.
-bool takes_element_length(const ContactCase& c);
+bool takes_element_length(const Case& c);
 /// Whether a case that rolls does so along +x or -x: CHI of 0 or 180 degrees, to .01.
-bool rolls_along_x(const ContactCase& c);
+bool rolls_along_x(const Case& c);
 
 /// The gap A x^2 + B y^2 of a case, if it has that form [1/m]: Hertzian geometry, or a quadratic one about the origin.
 /// B is 0 for a line contact.
-std::optional<GapCurvatures> gap_curvatures(const ContactCase& c);
+std::optional<GapCurvatures> gap_curvatures(const Case& c);
 
 /// Hertz's solution for the potential contact and a load, SI.
 struct HertzianShape {
@@ -36,10 +36,10 @@ struct HertzianShape {
   double approach = 0, normal_force = 0;
 };
 /// That of a case with Hertzian geometry for its load.
-std::optional<HertzianShape> hertzian_shape(const ContactCase& c, const ContactStep& step);
+std::optional<HertzianShape> hertzian_shape(const Case& c, const ContactStep& step);
 
 /// A case that can be solved (see unsupported) as a problem in SI units. Throws Error, without the file's name, for
 /// what no single value can tell: curvatures or radii that give no contact on the grid, numbers that overflow.
-ContactStep contact_step(const ContactCase& c);
+ContactStep contact_step(const Case& c);
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double mm = 1e-3, newton_per_mm2 = 1e6;
@@ -22,41 +22,38 @@ constexpr double mm = 1e-3, newton_per_mm2 = 1e6;
   throw Error(why);
 }
 
-bool is_fastrip(const ContactCase& c) {
-  return c.digits.mater == 5;
-}
-
 /// FaStrip in case files has Hertz's pressure, Coulomb's friction and no reduced slope.
-bool is_plain(const ContactCase& c) {
+bool is_plain(const Case& c) {
   const auto& data = c.material->model_data;
-  return c.digits.bound == 2 && c.friction.law == 0 && data[0] == 1 && data[1] == 1;
+  return c.digits.bound == PressureModel::elliptic && c.friction.law == Law::coulomb && data[0] == 1 && data[1] == 1;
 }
 
 /// What no case file can say.
-void check(const ContactCase& c) {
-  const ContactDigits& d = c.digits;
+void check(const Case& c) {
+  const Digits& d = c.digits;
   if (!c.unreadable.empty()) refuse(c.unreadable);
   for (const std::string& reason : unsupported(c)) refuse(reason);
-  if (is_simplified(c) && d.heat > 0)
-    refuse("H = " + std::to_string(d.heat) + " (temperatures with FASTSIM or FaStrip)");
-  if (is_simplified(c) && d.mater != 3 && d.mater != 5)
-    refuse("M = " + std::to_string(d.mater) + " (a form of FASTSIM or FaStrip that case files do not have)");
-  if (is_simplified(c) && is_fastrip(c) && !is_plain(c))
+  if (d.is_simplified() && d.heat != Heat::none) refuse(written(d.heat) + " (temperatures with FASTSIM or FaStrip)");
+  if (d.is_simplified() && d.mater != Bulk::fastsim && d.mater != Bulk::fastrip)
+    refuse(written(d.mater) + " (a form of FASTSIM or FaStrip that case files do not have)");
+  if (d.is_simplified() && d.is_fastrip() && !is_plain(c))
     refuse("M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");
-  if ((d.tang == 1 || d.tang == 2) && d.pvtime != 1 && d.pvtime != 2)
-    refuse("P = " + std::to_string(d.pvtime) + " (it goes on from another case)");
-  if (c.extra != 0) refuse("E = " + std::to_string(c.extra) + " (extra rigid slip)");
-  if (d.tang == 2 && !rolls_along_x(c)) refuse("CHI (rolling at an angle to the x axis)");
-  if (d.tang >= 2 && !is_simplified(c) && contact_step(c).motion.leading_edge)
+  if (d.has_history() && (d.pvtime == Continuation::previous || d.pvtime == Continuation::repeated))
+    refuse(written(d.pvtime) + " (it goes on from another case)");
+  if (c.extra != ExtraSlip::none) refuse(written(c.extra) + " (extra rigid slip)");
+  if (d.tang == Tangential::transient && !rolls_along_x(c)) refuse("CHI (rolling at an angle to the x axis)");
+  if (d.rolls() && !d.is_simplified() && contact_step(c).motion.leading_edge)
     refuse("DQ > DX (with the leading edge's correction of CONTACT)");
-  if (d.varfrc == 3 || c.friction.by_row) refuse("V = 3 (friction that differs from row to row)");
-  if (d.bound != 0 && !is_simplified(c)) refuse("B = " + std::to_string(d.bound) + " (a given pressure)");
-  if (is_simplified(c) && (d.tang != 3 || d.force != 0 || (d.bound != 2 && d.bound != 3)))
+  if (d.varfrc == FrictionSets::by_row || c.friction.by_row) refuse("V = 3 (friction that differs from row to row)");
+  if (d.bound != PressureModel::half_space && !d.is_simplified()) refuse(written(d.bound) + " (a given pressure)");
+  const bool has_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic;
+  if (d.is_simplified() && (d.tang != Tangential::steady || d.force != Prescribed::creepages || !has_ellipse))
     refuse("M = 3, 5 (FASTSIM, FaStrip) with other than T = 3, F = 0, B = 2 or 3");
-  if (d.force > 0 && d.norm == 0) refuse("N = 0 with F > 0 (forces relative to a normal force that is not given)");
+  if (d.force != Prescribed::creepages && d.norm == Normal::approach)
+    refuse("N = 0 with F > 0 (forces relative to a normal force that is not given)");
 }
 
-GapCurvatures curvatures(const ContactCase& c) {
+GapCurvatures curvatures(const Case& c) {
   const auto gap = gap_curvatures(c);
   if (!gap || !(gap->x > 0 && gap->y > 0)) refuse("a contact that is not an ellipse");
   return *gap;
@@ -82,8 +79,8 @@ std::string quoted_line(const char* key, std::string_view word) {
 }
 
 /// Between the bodies.
-std::string layer(const ContactCase& c) {
-  if (c.digits.mater != 4) return "";
+std::string layer(const Case& c) {
+  if (c.digits.mater != Bulk::layer) return "";
   const auto& v = c.material->model_data; // GG3, LAYTHK, TAU_C0, K_TAU
   std::string text = "\n[layer]\n" + line("shear_modulus", v[0] * newton_per_mm2) + line("thickness", v[1] * mm);
   if (v[2] > 0) text += line("yield_stress", v[2] * newton_per_mm2);
@@ -91,7 +88,7 @@ std::string layer(const ContactCase& c) {
 }
 
 /// What body 1 (0) or 2 (1) is for heat.
-std::string thermal(const ContactCase& c, std::size_t body) {
+std::string thermal(const Case& c, std::size_t body) {
   const auto bodies = thermal_bodies(c);
   if (!bodies) return "";
   const ThermalBody& b = body == 0 ? bodies->body1 : bodies->body2;
@@ -100,12 +97,12 @@ std::string thermal(const ContactCase& c, std::size_t body) {
 }
 
 /// The first body has all of the curvature, the second is flat.
-std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
-  const ContactMaterial& m = *c.material;
+std::string bodies(const Case& c, const GapCurvatures& gap) {
+  const MaterialData& m = *c.material;
   const auto material = [&](std::size_t body, double shear, double poisson) {
     const std::string text =
         line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson) + thermal(c, body);
-    if (c.digits.mater != 1) return text; // else FG1, FG2, TC1, TC2
+    if (c.digits.mater != Bulk::viscoelastic) return text; // else FG1, FG2, TC1, TC2
     return text + line("creep_ratio", m.model_data[body]) + line("creep_time", m.model_data[2 + body]);
   };
   return "[body1]\n" + line("rolling_radius", 1 / (2 * gap.x)) + line("transverse_radius", 1 / (2 * gap.y)) +
@@ -113,26 +110,30 @@ std::string bodies(const ContactCase& c, const GapCurvatures& gap) {
          material(1, m.shear2, m.poisson2) + layer(c);
 }
 
-std::string friction(const ContactCase& c) {
+const char* law_word(Law law) {
+  return law == Law::linear ? "linear" : law == Law::rational ? "rational" : "exponential";
+}
+
+std::string friction(const Case& c) {
   const auto& set = c.friction.sets[0];
-  if (c.digits.tang == 0) return line("coefficient", 0);
-  if (c.friction.law == 0) return line("coefficient", set[0]);
-  const std::string memory =
-      is_simplified(c) ? "" : line("memory_distance", set[set.size() - 2] * mm) + line("memory_speed", set.back() * mm);
-  if (c.friction.law == 6)
+  if (!c.digits.has_friction()) return line("coefficient", 0);
+  if (c.friction.law == Law::coulomb) return line("coefficient", set[0]);
+  const std::string memory = c.digits.is_simplified() ? ""
+                                                      : line("memory_distance", set[set.size() - 2] * mm) +
+                                                            line("memory_speed", set.back() * mm);
+  if (c.friction.law == Law::thermal)
     return line("coefficient", set[0]) + line("thermal_change", set[2]) + line("thermal_begin", set[1]) +
            line("thermal_range", set[3]) + memory;
-  constexpr const char* laws[] = {"", "", "linear", "rational", "exponential"};
-  std::string text = quoted_line("law", laws[c.friction.law]) + line("kinetic_coefficient", set[0]) +
+  std::string text = quoted_line("law", law_word(c.friction.law)) + line("kinetic_coefficient", set[0]) +
                      line("drop", set[1]) + line("half_velocity", set[2] * mm);
   if (set[3] > 0) text += line("second_drop", set[3]) + line("second_half_velocity", set[4] * mm);
   return text + memory;
 }
 
-std::string motion(const ContactCase& c) {
+std::string motion(const Case& c) {
   const ContactStep step = contact_step(c);
   const TangentialInput& m = step.motion;
-  const bool shifts = c.digits.tang == 1;
+  const bool shifts = c.digits.tang == Tangential::shift;
   const double force = step.load.value;
   std::string text = quoted_line("kind", to_word(m.motion));
   text += step.force_x ? line("force_longitudinal", *step.force_x * force)
@@ -142,21 +143,22 @@ std::string motion(const ContactCase& c) {
   text += line(shifts ? "rotation" : "spin", m.creepage.spin);
   if (shifts) return text;
   text += line("rolling_speed", m.rolling_speed) + quoted_line("direction", to_word(m.direction));
-  if (c.digits.tang >= 2 && !is_simplified(c)) text += line("step", m.step);
+  if (c.digits.rolls() && !c.digits.is_simplified()) text += line("step", m.step);
   return text;
 }
 
-std::string solution(const ContactCase& c, const HertzContact& hertz) {
+std::string solution(const Case& c, const HertzContact& hertz) {
   const ElementGrid grid = contact_step(c).grid;
-  const char* theory = !is_simplified(c) ? "exact" : is_fastrip(c) ? "fastrip" : "fastsim";
+  const char* theory = !c.digits.is_simplified() ? "exact" : c.digits.is_fastrip() ? "fastrip" : "fastsim";
   std::string text = quoted_line("theory", theory) +
                      fmt::format("grid = [{}, {}]\n", across(hertz.a, grid.dx), across(hertz.b, grid.dy));
-  const bool above = !is_simplified(c) && contact_step(c).slip_start == SlipStart::above;
+  const bool above = !c.digits.is_simplified() && contact_step(c).slip_start == SlipStart::above;
   if (above) text += quoted_line("slip_start", "above");
-  if (!is_simplified(c))
+  if (!c.digits.is_simplified())
     return text + quoted_line("discretisation", "classical") + quoted_line("elements", to_word(grid.shape));
   const auto& data = c.material->model_data;
-  text += quoted_line("bound", c.digits.bound == 3 ? "parabolic" : "elliptic") + quoted_line("flexibility", "blended");
+  text += quoted_line("bound", c.digits.bound == PressureModel::parabolic ? "parabolic" : "elliptic") +
+          quoted_line("flexibility", "blended");
   if (data[0] == 1 && data[1] == 1) return text;
   return text + "\n[solution.slope_reduction]\n" + line("initial", data[0]) + line("at_infinity", data[1]) +
          line("decay", data[2]);
@@ -164,10 +166,10 @@ std::string solution(const ContactCase& c, const HertzContact& hertz) {
 
 } // namespace
 
-std::string to_toml(const ContactCase& c, const std::string& title) {
+std::string to_toml(const Case& c, const std::string& title) {
   check(c);
   const GapCurvatures gap = curvatures(c);
-  const bool by_force = c.digits.norm == 1;
+  const bool by_force = c.digits.norm == Normal::force;
   const double load = by_force ? c.normal : c.normal * mm;
   const CombinedMaterial material = combined_material(c);
   const HertzContact hertz = by_force ? hertz_from_load(gap, material, load) : hertz_from_approach(gap, material, load);
@@ -178,4 +180,4 @@ std::string to_toml(const ContactCase& c, const std::string& title) {
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

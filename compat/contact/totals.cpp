@@ -1,21 +1,21 @@
 #include "compat/contact/totals.hpp"
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr double per_m = 1e3; // mm
 
 /// What a force is relative to, over Fn: the coefficient of friction, or 1 if it differs from row to row.
-double force_scale(const ContactCase& c, const ContactStep& step) {
+double force_scale(const Case& c, const ContactStep& step) {
   return c.friction.by_row || step.friction.empty() ? 1 : step.friction[0].static_coefficient();
 }
 
 } // namespace
 
-ContactTotals contact_totals(const ContactCase& c, const ContactStep& step, const ContactStepSolution& solution) {
+PrintedTotals printed_totals(const Case& c, const ContactStep& step, const ContactStepSolution& solution) {
   const ContactForces& f = solution.tangential.forces;
-  const bool shifts = c.digits.tang == 1;
-  ContactTotals t;
+  const bool shifts = c.digits.tang == Tangential::shift;
+  PrintedTotals t;
   t.fn = solution.normal_force;
   t.fx = f.fx;
   t.fy = f.fy;
@@ -42,4 +42,4 @@ ContactTotals contact_totals(const ContactCase& c, const ContactStep& step, cons
   return t;
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

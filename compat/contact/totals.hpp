@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// The quantities that CONTACT prints for a case, with its names, signs and units (mm, N).
-struct ContactTotals {
+struct PrintedTotals {
   double fn = 0, fx = 0, fy = 0;        ///< [N], on body 1
   double mz = 0;                        ///< [N mm]
   double elastic_energy = 0;            ///< ELAST.EN. [J]
@@ -23,6 +23,6 @@ struct ContactTotals {
   int potential = 0, contact = 0, adhesion = 0, slip = 0; ///< NPOT, NCON, NADH, NSLIP: numbers of elements
 };
 
-ContactTotals contact_totals(const ContactCase& c, const ContactStep& step, const ContactStepSolution& solution);
+PrintedTotals printed_totals(const Case& c, const ContactStep& step, const ContactStepSolution& solution);
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-namespace microslip {
+namespace microslip::contact_program {
 namespace {
 
 constexpr std::size_t longest_line = 4096;
@@ -93,9 +93,9 @@ bool says_module(std::string text) {
 
 } // namespace
 
-ContactWords::ContactWords(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
+Words::Words(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
 
-bool ContactWords::read_line() {
+bool Words::read_line() {
   words_.clear();
   next_ = 0;
   std::string text;
@@ -116,7 +116,7 @@ bool ContactWords::read_line() {
   return true;
 }
 
-void ContactWords::split(const std::string& text) {
+void Words::split(const std::string& text) {
   for (std::size_t i = 0; i < text.size() && text[i] != '%';) {
     if (is_separator(text[i])) {
       ++i;
@@ -132,27 +132,27 @@ void ContactWords::split(const std::string& text) {
   }
 }
 
-bool ContactWords::fill() {
+bool Words::fill() {
   while (!has_more())
     if (!read_line()) return false;
   return true;
 }
 
-bool ContactWords::at_end() {
+bool Words::at_end() {
   return !fill();
 }
 
-std::size_t ContactWords::line() {
+std::size_t Words::line() {
   fill();
   return line_;
 }
 
-const ContactWords::Word& ContactWords::next(std::string_view field) {
+const Words::Word& Words::next(std::string_view field) {
   if (!fill()) fail("the file ends where " + std::string(field) + " is wanted");
   return words_[next_++];
 }
 
-int ContactWords::integer(std::string_view field, int low, int high) {
+int Words::integer(std::string_view field, int low, int high) {
   const Word& word = next(field);
   const auto value = word.quoted ? std::nullopt : to_integer(word.text);
   if (!value) fail(std::string(field) + " = " + printable(word.text) + ": must be a whole number");
@@ -161,27 +161,27 @@ int ContactWords::integer(std::string_view field, int low, int high) {
   return *value;
 }
 
-double ContactWords::real(std::string_view field) {
+double Words::real(std::string_view field) {
   const Word& word = next(field);
   const auto value = word.quoted ? std::nullopt : to_real(word.text);
   if (!value) fail(std::string(field) + " = " + printable(word.text) + ": must be a number");
   return *value;
 }
 
-double ContactWords::positive(std::string_view field) {
+double Words::positive(std::string_view field) {
   const double value = real(field);
   if (!(value > 0)) fail(field, value, "must be > 0");
   return value;
 }
 
-double ContactWords::between(std::string_view field, double low, double high) {
+double Words::between(std::string_view field, double low, double high) {
   const double value = real(field);
   if (!(value >= low && value <= high))
     fail(field, value, "must be in [" + short_number(low) + ", " + short_number(high) + "]");
   return value;
 }
 
-double ContactWords::angle(std::string_view field) {
+double Words::angle(std::string_view field) {
   const Word& word = next(field);
   std::string_view text = word.text;
   double unit = 1;
@@ -193,13 +193,13 @@ double ContactWords::angle(std::string_view field) {
   return *value * unit;
 }
 
-std::string ContactWords::text(std::string_view field) {
+std::string Words::text(std::string_view field) {
   const Word& word = next(field);
   if (!word.quoted) fail(std::string(field) + " = " + printable(word.text) + ": must be a text in single quotes");
   return word.text;
 }
 
-std::vector<double> ContactWords::reals(std::string_view field, std::size_t count) {
+std::vector<double> Words::reals(std::string_view field, std::size_t count) {
   std::vector<double> values;
   for (std::size_t k = 0; k < count; ++k)
     values.push_back(real(std::string(field) + "(" + std::to_string(k + 1) + ")"));
@@ -207,7 +207,7 @@ std::vector<double> ContactWords::reals(std::string_view field, std::size_t coun
   return values;
 }
 
-std::vector<int> ContactWords::control(std::string_view field, std::size_t most) {
+std::vector<int> Words::control(std::string_view field, std::size_t most) {
   const Word& word = next(field);
   const bool is_number = !word.quoted && std::all_of(word.text.begin(), word.text.end(), is_digit);
   if (!is_number || word.text.size() > 9)
@@ -223,7 +223,7 @@ std::vector<int> ContactWords::control(std::string_view field, std::size_t most)
   return digits;
 }
 
-double ContactWords::optional_real(std::string_view field, double fallback) {
+double Words::optional_real(std::string_view field, double fallback) {
   if (!has_more() || words_[next_].quoted || !with_plain_exponent(words_[next_].text)) {
     end_record();
     return fallback;
@@ -231,7 +231,7 @@ double ContactWords::optional_real(std::string_view field, double fallback) {
   return real(field);
 }
 
-int ContactWords::optional_integer(std::string_view field, int fallback, int low, int high) {
+int Words::optional_integer(std::string_view field, int fallback, int low, int high) {
   if (!has_more() || words_[next_].quoted || !to_integer(words_[next_].text)) {
     end_record();
     return fallback;
@@ -239,11 +239,11 @@ int ContactWords::optional_integer(std::string_view field, int fallback, int low
   return integer(field, low, high);
 }
 
-void ContactWords::end_record() {
+void Words::end_record() {
   next_ = words_.size();
 }
 
-bool ContactWords::skip_to_module() {
+bool Words::skip_to_module() {
   for (end_record(); fill(); end_record()) {
     if (next_ != 0 || words_[0].quoted || !to_integer(words_[0].text)) continue;
     if (std::any_of(words_.begin() + 1, words_.end(), [](const Word& word) { return says_module(word.text); }))
@@ -252,12 +252,12 @@ bool ContactWords::skip_to_module() {
   return false;
 }
 
-void ContactWords::fail(const std::string& message) const {
+void Words::fail(const std::string& message) const {
   throw Error(name_ + ":" + std::to_string(line_) + ": " + message);
 }
 
-void ContactWords::fail(std::string_view field, double value, const std::string& must) const {
+void Words::fail(std::string_view field, double value, const std::string& must) const {
   fail(std::string(field) + " = " + short_number(value) + ": " + must);
 }
 
-} // namespace microslip
+} // namespace microslip::contact_program

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::contact_program {
 
 /// Values of an input file of the program CONTACT, one after the other. Words are separated by blanks, tabs, commas and
 /// equals signs, `%` begins a comment, empty lines count for nothing. A record is a row of values that must be there,
@@ -14,10 +14,10 @@ namespace microslip {
 ///
 /// All readers throw Error with file, line, field, value and allowed range: `a.inp:12: FSTAT = -0.3: must be in [0,
 /// 10]`. Lines have 4096 characters at most.
-class ContactWords {
+class Words {
 public:
   /// `stream` must outlive the words; `name` is the file's name for messages.
-  ContactWords(std::istream& stream, std::string name);
+  Words(std::istream& stream, std::string name);
 
   /// Whether there is no further value.
   bool at_end();
@@ -71,4 +71,4 @@ private:
   std::size_t next_ = 0, line_ = 0;
 };
 
-} // namespace microslip
+} // namespace microslip::contact_program

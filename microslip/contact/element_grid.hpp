@@ -32,6 +32,8 @@ struct ElementGrid {
   }
   /// n elements across a line contact of half-width a, and `margin` more on each side; forces per `length` [m].
   static ElementGrid across_line(double a, int n, int margin = 0, double length = 1);
+
+  friend bool operator==(const ElementGrid&, const ElementGrid&) = default;
 };
 
 /// Throws Error unless the grid has elements of positive size, at most 1e8 along an axis.

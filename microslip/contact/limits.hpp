@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-// What counts may be at most. They catch slips of the hand before these fill the memory.
+/// Upper limits of counts: they catch typing errors before these fill the memory.
 
 inline constexpr int most_cells = 10000;      ///< along a row of the simplified theory, and rows
 inline constexpr int most_elements = 4000;    ///< across a contact of the exact theory: beyond it memory runs out

@@ -2,6 +2,7 @@
 
 #include "microslip/status.hpp"
 
+#include <optional>
 #include <string>
 
 namespace microslip {
@@ -9,10 +10,12 @@ namespace microslip {
 /// How a calculation went.
 struct SolverReport {
   Status status = Status::ok;
-  std::string reason = {};      ///< why the status is not ok; empty if it is
-  double residual = 0;          ///< relative, of the equations of friction
-  int newton_steps = 0;         ///< of all problems that were solved
-  long products = 0;            ///< with the matrix of influence coefficients
+  std::string reason = {}; ///< why the status is not ok; empty if it is
+  double residual = 0;     ///< relative, of the equations of friction
+  int newton_steps = 0;    ///< of all problems that were solved
+  long products = 0;       ///< with the matrix of influence coefficients
+  /// Of the forces, in mu Fn, and of the moment, in mu Fn sqrt(a b), where an accuracy was asked for.
+  std::optional<double> estimated_error = {};
   int friction_iterations = 0;  ///< problems solved until friction agreed with the slip; 0 if it does not depend on it
   double friction_residual = 0; ///< last relative change of the slip in these
 };

@@ -19,6 +19,8 @@ struct InterfaceLayer {
     const double stress = yield_stress + hardening * plastic_deformation;
     return stress > 0 ? stress : 0;
   }
+
+  friend bool operator==(const InterfaceLayer&, const InterfaceLayer&) = default;
 };
 
 /// Throws Error if a value is out of range.

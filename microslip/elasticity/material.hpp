@@ -20,6 +20,8 @@ struct CombinedMaterial {
 
   /// E* = G/(1 - nu) [Pa], with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
   double contact_modulus() const { return shear_modulus / (1 - poisson_ratio); }
+
+  friend bool operator==(const CombinedMaterial&, const CombinedMaterial&) = default;
 };
 
 /// Combines two bodies; with w1 = G2/(G1 + G2), w2 = G1/(G1 + G2) the three read G = 2 w1 G1, nu = w1 nu1 + w2 nu2,

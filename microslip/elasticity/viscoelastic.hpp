@@ -19,6 +19,8 @@ struct Creep {
 struct Delay {
   double ratio = 0;    ///< f [-], >= 0; 0: nothing comes late
   double distance = 0; ///< l [m]
+
+  friend bool operator==(const Delay&, const Delay&) = default;
 };
 
 /// Of a body that rolls steadily with speed V [m/s], positive along +x. Throws Error for constants out of range.
@@ -28,6 +30,8 @@ Delay delay_of(const Creep& creep, double speed);
 struct DelayedPart {
   CombinedMaterial material;
   Delay delay; ///< with a ratio above 0
+
+  friend bool operator==(const DelayedPart&, const DelayedPart&) = default;
 };
 
 /// Two bodies in contact. Elastic ones are their combined material and nothing else.
@@ -42,6 +46,8 @@ struct Bodies {
   bool are_elastic() const { return delayed.empty(); }
   /// Whether normal and tangential problem depend on each other.
   bool are_coupled() const;
+
+  friend bool operator==(const Bodies&, const Bodies&) = default;
 };
 
 /// Two standard linear solids that roll steadily with speed V [m/s], positive along +x. Throws Error for constants out

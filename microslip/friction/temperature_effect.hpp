@@ -15,6 +15,8 @@ struct TemperatureEffect {
   /// 0 <= share <= 1 and own >= 0 [K]. There is one solution unless friction rises with heat by more than makes the
   /// heat, share change own >= range; of several the one of the least heat.
   double coefficient(double base, double share, double ahead, double own) const;
+
+  friend bool operator==(const TemperatureEffect&, const TemperatureEffect&) = default;
 };
 
 /// Throws Error unless all is finite and the range positive.

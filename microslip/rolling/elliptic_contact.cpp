@@ -34,43 +34,11 @@ NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid
       .solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1}, tolerance, essential);
 }
 
-SolutionStep step_of(const TangentialSolution& s) {
-  const ContactForces& f = s.forces;
-  SolverReport report{
-      .status = f.status, .residual = s.residual, .newton_steps = s.newton_steps, .products = s.products};
-  add_reason(report);
-  return {s.creepage,
-          {.fx = f.fx,
-           .fy = f.fy,
-           .mz = f.mz,
-           .adhesion_area = f.adhesion_area,
-           .slip_area = f.slip_area,
-           .frictional_power = s.frictional_power,
-           .power_by_creepage = s.power_by_creepage,
-           .elastic_energy = s.elastic_energy,
-           .peak_traction = s.peak_traction},
-          report};
-}
-
 /// Its mirror image in x.
 void mirror(DeformedGap& of) {
   const ElementGrid& grid = of.grid;
   for (auto row = of.gap.begin(); row != of.gap.end(); row += grid.mx) std::reverse(row, row + grid.mx);
   of.grid.x0 = -grid.x(grid.mx - 1);
-}
-
-/// Whether transient rolling was ended before its last step, and nothing else was wrong.
-bool is_cut_short(const std::vector<SolutionStep>& history, const ExactMotion& motion, Status status) {
-  return status == Status::ok && static_cast<int>(history.size()) < motion.steps;
-}
-
-/// Progress of the step that follows those of `history`; it is of no use unless it is whole.
-Progress within_step(const ExactMotion& motion, const std::vector<SolutionStep>& history, const Progress& progress) {
-  if (!progress) return {};
-  return [&](double fraction) {
-    go_on(progress, (static_cast<double>(history.size()) + fraction) / motion.steps);
-    return true;
-  };
 }
 
 } // namespace
@@ -145,7 +113,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
-  input.progress = motion.kind == ContactMotion::transient ? within_step(motion, history, progress) : progress;
+  input.progress = motion.kind == ContactMotion::transient ? within_step(motion.steps, history, progress) : progress;
   TangentialState state;
   const bool creepages_given = !motion.force_x && !motion.force_y;
   if (motion.kind == ContactMotion::steady && creepages_given) {
@@ -156,7 +124,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   TangentialSolution s = tangential_->solve(bound, input);
   if (motion.kind != ContactMotion::transient) return s;
   const auto remember = [&] {
-    history.push_back(step_of(s));
+    history.push_back(solution_step(s));
     return !progress || progress(double(history.size()) / motion.steps);
   };
   input.previous = &state;
@@ -167,7 +135,7 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
     }
   } catch (const Stopped&) { // in the midst of a step
   }
-  if (is_cut_short(history, motion, s.forces.status)) s.forces.status = Status::not_converged;
+  if (is_cut_short(history, motion.steps, s.forces.status)) s.forces.status = Status::not_converged;
   return s;
 }
 
@@ -221,36 +189,7 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
 
 ContactSolution EllipticContactSolver::solve_sequence(const EllipticContact& contact, const ExactMotion& motion,
                                                       const Progress& progress) {
-  ContactStep step = sequence_step(contact, motion);
-  std::vector<SolutionStep> history;
-  step.motion.progress = motion.kind == ContactMotion::transient ? within_step(motion, history, progress) : progress;
-  ContactStepSolution s = sequence_.solve(step);
-  if (motion.kind == ContactMotion::transient) {
-    const auto remember = [&] {
-      history.push_back(step_of(s.tangential));
-      return !progress || progress(double(history.size()) / motion.steps);
-    };
-    step.start = StepStart::previous;
-    try {
-      while (remember() && static_cast<int>(history.size()) < motion.steps) s = sequence_.solve(step);
-    } catch (const Stopped&) { // in the midst of a step
-    }
-    if (is_cut_short(history, motion, s.status)) s.status = Status::not_converged;
-  }
-  auto temperature = temperatures_of(step, s);
-  ContactSolution out =
-      contact_solution(step.grid, std::move(s.tangential), s.normal, 1, motion.kind, contact.rolling_speed);
-  if (s.friction_rounds > 0) out.fields.friction = std::move(s.friction);
-  if (temperature) {
-    out.fields.temperature1 = std::move(temperature->body1);
-    out.fields.temperature2 = std::move(temperature->body2);
-    out.highest_temperature = temperature->highest;
-  }
-  out.history = std::move(history);
-  out.report.friction_iterations = s.friction_rounds;
-  out.report.friction_residual = s.friction_residual;
-  out.report.status = s.status;
-  return out;
+  return solve_steps(sequence_, sequence_step(contact, motion), motion.steps, progress);
 }
 
 ContactSolution EllipticContactSolver::fitted_solution(const SecondOrderSolution& found,

@@ -40,6 +40,8 @@ struct ExactOptions {
   /// classically. The effect needs the bodies.
   std::optional<ThermalBodies> thermal = {};
   std::optional<TemperatureEffect> temperature_effect = {};
+
+  friend bool operator==(const ExactOptions&, const ExactOptions&) = default;
 };
 
 /// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift

@@ -17,11 +17,15 @@ struct ThermalBody {
 
   /// beta = sqrt(lambda rho c) [W s^(1/2)/(m^2 K)].
   double effusivity() const;
+
+  friend bool operator==(const ThermalBody&, const ThermalBody&) = default;
 };
 
 /// Both bodies of a contact.
 struct ThermalBodies {
   ThermalBody body1, body2;
+
+  friend bool operator==(const ThermalBodies&, const ThermalBodies&) = default;
 };
 
 /// Throws Error for numbers out of range.

@@ -15,12 +15,14 @@ namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
+using contact_program::Outcome;
+using contact_program::PrintedTotals;
 
 /// A case of a CONTACT file and what became of it.
 struct RunCase {
   int number = 0;
   std::size_t line = 0;
-  ContactOutcome outcome = {};
+  Outcome outcome = {};
 };
 
 /// Reads and runs the cases of a file one after the other, in constant memory.
@@ -36,7 +38,7 @@ public:
     const bool found = [&] {
       const py::gil_scoped_release release;
       const std::scoped_lock lock(busy_);
-      const ContactCase* c = reader_.next();
+      const contact_program::Case* c = reader_.next();
       if (c == nullptr) return false;
       out = {c->number, c->line, run_.run(*c)};
       return true;
@@ -48,44 +50,44 @@ public:
 
 private:
   std::ifstream file_;
-  ContactInputReader reader_;
-  ContactRun run_;
+  contact_program::InputReader reader_;
+  contact_program::Run run_;
   std::mutex busy_;
 };
 
-const char* name_of(ContactOutcome::Kind kind) {
+const char* name_of(Outcome::Kind kind) {
   constexpr const char* names[] = {"solved", "skipped", "refused"};
   return names[static_cast<int>(kind)];
 }
 
 bool is_solved(const RunCase& self) {
-  return self.outcome.kind == ContactOutcome::Kind::solved;
+  return self.outcome.kind == Outcome::Kind::solved;
 }
 
 void bind_totals(py::module_& module) {
-  py::class_<ContactTotals>(
+  py::class_<PrintedTotals>(
       module, "ContactTotals",
       "The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1.")
-      .def_readonly("fn", &ContactTotals::fn, "FN [N].")
-      .def_readonly("fx", &ContactTotals::fx, "FX [N].")
-      .def_readonly("fy", &ContactTotals::fy, "FY [N].")
-      .def_readonly("mz", &ContactTotals::mz, "MZ [N mm].")
-      .def_readonly("elastic_energy", &ContactTotals::elastic_energy, "ELAST.EN. [J].")
-      .def_readonly("friction", &ContactTotals::friction,
+      .def_readonly("fn", &PrintedTotals::fn, "FN [N].")
+      .def_readonly("fx", &PrintedTotals::fx, "FX [N].")
+      .def_readonly("fy", &PrintedTotals::fy, "FY [N].")
+      .def_readonly("mz", &PrintedTotals::mz, "MZ [N mm].")
+      .def_readonly("elastic_energy", &PrintedTotals::elastic_energy, "ELAST.EN. [J].")
+      .def_readonly("friction", &PrintedTotals::friction,
                     "FRIC.POWER [W], for shifts FRIC.WORK [J]; negative where energy is lost.")
-      .def_readonly("fn_over_g", &ContactTotals::fn_over_g, "FN/G [mm^2].")
-      .def_readonly("x_name", &ContactTotals::x_name,
+      .def_readonly("fn_over_g", &PrintedTotals::fn_over_g, "FN/G [mm^2].")
+      .def_readonly("x_name", &PrintedTotals::x_name,
                     "What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is given.")
-      .def_readonly("x", &ContactTotals::x, "[-], for a shift [mm].")
-      .def_readonly("y_name", &ContactTotals::y_name,
+      .def_readonly("x", &PrintedTotals::x, "[-], for a shift [mm].")
+      .def_readonly("y_name", &PrintedTotals::y_name,
                     "What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is given.")
-      .def_readonly("y", &ContactTotals::y, "[-], for a shift [mm].")
-      .def_readonly("approach", &ContactTotals::approach, "APPROACH [mm].")
-      .def_readonly("peak_pressure", &ContactTotals::peak_pressure, "PMAX [N/mm^2].")
-      .def_readonly("potential", &ContactTotals::potential, "NPOT, elements of the potential contact [-].")
-      .def_readonly("contact", &ContactTotals::contact, "NCON, elements in contact [-].")
-      .def_readonly("adhesion", &ContactTotals::adhesion, "NADH, elements in adhesion [-].")
-      .def_readonly("slip", &ContactTotals::slip, "NSLIP, elements in slip [-].");
+      .def_readonly("y", &PrintedTotals::y, "[-], for a shift [mm].")
+      .def_readonly("approach", &PrintedTotals::approach, "APPROACH [mm].")
+      .def_readonly("peak_pressure", &PrintedTotals::peak_pressure, "PMAX [N/mm^2].")
+      .def_readonly("potential", &PrintedTotals::potential, "NPOT, elements of the potential contact [-].")
+      .def_readonly("contact", &PrintedTotals::contact, "NCON, elements in contact [-].")
+      .def_readonly("adhesion", &PrintedTotals::adhesion, "NADH, elements in adhesion [-].")
+      .def_readonly("slip", &PrintedTotals::slip, "NSLIP, elements in slip [-].");
 }
 
 void bind_case(py::module_& module) {
@@ -104,7 +106,7 @@ void bind_case(py::module_& module) {
           "How the calculation ended, a Status [-].")
       .def_property_readonly(
           "totals",
-          [](const RunCase& self) -> std::optional<ContactTotals> {
+          [](const RunCase& self) -> std::optional<PrintedTotals> {
             return is_solved(self) ? std::optional(self.outcome.totals) : std::nullopt;
           },
           "ContactTotals, CONTACT's units [N], [mm]; None unless solved.")

@@ -31,7 +31,7 @@ def contact_of(result, case):
     """The case's contact with its creepages, as found where a force is given."""
     contact = case.contact
     if "exact" in result:
-        contact.creepage = (result.number("/exact/creep_x"), result.number("/exact/creep_y"), contact.creepage.spin)
+        contact.creepage = (result.number("/exact/creepage_longitudinal"), result.number("/exact/creepage_lateral"), contact.creepage.spin)
     return contact
 
 
@@ -109,7 +109,7 @@ def tractions_on_grid(result):
     The leading element of a row has a length of its own; its tractions go to the cells that it covers, by their share.
     """
     x, y, area, px, py, pn, state = result.arrays(
-        [f"/exact/fields/{name}" for name in ("x", "y", "area", "px", "py", "pn", "state")], dimensions=2)
+        [f"/exact/fields/{name}" for name in ("x", "y", "area", "px", "py", "pressure", "state")], dimensions=2)
     my, mx = x.shape
     if my < 2 or mx < 2:
         raise ResultError(f"{result.path}: stresses need at least 2 x 2 elements")

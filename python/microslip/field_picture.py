@@ -17,7 +17,7 @@ ANGLES = np.linspace(0, 2 * np.pi, 181)
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # Name: title, unit, factor from SI, the datasets it is made of, whether it has two signs.
 FIELDS = {
-    "pressure": ("pressure $p_n$", "MPa", 1e-6, ("pn",), False),
+    "pressure": ("pressure $p_n$", "MPa", 1e-6, ("pressure",), False),
     "bound": ("traction bound $g$", "MPa", 1e-6, ("bound",), False),
     "traction": (r"size of the traction $|\mathbf{p}|$", "MPa", 1e-6, ("px", "py"), False),
     "px": ("traction on the wheel $p_x$", "MPa", 1e-6, ("px",), True),

@@ -7,13 +7,13 @@ COMPONENTS = (("x", BLUE), ("y", VERMILION))
 
 def history_picture(result):
     """Forces on body 1 in kN above, creepages below, over the way rolled in mm."""
-    distance, fx, fy, creep_x, creep_y = result.arrays(
-        [f"/exact/history/{name}" for name in ("distance", "fx", "fy", "creep_x", "creep_y")])
+    distance, fx, fy, creepage_longitudinal, creepage_lateral = result.arrays(
+        [f"/exact/history/{name}" for name in ("distance", "fx", "fy", "creepage_longitudinal", "creepage_lateral")])
     figure = new_figure(7.2, 5.6)
     above, below = figure.subplots(2, 1, sharex=True)
     marker = "." if len(distance) < 60 else ""
     for axes, values, factor, symbols in ((above, (fx, fy), 1e-3, ("$F_x$", "$F_y$")),
-                                          (below, (creep_x, creep_y), 1e3, (r"$\xi$", r"$\eta$"))):
+                                          (below, (creepage_longitudinal, creepage_lateral), 1e3, (r"$\xi$", r"$\eta$"))):
         open_axes(axes)
         for (_, colour), value, symbol in zip(COMPONENTS, values, symbols):
             axes.plot(1e3 * distance, factor * value, color=colour, marker=marker, linewidth=2, label=symbol)

@@ -85,7 +85,7 @@ def write_creep_curve(file, theory, index, grid, creepage, limit, backward):
 def write_history(file, steps=12):
     """Forces that grow towards a steady state, for a transient case."""
     distance = 1e-3 * np.arange(1, steps + 1)
-    for name, end in (("distance", None), ("fx", -2e4), ("fy", 1e4), ("creep_x", 1e-3), ("creep_y", 0.0)):
+    for name, end in (("distance", None), ("fx", -2e4), ("fy", 1e4), ("creepage_longitudinal", 1e-3), ("creepage_lateral", 0.0)):
         file[f"/exact/history/{name}"] = distance if end is None else end * (1 - np.exp(-distance / 4e-3))
 
 

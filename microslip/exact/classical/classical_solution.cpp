@@ -35,4 +35,67 @@ ContactSolution contact_solution(const ElementGrid& grid, TangentialSolution tan
   return out;
 }
 
+SolutionStep solution_step(const TangentialSolution& s) {
+  const ContactForces& f = s.forces;
+  SolverReport report{
+      .status = f.status, .residual = s.residual, .newton_steps = s.newton_steps, .products = s.products};
+  add_reason(report);
+  return {s.creepage,
+          {.fx = f.fx,
+           .fy = f.fy,
+           .mz = f.mz,
+           .adhesion_area = f.adhesion_area,
+           .slip_area = f.slip_area,
+           .frictional_power = s.frictional_power,
+           .power_by_creepage = s.power_by_creepage,
+           .elastic_energy = s.elastic_energy,
+           .peak_traction = s.peak_traction},
+          report};
+}
+
+bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status) {
+  return status == Status::ok && static_cast<int>(history.size()) < steps;
+}
+
+Progress within_step(int steps, const std::vector<SolutionStep>& history, const Progress& progress) {
+  if (!progress) return {};
+  return [&, steps](double fraction) {
+    go_on(progress, (static_cast<double>(history.size()) + fraction) / steps);
+    return true;
+  };
+}
+
+ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int steps, const Progress& progress) {
+  const bool transient = step.motion.motion == ContactMotion::transient;
+  std::vector<SolutionStep> history;
+  step.motion.progress = transient ? within_step(steps, history, progress) : progress;
+  ContactStepSolution s = sequence.solve(step);
+  if (transient) {
+    const auto remember = [&] {
+      history.push_back(solution_step(s.tangential));
+      return !progress || progress(static_cast<double>(history.size()) / steps);
+    };
+    step.start = StepStart::previous;
+    try {
+      while (remember() && static_cast<int>(history.size()) < steps) s = sequence.solve(step);
+    } catch (const Stopped&) { // in the midst of a step
+    }
+    if (is_cut_short(history, steps, s.status)) s.status = Status::not_converged;
+  }
+  auto temperature = temperatures_of(step, s);
+  ContactSolution out =
+      contact_solution(step.grid, std::move(s.tangential), s.normal, 1, step.motion.motion, step.motion.rolling_speed);
+  if (s.friction_rounds > 0) out.fields.friction = std::move(s.friction);
+  if (temperature) {
+    out.fields.temperature1 = std::move(temperature->body1);
+    out.fields.temperature2 = std::move(temperature->body2);
+    out.highest_temperature = temperature->highest;
+  }
+  out.history = std::move(history);
+  out.report.friction_iterations = s.friction_rounds;
+  out.report.friction_residual = s.friction_residual;
+  out.report.status = s.status;
+  return out;
+}
+
 } // namespace microslip

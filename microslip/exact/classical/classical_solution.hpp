@@ -1,8 +1,12 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
+#include "microslip/progress.hpp"
+
+#include <vector>
 
 namespace microslip {
 
@@ -10,5 +14,19 @@ namespace microslip {
 /// `normal` times `load`, for a normal problem that was solved for 1 N; `speed` is V [m/s], 1 for a shift.
 ContactSolution contact_solution(const ElementGrid& grid, TangentialSolution tangential, const NormalSolution& normal,
                                  double load, ContactMotion motion, double speed);
+
+/// One step of transient rolling, for a solution's history.
+SolutionStep solution_step(const TangentialSolution& step);
+
+/// Whether transient rolling was ended before its last step, and nothing else was wrong.
+bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status);
+
+/// Progress of the step that follows those of `history`; it is of no use unless it is whole.
+Progress within_step(int steps, const std::vector<SolutionStep>& history, const Progress& progress);
+
+/// Solves a step of a sequence; in transient rolling `steps` of them, from zero tractions on, all under the same
+/// conditions. `progress` ends transient rolling after the last whole step, with status not_converged; where there is
+/// none yet it throws Stopped.
+ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int steps, const Progress& progress);
 
 } // namespace microslip

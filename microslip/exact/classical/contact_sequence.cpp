@@ -12,21 +12,9 @@ namespace {
 
 using Field = std::vector<double>;
 
-bool same(const ElementGrid& a, const ElementGrid& b) {
-  return a.mx == b.mx && a.my == b.my && a.x0 == b.x0 && a.y0 == b.y0 && a.dx == b.dx && a.dy == b.dy &&
-         a.line == b.line && a.shape == b.shape;
-}
-
-bool same(const CombinedMaterial& a, const CombinedMaterial& b) {
-  return a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio && a.dissimilarity == b.dissimilarity;
-}
-
-bool same(const Bodies& a, const Bodies& b) {
-  const auto same_part = [](const DelayedPart& p, const DelayedPart& q) {
-    return same(p.material, q.material) && p.delay.ratio == q.delay.ratio && p.delay.distance == q.delay.distance;
-  };
-  return same(a.material, b.material) && a.layer.flexibility == b.layer.flexibility &&
-         std::equal(a.delayed.begin(), a.delayed.end(), b.delayed.begin(), b.delayed.end(), same_part);
+/// Whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
+bool same_elasticity(const Bodies& a, const Bodies& b) {
+  return a.material == b.material && a.delayed == b.delayed && a.layer.flexibility == b.layer.flexibility;
 }
 
 /// Whether tractions change the pressure, or pressure the slip.
@@ -35,7 +23,7 @@ bool is_coupled(const ContactStep& step) {
 }
 
 bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
-  return same(a.grid, b.grid) && same(a.bodies, b.bodies) && !a.given && !b.given && a.gap == b.gap &&
+  return a.grid == b.grid && same_elasticity(a.bodies, b.bodies) && !a.given && !b.given && a.gap == b.gap &&
          a.excluded == b.excluded && a.load.given == b.load.given && a.load.value == b.load.value;
 }
 
@@ -170,7 +158,7 @@ TangentialState state_after(const ContactStep& step, const ContactStepSolution& 
 } // namespace
 
 TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from) {
-  if (state.px.empty() || same(to, from)) return state;
+  if (state.px.empty() || to == from) return state;
   TangentialState result;
   for (const auto field :
        {&TangentialState::px, &TangentialState::py, &TangentialState::pressure, &TangentialState::friction_drop,
@@ -194,7 +182,7 @@ const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step
 }
 
 TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) {
-  if (!tangential_ || !same(tangential_grid_, step.grid) || !same(tangential_bodies_, step.bodies)) {
+  if (!tangential_ || !(tangential_grid_ == step.grid) || !same_elasticity(tangential_bodies_, step.bodies)) {
     tangential_.reset();
     tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid, step.motion.progress);
     tangential_grid_ = step.grid;
@@ -204,7 +192,7 @@ TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) 
 }
 
 CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
-  if (!coupled_ || !same(coupled_grid_, step.grid) || !same(coupled_bodies_, step.bodies)) {
+  if (!coupled_ || !(coupled_grid_ == step.grid) || !same_elasticity(coupled_bodies_, step.bodies)) {
     coupled_.reset();
     coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid, step.motion.progress);
     coupled_grid_ = step.grid;

@@ -17,6 +17,8 @@ namespace microslip {
 struct FrictionMemory {
   double distance = 0; ///< d [m], >= 0; 0: no memory
   double slowest = 0;  ///< s0 [m/s], >= 0
+
+  friend bool operator==(const FrictionMemory&, const FrictionMemory&) = default;
 };
 
 /// Where the slip velocity begins when the friction depends on it. With friction that falls there may be several

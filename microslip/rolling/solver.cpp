@@ -1,0 +1,194 @@
+#include "microslip/rolling/solver.hpp"
+
+#include "microslip/contact/limits.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
+#include "microslip/simplified/fastrip.hpp"
+#include "microslip/simplified/row_solver.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+/// A gap as values at the elements' centres.
+GapValues gap_values(const RollingProblem& problem) {
+  if (const auto* values = std::get_if<GapValues>(&problem.geometry)) return *values;
+  const auto& [grid, gap] = std::get<GapFormula>(problem.geometry);
+  check(grid);
+  GapValues out{grid, std::vector<double>(grid.count())};
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) out.gap[static_cast<std::size_t>(j) * grid.mx + i] = gap(grid.x(i), grid.y(j));
+  return out;
+}
+
+ExactMotion exact_motion(const Motion& motion) {
+  return {.kind = motion.kind,
+          .force_x = motion.force_x,
+          .force_y = motion.force_y,
+          .step = motion.step,
+          .steps = motion.steps};
+}
+
+/// The finest solution with the limit's forces and creepages, and the limit's error.
+ContactSolution with_limit(AccurateContact found) {
+  ContactSolution out = std::move(found.finest);
+  out.totals.fx = found.forces.fx;
+  out.totals.fy = found.forces.fy;
+  out.totals.mz = found.forces.mz;
+  out.creepage = found.creepage;
+  out.report.status = found.forces.status;
+  out.report.products = found.products;
+  out.report.estimated_error = found.error;
+  out.report.reason.clear();
+  add_reason(out.report);
+  return out;
+}
+
+/// A problem on a grid as a step of a sequence.
+ContactStep contact_step(const RollingProblem& p, const Method& method, GapValues shape) {
+  ContactStep step;
+  step.grid = shape.grid;
+  step.grid.shape = method.elements.value_or(ElementShape::constant);
+  step.bodies = p.bodies;
+  step.gap = std::move(shape.gap);
+  step.load = p.load;
+  step.friction = {p.friction.law};
+  step.friction_memory = p.friction.memory;
+  step.slip_start = method.slip_start.value_or(SlipStart::below);
+  step.thermal = p.thermal;
+  if (p.friction.temperature_effect) step.temperature_effect = {*p.friction.temperature_effect};
+  step.coupling = method.coupling.value_or(Coupling::newton);
+  step.motion.motion = p.motion.kind;
+  step.motion.creepage = p.motion.creepage;
+  step.motion.step = p.motion.step;
+  step.motion.direction = p.motion.direction;
+  step.motion.rolling_speed = p.motion.rolling_speed;
+  step.motion.tolerance = method.tolerance;
+  return step;
+}
+
+/// The patch whose normal problem and elements were found last.
+struct KeptPatch {
+  GapValues shape;
+  CombinedMaterial material;
+  NormalLoad load;
+  RollingDirection direction;
+  PatchRolling rolling;
+};
+
+bool is_of(const KeptPatch& kept, const GapValues& shape, const RollingProblem& p) {
+  return kept.shape.grid == shape.grid && kept.shape.gap == shape.gap && kept.material == p.bodies.material &&
+         kept.load.given == p.load.given && kept.load.value == p.load.value && kept.direction == p.motion.direction;
+}
+
+} // namespace
+
+EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz) {
+  const CombinedMaterial& material = problem.bodies.material;
+  return {.a = hertz.a,
+          .b = hertz.b,
+          .shear_modulus = material.shear_modulus,
+          .poisson_ratio = material.poisson_ratio,
+          .normal_force = hertz.normal_force,
+          .friction = problem.friction.law,
+          .creepage = problem.motion.creepage,
+          .rolling_speed = problem.motion.rolling_speed,
+          .dissimilarity = material.dissimilarity};
+}
+
+struct Solver::Kept {
+  Method method;
+  std::optional<EllipticContactSolver> exact;
+  std::optional<ExactOptions> accurate_of;
+  std::optional<AccurateContactSolver> accurate;
+  std::optional<KeptPatch> patch;
+  ContactSequence sequence;
+
+  ContactSolution solve_ellipse(const RollingProblem& problem, const Progress& progress) {
+    const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
+    if (method.theory != Theory::exact) return solve_simplified(contact, problem.motion.direction);
+    const ExactOptions options = exact_options(problem, method);
+    if (method.accuracy) {
+      if (!accurate || accurate_of != options) accurate.emplace(*method.accuracy, options);
+      accurate_of = options;
+      return with_limit(accurate->solve(contact, exact_motion(problem.motion), progress));
+    }
+    if (!exact || !(exact->options() == options)) exact.emplace(options);
+    return exact->solve(contact, exact_motion(problem.motion), progress);
+  }
+
+  ContactSolution solve_simplified(const EllipticContact& contact, RollingDirection direction) const {
+    const SimplifiedOptions options = simplified_options(method, direction);
+    ContactSolution out = method.theory == Theory::fastrip
+                              ? Fastrip(options).fields(contact)
+                              : RowSolver(marching_scheme(method.theory), options).fields(contact);
+    add_reason(out.report);
+    return out;
+  }
+
+  ContactSolution solve_on_grid(const RollingProblem& p, const Progress& progress) {
+    GapValues shape = gap_values(p);
+    const bool fitted = discretisation_of(p, method) == Discretisation::second_order && p.motion.step == 0 &&
+                        shape.grid.shape == ElementShape::constant;
+    return fitted ? solve_patch(p, std::move(shape), progress) : solve_classical(p, std::move(shape), progress);
+  }
+
+  ContactSolution solve_patch(const RollingProblem& p, GapValues shape, const Progress& progress) {
+    if (!patch || !is_of(*patch, shape, p)) {
+      PatchRolling rolling(p.bodies.material, shape.grid, shape.gap, p.load, p.motion.direction,
+                           part(progress, 0, 0.3));
+      patch.emplace(KeptPatch{std::move(shape), p.bodies.material, p.load, p.motion.direction, std::move(rolling)});
+    }
+    return patch->rolling.solve({.friction = p.friction.law.static_coefficient(),
+                                 .creepage = p.motion.creepage,
+                                 .force_x = p.motion.force_x,
+                                 .force_y = p.motion.force_y,
+                                 .rolling_speed = p.motion.rolling_speed,
+                                 .tolerance = method.tolerance,
+                                 .progress = part(progress, 0.3, 1)});
+  }
+
+  ContactSolution solve_classical(const RollingProblem& p, GapValues shape, const Progress& progress) {
+    require_count("motion.steps", p.motion.steps, 1, most_steps);
+    ContactStep step = contact_step(p, method, std::move(shape));
+    // A sequence takes forces over the normal force, which need not be known: the normal problem tells it.
+    if ((p.motion.force_x || p.motion.force_y) && p.load.given == NormalLoad::Given::approach)
+      throw Error("motion.force_longitudinal, motion.force_lateral: need load.normal_force on a gap's grid");
+    if (p.motion.force_x) step.force_x = *p.motion.force_x / p.load.value;
+    if (p.motion.force_y) step.force_y = *p.motion.force_y / p.load.value;
+    ContactSolution out;
+    try {
+      out = solve_steps(sequence, std::move(step), p.motion.steps, progress);
+    } catch (const Stopped& stopped) {
+      out = solution_without_result(Status::not_converged, stopped.what());
+    }
+    add_reason(out.report);
+    return out;
+  }
+};
+
+Solver::Solver(const Method& method) : kept_(std::make_unique<Kept>()) {
+  require_count("solution.grid", method.mx, 1, most_elements);
+  require_count("solution.grid", method.my, 1, most_elements);
+  require_between("solution.tolerance", method.tolerance, "-", 1e-14, 1);
+  if (method.accuracy) require_between("solution.accuracy", *method.accuracy, "-", 1e-5, 0.1);
+  kept_->method = method;
+}
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+Solver::~Solver() = default;
+
+const Method& Solver::method() const {
+  return kept_->method;
+}
+
+ContactSolution Solver::solve(const RollingProblem& problem, const Progress& progress) {
+  require_compatible(problem, kept_->method);
+  return is_hertzian(problem) ? kept_->solve_ellipse(problem, progress) : kept_->solve_on_grid(problem, progress);
+}
+
+} // namespace microslip

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "microslip/contact/contact_solution.hpp"
+#include "microslip/progress.hpp"
+#include "microslip/rolling/method.hpp"
+#include "microslip/rolling/rolling_problem.hpp"
+
+#include <memory>
+
+namespace microslip {
+
+/// The ellipse of a Hertzian problem with its load, friction and creepages: what the solvers of one theory take.
+EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz);
+
+/// Solves any rolling problem by one method: an ellipse by either theory, to an accuracy if one is asked for; a gap on
+/// a grid by the exact theory, at second order where that is possible (steady rolling of similar elastic bodies with
+/// Coulomb friction), else classically. What does not change from problem to problem (transforms, influence
+/// coefficients, pressures) is kept for the next one. Distinct objects may be used from distinct threads.
+class Solver {
+public:
+  /// Throws Error if a number of the method is out of range.
+  explicit Solver(const Method& method = {});
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+  ~Solver();
+
+  const Method& method() const;
+
+  /// Throws Error for a problem that the method cannot honour (incompatibilities), whose geometry makes no sense, or
+  /// which needs more memory than the machine has. Other input out of range, not converging, no contact and a force
+  /// beyond friction are statuses, with their reason. `progress` is told of the fraction done; false ends the work,
+  /// with status not_converged. Cost: of an ellipse with N elements O(N log N), some ms at 24 x 24; of the simplified
+  /// theory O(N).
+  ContactSolution solve(const RollingProblem& problem, const Progress& progress = {});
+
+private:
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
+} // namespace microslip

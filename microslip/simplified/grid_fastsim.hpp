@@ -1,0 +1,96 @@
+#pragma once
+
+#include "microslip/contact/contact_forces.hpp"
+#include "microslip/contact/creepage.hpp"
+#include "microslip/contact/element_grid.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/contact/surface_fields.hpp"
+#include "microslip/simplified/flexibility.hpp"
+#include "microslip/vec2.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// Displacements of the foundation's springs at the elements of a grid [m]; empty: none.
+struct SpringState {
+  std::vector<double> x = {}, y = {};
+};
+
+/// How the bodies roll over each other, for the simplified theory on a grid.
+struct GridRolling {
+  Creepage creepage = {}; ///< xi [-], eta [-], phi [1/m]: w = (xi - phi (y - yc), eta + phi (x - xc))
+  Vec2 spin_centre{};     ///< (xc, yc) [m]
+  bool spin_in_x = true;  ///< whether the spin counts in wx
+  bool spin_in_y = true;  ///< and in wy
+  /// Slip of each element on top of that [-]; empty: none.
+  std::span<const double> extra_x = {}, extra_y = {};
+  Vec2 ahead{}; ///< from an element's centre to the place at which its rigid slip is taken [m]
+  RollingDirection direction = RollingDirection::forward;
+  double rolling_speed = 1; ///< V [m/s], for the frictional power
+  /// One step of transient rolling: the displacements of the elements' particles before it; none: steady rolling.
+  const SpringState* before = nullptr;
+  double step = 0; ///< dq [m] > 0 of transient rolling; steady rolling takes the elements' length
+};
+
+/// Fields of the elements of a grid, and what they sum up to.
+struct GridSolution {
+  std::vector<double> bound;  ///< g = mu p_n [Pa]
+  std::vector<double> px, py; ///< tractions on body 1 [Pa]
+  std::vector<double> ux, uy; ///< displacements of the springs, u = L p [m]
+  std::vector<double> sx, sy; ///< relative slip [-]
+  std::vector<CellState> state;
+  ContactForces forces;        ///< moment about the frame's origin
+  double frictional_power = 0; ///< -V sum of p.s dx dy [W]
+  double peak_traction = 0;    ///< [Pa]
+};
+
+/// Elements of a row next to each other that are in contact: columns first to first + count - 1.
+struct ElementRun {
+  int row = 0, first = 0, count = 0;
+};
+
+/// FASTSIM (Kalker 1982) on the rows of a grid of elements, for any shape of the contact and any pressure: backward
+/// Euler (F16) from element to element of each run in contact, u + s dq = u' + w dq, |p| <= g, with u = L p and u' that
+/// of the element ahead in steady rolling, that of its particle before the step in transient rolling. First order in
+/// the elements' length. In w the spin's parts are scaled by L1/L3 and L2/L3 to the flexibilities.
+class GridFastsim {
+public:
+  /// `pressure` is p_n of the elements [Pa]; the contact is where it is positive. Throws Error for a grid without
+  /// elements and for another number of pressures.
+  GridFastsim(const ElementGrid& grid, std::span<const double> pressure);
+
+  const ElementGrid& grid() const { return grid_; }
+  /// Rows ascending, in each columns ascending.
+  const std::vector<ElementRun>& runs() const { return runs_; }
+  double contact_area() const; ///< [m^2]
+  /// What friction bears [N]. `friction` is mu of each row [-]; one: the same for all.
+  double capacity(std::span<const double> friction) const;
+  /// The ellipse with the contact's area and its ratio of length to width, for flexibilities: a, b [m].
+  Vec2 equivalent_axes() const;
+
+  /// Throws Error for flexibilities that are not positive, and for numbers of friction coefficients and fields that do
+  /// not fit the grid. Cost O(elements).
+  GridSolution solve(const Flexibilities& flexibilities, std::span<const double> friction,
+                     const GridRolling& rolling) const;
+  /// All of the contact sliding in one direction (a unit vector), the tractions at their bound; the slip is not known,
+  /// and zero here.
+  GridSolution slide(const Flexibilities& flexibilities, std::span<const double> friction, Vec2 direction) const;
+
+private:
+  void check_friction(std::span<const double> friction) const;
+  double friction_of(int row, std::span<const double> friction) const;
+  GridSolution empty_solution(std::span<const double> friction) const;
+
+  ElementGrid grid_;
+  std::vector<double> pressure_;
+  std::vector<ElementRun> runs_;
+};
+
+/// Fills in what follows from tractions, slip and states: displacements, forces, power, peak.
+void find_totals(const ElementGrid& grid, const Flexibilities& flexibilities, double rolling_speed,
+                 GridSolution& solution);
+
+} // namespace microslip

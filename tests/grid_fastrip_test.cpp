@@ -1,0 +1,92 @@
+// FaStrip on the rows of a grid, against linear theory, full sliding and FaStrip on an ellipse's own rows.
+
+#include "microslip/simplified/grid_fastrip.hpp"
+
+#include "microslip/friction/traction_bound.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+EllipticContact steel(double a, double b, const Creepage& creepage) {
+  return {.a = a,
+          .b = b,
+          .shear_modulus = 82e9,
+          .poisson_ratio = 0.28,
+          .normal_force = 8e4,
+          .friction = FrictionLaw::coulomb(0.3),
+          .creepage = creepage};
+}
+
+GridSolution solve(const EllipticContact& contact, FastripForm form, int elements,
+                   RollingDirection direction = RollingDirection::forward) {
+  const ElementGrid grid = ElementGrid::across_ellipse(contact.a, contact.b, elements);
+  std::vector<double> pressure;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i)
+      pressure.push_back(
+          traction_bound(TractionBound::elliptic, contact.a, contact.b, contact.normal_force, 1, grid.x(i), grid.y(j)));
+  const Flexibilities l = flexibilities(FlexibilityModel::blended, {}, contact);
+  return solve_fastrip(GridFastsim(grid, pressure), form, contact, l, std::vector{0.3},
+                       {.creepage = contact.creepage, .direction = direction});
+}
+
+TEST(GridFastrip, TendsToFastripOnAnEllipse) {
+  for (const Creepage& c : {Creepage{6e-4, -8e-4, 0.2}, {2e-4, 0, 0}, {-1e-3, 1e-4, 0.1}}) {
+    const EllipticContact contact = steel(6e-3, 4e-3, c);
+    SimplifiedOptions options;
+    options.mx = options.my = 200;
+    options.bound = TractionBound::elliptic;
+    options.flexibility = FlexibilityModel::blended;
+    const ContactForces own = Fastrip(options).solve(contact);
+    const GridSolution s = solve(contact, FastripForm::first, 200);
+    EXPECT_NEAR(s.forces.fx / 2.4e4, own.fx / 2.4e4, 5e-3);
+    EXPECT_NEAR(s.forces.fy / 2.4e4, own.fy / 2.4e4, 5e-3);
+    const GridSolution modified = solve(contact, FastripForm::modified, 200);
+    EXPECT_NEAR(modified.forces.fx / 2.4e4, own.fx / 2.4e4, 5e-3);
+    EXPECT_NEAR(modified.forces.fy / 2.4e4, own.fy / 2.4e4, 5e-3);
+  }
+}
+
+/// Fx = -G ab C11 xi.
+TEST(GridFastrip, LinearTheory) {
+  const EllipticContact contact = steel(6e-3, 4e-3, {1e-8, 0, 0});
+  const double linear = -82e9 * 24e-6 * creepage_coefficients(1.5, 0.28).c11 * 1e-8;
+  EXPECT_NEAR(solve(contact, FastripForm::modified, 200).forces.fx / linear, 1, 0.035); // first order in the elements
+}
+
+/// Rolling the other way is the mirror: xi and phi turn, and so do Fx and Mz.
+TEST(GridFastrip, RollingBackwardsIsTheMirror) {
+  for (const auto form : {FastripForm::modified, FastripForm::first, FastripForm::first_bounded}) {
+    const GridSolution s = solve(steel(4e-3, 6e-3, {6e-4, -8e-4, 0.2}), form, 20);
+    const GridSolution back = solve(steel(4e-3, 6e-3, {-6e-4, -8e-4, -0.2}), form, 20, RollingDirection::backward);
+    EXPECT_NEAR(back.forces.fx, -s.forces.fx, 1e-8);
+    EXPECT_NEAR(back.forces.fy, s.forces.fy, 1e-8);
+    EXPECT_NEAR(back.forces.mz, -s.forces.mz, 1e-8);
+  }
+}
+
+/// Sliding, for a < b: the first form raises the forces by 1 + (1 - a/b)^4, the bounded one to friction at most.
+TEST(GridFastrip, FirstFormsRaiseForces) {
+  const EllipticContact contact = steel(4e-3, 6e-3, {0.05, 0, 0});
+  const double sliding = solve(contact, FastripForm::modified, 60).forces.fx;
+  const double factor = 1 + std::pow(1 - 2.0 / 3, 4);
+  EXPECT_NEAR(solve(contact, FastripForm::first, 60).forces.fx / sliding, factor, 1e-12);
+  EXPECT_NEAR(solve(contact, FastripForm::first_bounded, 60).forces.fx, std::min(sliding, -2.4e4), 1e-8);
+}
+
+/// With phi' >= 1 nothing adheres in the bounded form.
+TEST(GridFastrip, LargeSpinSlidesInTheBoundedForm) {
+  const EllipticContact contact = steel(6e-3, 4e-3, {0, 0, 20});
+  ASSERT_GT(std::abs(StripTheory(contact, 0.3, RollingDirection::forward).scaled_spin()), 1);
+  const GridSolution s = solve(contact, FastripForm::first_bounded, 40);
+  EXPECT_EQ(s.forces.adhesion_area, 0);
+  for (std::size_t k = 0; k < s.px.size(); ++k) EXPECT_NEAR(std::hypot(s.px[k], s.py[k]), s.bound[k], 1e-4);
+}
+
+} // namespace
+} // namespace microslip
