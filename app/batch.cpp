@@ -343,7 +343,8 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   add_json_flag(*command, arguments->json);
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
-      "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have dissimilarity [-], the\n"
+      "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have "
+      "dissimilarity [-], the\n"
       "combined K of bodies of different materials, which needs --theory exact, and rolling_speed [m/s], which forces\n"
       "under a constant coefficient of friction do not depend on. OUT.csv repeats them and adds fx [N], fy [N], mz [N "
       "m],\n"

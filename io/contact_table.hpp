@@ -26,7 +26,8 @@ struct ContactRows {
 };
 
 /// Reads a table of contacts from CSV, a chunk at a time, in constant memory. The first line names the columns, in any
-/// order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-], friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral
+/// order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-], friction [-], normal_force [N], creepage_longitudinal
+/// [-], creepage_lateral
 /// [-], spin [1/m], each of them once; there may be dissimilarity [-], K with |K| <= 1/2 - poisson_ratio, and
 /// rolling_speed [m/s], and no other. Blanks around fields, quotes, CRLF, a byte-order mark, blank lines
 /// and a last line without its end are fine. Everything else throws an Error with file, line and column: `in.csv:17:

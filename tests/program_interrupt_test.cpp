@@ -92,7 +92,8 @@ void expect_end_without_answer(int signals) {
   const auto table = (folder / "in.csv").string();
   ASSERT_EQ(mkfifo(table.c_str(), 0600), 0);
   const int pipe = open(table.c_str(), O_RDWR | O_CLOEXEC); // never closed while the program runs
-  const std::string rows = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
+  const std::string rows =
+      "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
   const std::string more = rows + std::string(40 * 1024, '\n');
   ASSERT_EQ(write(pipe, more.data(), more.size()), static_cast<ssize_t>(more.size()));
   const auto writes = [&](pid_t) { return has_ending(folder, ".tmp"); };

@@ -161,8 +161,9 @@ TEST(ProgramJson, RunNamesWhatIsNotRun) {
 
 TEST(ProgramJson, BatchCountsContacts) {
   const TemporaryFolder folder;
-  save(folder / "in.csv", "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n"
-                          "1e200,1e200,82e9,0.28,0.3,80e3,0.001,0,0\n0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n");
+  save(folder / "in.csv",
+       "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n"
+       "1e200,1e200,82e9,0.28,0.3,80e3,0.001,0,0\n0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n");
   const auto json = document(folder, "batch in.csv -o out.csv --grid 8x8", 1);
   EXPECT_EQ(json.at("contacts"), 2);
   EXPECT_EQ(json.at("contacts_unsolved"), 1);

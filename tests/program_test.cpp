@@ -33,7 +33,8 @@ using Names = std::vector<std::string>;
 
 const std::string example = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
 const std::string example_table = MICROSLIP_SOURCE_DIR "/examples/contacts.csv";
-const std::string header = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
+const std::string header =
+    "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
 
 /// The lines of a table of results, without the header, split at commas.
 std::vector<Names> rows_of(const fs::path& path) {
@@ -550,7 +551,8 @@ TEST(Program, BatchRefusesBadTables) {
   for (unsigned i = 0; i < 100000; ++i) binary += static_cast<char>((i * 7919) >> 3);
   save(folder / "empty.csv", "");
   save(folder / "binary.csv", binary);
-  save(folder / "missing.csv", "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral\n");
+  save(folder / "missing.csv",
+       "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral\n");
   save(folder / "truncated.csv", many + row.substr(0, 20));
   save(folder / "bad.csv", many + "0.006,0.005,82e9,0.7,0.3,80e3,0.001,0,0\n" + row);
   save(folder / "late.csv", many + many.substr(header.size()) + "x\n");
