@@ -28,12 +28,4 @@ void print_json(const Json& document) {
   std::fflush(stdout);
 }
 
-Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states) {
-  Json result = Json::object();
-  for (const auto& [name, value, at] : interior_extremes(states))
-    result[name] = {
-        {"value", json_number(value)}, {"x", points.x_of(at)}, {"y", points.y_of(at)}, {"z", points.z_of(at)}};
-  return result;
-}
-
 } // namespace microslip

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "io/json.hpp"
-#include "microslip/interior/interior_grid.hpp"
 
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -18,8 +16,5 @@ void add_json_flag(CLI::App& command, bool& json);
 Json json_document(const std::string& kind);
 /// Prints it.
 void print_json(const Json& document);
-
-/// The extremes of the stresses at some points inside the bodies: `value` [Pa] and `x`, `y`, `z` [m] of each measure.
-Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states);
 
 } // namespace microslip

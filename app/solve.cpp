@@ -8,10 +8,10 @@
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
+#include "cases/case_document.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
-#include "io/result_json.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -191,22 +191,6 @@ void print_interior(const InteriorGrid& points, const std::vector<InteriorState>
   table.print();
 }
 
-/// What a status other than ok means here.
-std::string explain(const RollingCase& input, const RollingContactResult& result) {
-  if (result.status == Status::no_solution) return "prescribed force exceeds mu Fn; the result shown is full sliding";
-  if (result.status == Status::not_converged && result.exact && result.exact->limit)
-    return fmt::format("accuracy not reached: estimated error {:.2g} mu Fn", result.exact->limit->error);
-  if (result.status == Status::not_converged && result.exact &&
-      result.exact->contact.report.friction_residual > friction_tolerance)
-    return fmt::format("friction-slip iteration not converged after {} iterations: relative change of slip {:.2g}",
-                       result.exact->contact.report.friction_iterations,
-                       result.exact->contact.report.friction_residual);
-  if (result.status == Status::not_converged && result.exact && std::isfinite(result.exact->contact.report.residual))
-    return fmt::format("not converged: residual {:.2g}, wanted {:.2g}", result.exact->contact.report.residual,
-                       input.tolerance);
-  return "overflow or underflow in the computation: check units and magnitudes";
-}
-
 RollingContactResult solve_with_progress(const RollingCase& input, const std::string& name) {
   const InterruptGuard guard;
   ProgressBar bar(name);
@@ -219,17 +203,19 @@ RollingContactResult solve_with_progress(const RollingCase& input, const std::st
   return result;
 }
 
+Provenance provenance_of(const SolveArguments& arguments, const RollingCase& input, const std::string& case_text) {
+  return {.kind = "rolling_contact",
+          .title = input.title,
+          .command_line = command_line(),
+          .case_file = arguments.case_file.string(),
+          .case_text = case_text};
+}
+
 void write(const SolveArguments& arguments, const RollingCase& input, const RollingContactResult& result,
-           const std::string& case_text, const fs::path& file) {
+           const Provenance& provenance, const fs::path& file) {
   const InterruptGuard guard;
   create_folder(arguments.folder);
-  write_result(input, result,
-               {.kind = "rolling_contact",
-                .title = input.title,
-                .command_line = command_line(),
-                .case_file = arguments.case_file.string(),
-                .case_text = case_text},
-               file);
+  write_result(input, result, provenance, file);
   InterruptGuard::throw_if_interrupted();
 }
 
@@ -247,15 +233,11 @@ void print_file(const fs::path& file) {
   std::fflush(stdout);
 }
 
-void print_document(const RollingCase& input, const RollingContactResult& result, const fs::path& file,
-                    std::vector<std::string> pictures) {
-  auto document = result_json(file);
-  document["status"] = to_string(result.status);
-  if (result.exact && !result.exact->interior.empty())
-    document["interior_extremes"] = extremes_json(input.interior, result.exact->interior);
+void print_document(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
+                    const fs::path& file, std::vector<std::string> pictures) {
+  Json document = case_document(input, result, provenance);
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
-  document["warnings"] = result.warnings;
   print_json(document);
 }
 
@@ -274,16 +256,17 @@ int solve(SolveArguments arguments) {
 
   if (!arguments.json) print_tables(input, result);
   const auto file = arguments.folder / "result.h5";
-  write(arguments, input, result, text, file);
+  const Provenance provenance = provenance_of(arguments, input, text);
+  write(arguments, input, result, provenance, file);
   if (!arguments.json) print_file(file);
   const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw(file, arguments.folder);
   if (arguments.json)
-    print_document(input, result, file, pictures);
+    print_document(input, result, provenance, file, pictures);
   else
     for (const auto& picture : pictures) print_file(picture);
   print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
-  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), explain(input, result));
+  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), reason_of(input, result));
   return ExitCode::not_met;
 }
 

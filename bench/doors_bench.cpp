@@ -35,7 +35,8 @@ std::vector<microslip_contact> c_contacts() {
     c.a = e.a, c.b = e.b;
     c.shear_modulus = e.shear_modulus, c.poisson_ratio = e.poisson_ratio;
     c.normal_force = e.normal_force, c.rolling_speed = e.rolling_speed;
-    c.creep_longitudinal = e.creepage.longitudinal, c.creep_lateral = e.creepage.lateral, c.spin = e.creepage.spin;
+    c.creepage_longitudinal = e.creepage.longitudinal, c.creepage_lateral = e.creepage.lateral,
+    c.spin = e.creepage.spin;
     c.friction = e.friction.kinetic_coefficient();
     all.push_back(c);
   }

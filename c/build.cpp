@@ -22,7 +22,7 @@ const char* microslip_code_text(int code) {
   case MICROSLIP_NO_CONTACT:
     return "the bodies do not touch";
   case MICROSLIP_NO_SOLUTION:
-    return "a given force is beyond what friction can bear";
+    return "prescribed force exceeds mu Fn";
   case MICROSLIP_NULL_POINTER:
     return "a pointer is NULL";
   case MICROSLIP_WRONG_SIZE:

@@ -1,10 +1,8 @@
 #include "c/contact.hpp"
 
 #include "c/guarded_call.hpp"
-#include "microslip/contact/quantities.hpp"
 #include "microslip/elasticity/hertz.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace microslip::c {
@@ -49,6 +47,10 @@ bool has_valid_friction(const microslip_contact& contact) {
          is_coefficient(contact.friction + first.drop + second.drop);
 }
 
+PrincipalRadii radii_of(const microslip_bodies& b) {
+  return {b.rolling_radius[0], b.rolling_radius[1], b.transverse_radius[0], b.transverse_radius[1]};
+}
+
 } // namespace
 
 EllipticContact contact_of(const microslip_contact& c) noexcept {
@@ -59,7 +61,7 @@ EllipticContact contact_of(const microslip_contact& c) noexcept {
           .poisson_ratio = c.poisson_ratio,
           .normal_force = c.normal_force,
           .friction = valid ? friction_of(c) : FrictionLaw(),
-          .creepage = {c.creep_longitudinal, c.creep_lateral, c.spin},
+          .creepage = {c.creepage_longitudinal, c.creepage_lateral, c.spin},
           .rolling_speed = c.rolling_speed};
 }
 
@@ -70,8 +72,8 @@ void check_contact(const microslip_contact& c) {
   require_between("poisson_ratio", c.poisson_ratio, "-", 0, 0.5);
   require_positive("normal_force", c.normal_force, "N");
   require_positive("rolling_speed", c.rolling_speed, "m/s");
-  require_finite("creep_longitudinal", c.creep_longitudinal, "-");
-  require_finite("creep_lateral", c.creep_lateral, "-");
+  require_finite("creepage_longitudinal", c.creepage_longitudinal, "-");
+  require_finite("creepage_lateral", c.creepage_lateral, "-");
   require_finite("spin", c.spin, "1/m");
   require_between("friction", c.friction, "-", 0, FrictionLaw::largest_coefficient);
   friction_of(c);
@@ -79,20 +81,6 @@ void check_contact(const microslip_contact& c) {
 
 microslip_forces forces_of(const ContactForces& f) noexcept {
   return {f.fx, f.fy, f.mz, f.adhesion_area, f.slip_area, code_of(f.status)};
-}
-
-void copy_field(const ContactSolution& solution, int field, std::span<double> values) {
-  constexpr const char* names[] = {"x", "y", "area", "bound", "px", "py", "sx", "sy", nullptr, "pressure", "ux", "uy"};
-  require_size("count", values.size(), solution.elements.size());
-  if (field == MICROSLIP_FIELD_STATE) {
-    std::ranges::transform(solution.fields.state, values.begin(), [](CellState s) { return static_cast<double>(s); });
-    return;
-  }
-  const bool known = field >= 0 && field < static_cast<int>(std::size(names));
-  const std::vector<double> none, &found = known ? field_quantity(names[field]).values(solution) : none;
-  if (found.empty())
-    throw Refusal(MICROSLIP_NO_RESULT, "field = " + std::to_string(field) + ": is none of these results");
-  std::ranges::copy(found, values.begin());
 }
 
 } // namespace microslip::c
@@ -111,6 +99,20 @@ microslip_code microslip_contact_check(const microslip_contact* contact, microsl
   });
 }
 
+microslip_code microslip_polach_friction(double static_coefficient, double ratio, double decay,
+                                         microslip_contact* contact, microslip_error* error) {
+  return guarded(error, [&] {
+    microslip_contact& c = *require_pointer("contact", contact);
+    const FrictionLaw law = FrictionLaw::polach(static_coefficient, ratio, decay);
+    c.friction_law = MICROSLIP_EXPONENTIAL;
+    c.friction = law.kinetic_coefficient();
+    for (std::size_t i = 0; i < law.terms().size(); ++i) {
+      c.friction_drop[i] = law.terms()[i].drop;
+      c.friction_half_velocity[i] = law.terms()[i].half_velocity;
+    }
+  });
+}
+
 microslip_code microslip_hertz_from_load(const microslip_bodies* bodies, double normal_force, microslip_hertz* hertz,
                                          microslip_error* error) {
   return guarded(error, [&] {
@@ -118,9 +120,7 @@ microslip_code microslip_hertz_from_load(const microslip_bodies* bodies, double 
     require_pointer("hertz", hertz);
     const CombinedMaterial pair = combine(Material::from_young(b.young_modulus[0], b.poisson_ratio[0]),
                                           Material::from_young(b.young_modulus[1], b.poisson_ratio[1]));
-    const GapCurvatures gap =
-        gap_curvatures({b.rolling_radius[0], b.rolling_radius[1], b.transverse_radius[0], b.transverse_radius[1]});
-    const HertzContact found = hertz_from_load(gap, pair, normal_force);
+    const HertzContact found = hertz_from_load(gap_curvatures(radii_of(b)), pair, normal_force);
     *hertz = {found.a,
               found.b,
               found.approach,
@@ -130,4 +130,24 @@ microslip_code microslip_hertz_from_load(const microslip_bodies* bodies, double 
               pair.poisson_ratio,
               pair.dissimilarity};
   });
+}
+
+microslip_code microslip_hertz_warnings(const microslip_bodies* bodies, const microslip_hertz* hertz, char** text,
+                                        microslip_error* error) {
+  return guarded(error, [&] {
+    const PrincipalRadii radii = radii_of(*require_pointer("bodies", bodies));
+    const microslip_hertz& h = *require_pointer("hertz", hertz);
+    require_pointer("text", text);
+    HertzContact contact{};
+    contact.a = h.a;
+    contact.b = h.b;
+    contact.approach = h.approach;
+    std::string lines;
+    for (const std::string& warning : implausibilities(contact, radii)) lines += warning + "\n";
+    *text = text_copy(lines);
+  });
+}
+
+void microslip_free_text(char* text) {
+  delete[] text;
 }

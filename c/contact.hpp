@@ -4,8 +4,9 @@
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/contact/elliptic_contact.hpp"
 
-#include <cstddef>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace microslip::c {
 
@@ -18,7 +19,15 @@ void check_contact(const microslip_contact& contact);
 
 microslip_forces forces_of(const ContactForces& forces) noexcept;
 
-/// Copies a field of a solution. Throws Refusal if the solution does not have it or `values` is of the wrong size.
-void copy_field(const ContactSolution& solution, int field, std::span<double> values);
+/// The solution, or Refusal if there is none as `call` was not called yet.
+const ContactSolution& require_solution(const std::optional<ContactSolution>& solution, const char* call);
+
+/// The name of a microslip_field. Throws Refusal for another number.
+std::string_view field_name(int field);
+/// Copies a field of a solution. Throws Error for a name that no field has, and Refusal if the solution does not have
+/// it or `values` is of the wrong size.
+void copy_field(const ContactSolution& solution, std::string_view name, std::span<double> values);
+/// A number of a solution. Throws likewise.
+double quantity_of(const ContactSolution& solution, std::string_view name);
 
 } // namespace microslip::c

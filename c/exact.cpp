@@ -1,39 +1,39 @@
 #include "c/contact.hpp"
+#include "c/exact_options.hpp"
 #include "c/growing_struct.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
 using namespace microslip;
 using namespace microslip::c;
 
 struct microslip_exact {
+  microslip_exact_options options;
   std::variant<EllipticContactSolver, AccurateContactSolver> solver;
-  int (*progress)(double, void*) = nullptr;
-  void* progress_data = nullptr;
-  bool stopped = false;                        ///< by the caller's function
-  std::optional<ContactSolution> contact = {}; ///< last solved
+  ExactOptions made_with; ///< the solver
+  bool stopped = false;   ///< by the caller's function
+  // Last solved:
+  EllipticContact contact = {};
+  ExactMotion motion = {};
+  int finest = 0; ///< with an accuracy given: elements across
+  std::optional<ContactSolution> solution = {};
 };
 
 namespace {
 
 constexpr std::array motions = {ContactMotion::steady, ContactMotion::transient, ContactMotion::shift};
-
-microslip_exact_options default_options() {
-  const ExactOptions o;
-  microslip_exact_options out{};
-  out.struct_size = sizeof out;
-  out.mx = o.mx;
-  out.my = o.my;
-  out.discretisation = static_cast<int>(o.discretisation);
-  out.direction = static_cast<int>(o.direction);
-  out.tolerance = o.tolerance;
-  return out;
-}
 
 microslip_exact_motion default_motion() {
   microslip_exact_motion out{};
@@ -43,29 +43,59 @@ microslip_exact_motion default_motion() {
   return out;
 }
 
-ExactOptions options_of(const microslip_exact_options& o) {
-  return {.mx = o.mx,
-          .my = o.my,
-          .discretisation = choice<Discretisation>("discretisation", o.discretisation, 2),
-          .direction = choice<RollingDirection>("direction", o.direction, 2),
-          .tolerance = o.tolerance};
-}
-static_assert(static_cast<int>(Discretisation::classical) == MICROSLIP_CLASSICAL);
+/// What an older header has of the options.
+constexpr std::size_t oldest_options = offsetof(microslip_exact_options, elements);
 
 Progress progress_of(microslip_exact& handle) {
   handle.stopped = false;
-  if (!handle.progress) return {};
+  if (!handle.options.progress) return {};
   return [&handle](double fraction) {
-    handle.stopped = handle.progress(fraction, handle.progress_data) != 0;
+    handle.stopped = handle.options.progress(fraction, handle.options.progress_data) != 0;
     return !handle.stopped;
   };
 }
 
+std::variant<EllipticContactSolver, AccurateContactSolver> solver_for(const ExactOptions& options, double accuracy) {
+  if (accuracy != 0) return AccurateContactSolver(accuracy, options);
+  return EllipticContactSolver(options);
+}
+
+/// The options of a solver for contacts like this one. Where they are the contact's alone, the solver serves any.
+ExactOptions solver_options(const microslip_exact_options& o, const RollingProblem& problem) {
+  const Method method = method_of(o);
+  ExactOptions options = exact_options(problem, method);
+  options.discretisation = options.elements == ElementShape::bilinear
+                               ? Discretisation::classical
+                               : method.discretisation.value_or(Discretisation::second_order);
+  if (!has_bodies(o)) options.bodies.reset();
+  return options;
+}
+
 microslip_exact* make_solver(const microslip_exact_options& o) {
-  const ExactOptions options = options_of(o);
-  if (o.accuracy != 0)
-    return new microslip_exact{AccurateContactSolver(o.accuracy, options), o.progress, o.progress_data};
-  return new microslip_exact{EllipticContactSolver(options), o.progress, o.progress_data};
+  check(o);
+  microslip_exact_options any = o; // for contacts that are not known yet
+  for (microslip_exact_body* body : {&any.body1, &any.body2})
+    body->shear_modulus = body->poisson_ratio = body->creep_ratio = body->creep_time = 0;
+  any.layer = {};
+  RollingProblem problem = problem_of(any, {}, {});
+  if (!problem.thermal) problem.friction.temperature_effect.reset();
+  const ExactOptions options = solver_options(any, problem);
+  return new microslip_exact{.options = o, .solver = solver_for(options, o.accuracy), .made_with = options};
+}
+
+/// Makes the handle ready for a contact. Throws Error if options, contact and motion do not go together.
+void prepare(microslip_exact& handle, const EllipticContact& contact, const ExactMotion& motion) {
+  const microslip_exact_options& o = handle.options;
+  const RollingProblem problem = problem_of(o, contact, motion);
+  require_compatible(problem, method_of(o));
+  ExactOptions options = solver_options(o, problem);
+  handle.solution.reset();
+  if (!(options == handle.made_with)) {
+    handle.solver = solver_for(options, o.accuracy);
+    handle.made_with = std::move(options);
+  }
+  handle.contact = contact;
+  handle.motion = motion;
 }
 
 ExactMotion motion_of(const microslip_exact_motion& m) {
@@ -81,8 +111,8 @@ ExactMotion motion_of(const microslip_exact_motion& m) {
 microslip_exact_result result_of(const ContactSolution& found) {
   microslip_exact_result out{};
   out.forces = forces_of(found.forces());
-  out.creep_longitudinal = found.creepage.longitudinal;
-  out.creep_lateral = found.creepage.lateral;
+  out.creepage_longitudinal = found.creepage.longitudinal;
+  out.creepage_lateral = found.creepage.lateral;
   out.spin = found.creepage.spin;
   out.approach = found.approach;
   out.peak_pressure = found.totals.peak_pressure;
@@ -99,48 +129,83 @@ microslip_exact_result result_of(const ContactSolution& found) {
 }
 
 /// Solves, keeps the fields, and returns what there is to tell.
-microslip_exact_result solve_with(EllipticContactSolver& solver, microslip_exact& handle,
-                                  const EllipticContact& contact, const ExactMotion& motion) {
-  handle.contact = solver.solve(contact, motion, progress_of(handle));
-  return result_of(*handle.contact);
+microslip_exact_result solve_with(EllipticContactSolver& solver, microslip_exact& handle) {
+  handle.solution = solver.solve(handle.contact, handle.motion, progress_of(handle));
+  return result_of(*handle.solution);
 }
 
-microslip_exact_result solve_with(AccurateContactSolver& solver, microslip_exact& handle,
-                                  const EllipticContact& contact, const ExactMotion& motion) {
-  AccurateContact found = solver.solve(contact, motion, progress_of(handle));
+std::string accuracy_missed(double error) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "accuracy not reached: estimated error %.2g mu Fn", error);
+  return text.data();
+}
+
+microslip_exact_result solve_with(AccurateContactSolver& solver, microslip_exact& handle) {
+  AccurateContact found = solver.solve(handle.contact, handle.motion, progress_of(handle));
   microslip_exact_result out = result_of(found.finest);
   out.forces = forces_of(found.forces);
-  out.creep_longitudinal = found.creepage.longitudinal;
-  out.creep_lateral = found.creepage.lateral;
+  out.creepage_longitudinal = found.creepage.longitudinal;
+  out.creepage_lateral = found.creepage.lateral;
   out.error = found.error;
   out.products = found.products;
-  handle.contact = std::move(found.finest);
+  handle.finest = found.elements;
+  std::string& reason = found.finest.report.reason;
+  if (reason.empty() && found.forces.status == Status::not_converged) reason = accuracy_missed(found.error);
+  handle.solution = std::move(found.finest);
   return out;
 }
 
-/// Why a contact was taken for invalid.
-std::string reason(const microslip_contact& contact) {
+/// Why a contact is out of range, in the words of microslip_contact_check; empty if it is not.
+std::string fault_of(const microslip_contact& contact) {
   try {
     check_contact(contact);
+    return "";
   } catch (const Error& refusal) {
     return refusal.what();
   }
-  return contact.friction_law == MICROSLIP_COULOMB
-             ? "numbers overflow on the way"
-             : "friction_law: the exact theory has derivatives for Coulomb's only";
 }
 
-microslip_code report_status(microslip_error* error, int status, const microslip_contact& contact, bool stopped) {
+/// The library's form of a contact, with the dissimilarity of the options; none if it is out of range, which becomes
+/// the handle's solution.
+std::optional<EllipticContact> read_contact(microslip_exact& handle, const microslip_contact& contact) {
+  std::string fault = fault_of(contact);
+  handle.stopped = false;
+  if (!fault.empty()) {
+    handle.solution = solution_without_result(Status::invalid_input, std::move(fault));
+    return {};
+  }
+  EllipticContact known = contact_of(contact);
+  known.dissimilarity = handle.options.dissimilarity;
+  return known;
+}
+
+microslip_code report_status(microslip_error* error, int status, const microslip_exact& handle) {
   const auto code = static_cast<microslip_code>(status);
-  if (stopped) return report(error, code, "ended by the caller's progress function");
-  if (code == MICROSLIP_OK) return report(error, code, "");
-  return report(error, code, code == MICROSLIP_INVALID_INPUT ? reason(contact) : microslip_code_text(code));
+  if (handle.stopped) return report(error, code, "ended by the caller's progress function");
+  return report(error, code, code == MICROSLIP_OK ? "" : handle.solution->report.reason);
+}
+
+const ContactSolution& solution_of(const microslip_exact* solver) {
+  return require_solution(require_pointer("solver", solver)->solution, "microslip_exact_solve");
+}
+
+/// Where the solution has no distance of the bodies, from the normal problem on its grid.
+void find_gap(microslip_exact& handle) {
+  if (!handle.solution || handle.solution->elements.size() == 0 || !handle.solution->fields.gap.empty()) return;
+  std::vector<double>& gap = handle.solution->fields.gap;
+  if (auto* const solver = std::get_if<EllipticContactSolver>(&handle.solver)) {
+    gap = solver->deformed_gap(handle.contact, handle.motion).gap;
+    return;
+  }
+  ExactOptions finest = handle.made_with;
+  finest.mx = finest.my = handle.finest;
+  gap = EllipticContactSolver(finest).deformed_gap(handle.contact).gap;
 }
 
 } // namespace
 
 microslip_code microslip_exact_options_init(microslip_exact_options* options, size_t size) {
-  return guarded(nullptr, [&] { write_growing("options", default_options(), options, size); });
+  return guarded(nullptr, [&] { write_growing("options", default_exact_options(), options, size, oldest_options); });
 }
 
 microslip_code microslip_exact_motion_init(microslip_exact_motion* motion, size_t size) {
@@ -151,7 +216,7 @@ microslip_code microslip_exact_create(const microslip_exact_options* options, mi
                                       microslip_error* error) {
   return guarded(error, [&] {
     require_pointer("solver", solver);
-    *solver = make_solver(options ? read_growing("options", options) : default_options());
+    *solver = make_solver(options ? read_growing("options", options, oldest_options) : default_exact_options());
   });
 }
 
@@ -168,11 +233,13 @@ microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_co
     const std::size_t size = require_pointer("result", result)->struct_size;
     require_struct_size("result", size, sizeof *result);
     const ExactMotion move = motion_of(motion ? read_growing("motion", motion) : default_motion());
-    auto found = std::visit([&](auto& theory) { return solve_with(theory, *solver, contact_of(*contact), move); },
-                            solver->solver);
+    const auto known = read_contact(*solver, *contact);
+    if (known) prepare(*solver, *known, move);
+    auto found = known ? std::visit([&](auto& theory) { return solve_with(theory, *solver); }, solver->solver)
+                       : result_of(*solver->solution);
     if (solver->stopped) found.forces.status = MICROSLIP_NOT_CONVERGED; // fewer steps than wanted, each converged
     write_growing("result", found, result, size);
-    return report_status(error, found.forces.status, *contact, solver->stopped);
+    return report_status(error, found.forces.status, *solver);
   });
 }
 
@@ -185,24 +252,43 @@ microslip_code microslip_exact_differentiate(microslip_exact* solver, const micr
     require_size("count", count, 9);
     const std::size_t size = result ? result->struct_size : sizeof *result;
     require_struct_size("result", size, sizeof *result);
-    auto* const theory = std::get_if<EllipticContactSolver>(&solver->solver);
-    if (!theory) throw Refusal(MICROSLIP_INVALID_OPTION, "accuracy: there are no derivatives of extrapolated forces");
-    ExactDerivatives found = theory->differentiate(contact_of(*contact));
-    const microslip_exact_result totals = result_of(found.solution);
-    const bool valid = totals.forces.status != MICROSLIP_INVALID_INPUT;
+    if (!std::holds_alternative<EllipticContactSolver>(solver->solver))
+      throw Refusal(MICROSLIP_INVALID_OPTION, "accuracy: there are no derivatives of extrapolated forces");
+    ExactDerivatives found;
+    if (const auto known = read_contact(*solver, *contact)) {
+      prepare(*solver, *known, {});
+      found = std::get<EllipticContactSolver>(solver->solver).differentiate(*known, progress_of(*solver));
+      solver->solution = std::move(found.solution);
+    }
+    const microslip_exact_result totals = result_of(*solver->solution);
+    const bool has_result = std::isfinite(totals.forces.fx);
     for (std::size_t k = 0; k < 9; ++k)
-      jacobian[k] = valid ? found.jacobian[k / 3][k % 3] : std::numeric_limits<double>::quiet_NaN();
+      jacobian[k] = has_result ? found.jacobian[k / 3][k % 3] : std::numeric_limits<double>::quiet_NaN();
     if (result) write_growing("result", totals, result, size);
-    solver->contact = std::move(found.solution);
-    return report_status(error, totals.forces.status, *contact, false);
+    return report_status(error, totals.forces.status, *solver);
   });
 }
 
 microslip_code microslip_exact_get(const microslip_exact* solver, microslip_field field, size_t count, double* values,
                                    microslip_error* error) {
   return guarded(error, [&] {
-    if (!require_pointer("solver", solver)->contact)
-      throw Refusal(MICROSLIP_NO_RESULT, "microslip_exact_solve was not called yet");
-    copy_field(*solver->contact, field, {require_pointer("values", values), count});
+    copy_field(solution_of(solver), field_name(field), {require_pointer("values", values), count});
+  });
+}
+
+microslip_code microslip_exact_quantity(const microslip_exact* solver, const char* name, double* value,
+                                        microslip_error* error) {
+  return guarded(error, [&] {
+    *require_pointer("value", value) = quantity_of(solution_of(solver), require_pointer("name", name));
+  });
+}
+
+microslip_code microslip_exact_field(microslip_exact* solver, const char* name, size_t count, double* values,
+                                     microslip_error* error) {
+  return guarded(error, [&] {
+    const std::string_view field = require_pointer("name", name);
+    require_pointer("values", values);
+    if (field == "gap") find_gap(*require_pointer("solver", solver));
+    copy_field(solution_of(solver), field, {values, count});
   });
 }

@@ -86,6 +86,10 @@ microslip_code solve_in_chunks(microslip_fastsim2& handle, std::array<Own, chunk
   return code;
 }
 
+const ContactSolution& solution_of(const microslip_fastsim2* solver) {
+  return require_solution(require_pointer("solver", solver)->fields, "microslip_fastsim2_solve_fields");
+}
+
 } // namespace
 
 microslip_code microslip_fastsim2_options_init(microslip_fastsim2_options* options, size_t size) {
@@ -132,8 +136,20 @@ microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2* solver, const
 microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, microslip_field field, size_t count,
                                       double* values, microslip_error* error) {
   return guarded(error, [&] {
-    if (!require_pointer("solver", solver)->fields)
-      throw Refusal(MICROSLIP_NO_RESULT, "microslip_fastsim2_solve_fields was not called yet");
-    copy_field(*solver->fields, field, {require_pointer("values", values), count});
+    copy_field(solution_of(solver), field_name(field), {require_pointer("values", values), count});
+  });
+}
+
+microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name, double* value,
+                                           microslip_error* error) {
+  return guarded(error, [&] {
+    *require_pointer("value", value) = quantity_of(solution_of(solver), require_pointer("name", name));
+  });
+}
+
+microslip_code microslip_fastsim2_field(const microslip_fastsim2* solver, const char* name, size_t count,
+                                        double* values, microslip_error* error) {
+  return guarded(error, [&] {
+    copy_field(solution_of(solver), require_pointer("name", name), {require_pointer("values", values), count});
   });
 }

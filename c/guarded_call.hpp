@@ -62,6 +62,14 @@ inline void require_size(std::string_view name, std::size_t size, std::size_t wa
                 std::string(name) + " = " + std::to_string(size) + ": must be " + std::to_string(wanted));
 }
 
+/// A text to be released by microslip_free_text.
+inline char* text_copy(std::string_view text) {
+  char* const copy = new char[text.size() + 1];
+  std::copy_n(text.data(), text.size(), copy);
+  copy[text.size()] = 0;
+  return copy;
+}
+
 /// The code that stands for a status: the first five are the same.
 constexpr microslip_code code_of(Status status) {
   return static_cast<microslip_code>(static_cast<int>(status));

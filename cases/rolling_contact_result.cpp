@@ -5,8 +5,10 @@
 #include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -17,6 +19,12 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
+
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", value);
+  return text.data();
+}
 
 GridError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
@@ -111,11 +119,11 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   return result;
 }
 
-void write(ResultFile& file, const std::vector<StoredNumber>& quantities) {
+void write(ResultWriter& file, const std::vector<StoredNumber>& quantities) {
   for (const auto& [path, value, unit, description] : quantities) file.scalar(path, value, unit, description);
 }
 
-void write_friction(ResultFile& file, const RollingCase& input) {
+void write_friction(ResultWriter& file, const RollingCase& input) {
   const auto& law = input.friction;
   file.text("inputs/friction_law", input.friction_law, "friction as a function of the slip velocity");
   file.scalar("inputs/friction_coefficient", law.static_coefficient(), "-", "friction coefficient mu without slip");
@@ -135,7 +143,7 @@ void write_friction(ResultFile& file, const RollingCase& input) {
 
 /// What was given: a creepage whose force is given in its place is a result, exact/creepage_longitudinal or
 /// creepage_lateral.
-void write_motion(ResultFile& file, const RollingCase& input) {
+void write_motion(ResultWriter& file, const RollingCase& input) {
   const auto& creepage = input.creepage;
   const bool shift = input.motion.kind == ContactMotion::shift;
   const auto write = [&](const char* name, double value, const char* unit, const char* what) {
@@ -156,7 +164,7 @@ void write_motion(ResultFile& file, const RollingCase& input) {
   file.text("inputs/direction", std::string(to_word(input.options.direction)), "rolling along +x or -x");
 }
 
-void write_solution(ResultFile& file, const RollingCase& input) {
+void write_solution(ResultWriter& file, const RollingCase& input) {
   const auto& options = input.options;
   file.text("inputs/theory", std::string(to_word(input.theory)), "algorithm");
   if (input.theory == Theory::exact) {
@@ -179,7 +187,7 @@ void write_solution(ResultFile& file, const RollingCase& input) {
   file.scalar("inputs/slope_reduction_decay", reduction.decay, "-", "how fast it falls");
 }
 
-void write_inputs(ResultFile& file, const RollingCase& input, const EllipticContact& contact) {
+void write_inputs(ResultWriter& file, const RollingCase& input, const EllipticContact& contact) {
   write(file, body_quantities(input.body1, 1));
   write(file, body_quantities(input.body2, 2));
   file.scalar("inputs/shear_modulus", contact.shear_modulus, "Pa", "combined shear modulus G");
@@ -195,19 +203,19 @@ void write_inputs(ResultFile& file, const RollingCase& input, const EllipticCont
   write_solution(file, input);
 }
 
-void write_tolerances(ResultFile& file, const std::string& theory, const GridError& error, const std::string& cells) {
+void write_tolerances(ResultWriter& file, const std::string& theory, const GridError& error, const std::string& cells) {
   const std::string what = ": difference to the grid with " + cells + " in each direction";
   file.scalar("tolerances/" + theory + "/grid_fx", error.fx, "mu Fn", "discretisation error of fx" + what);
   file.scalar("tolerances/" + theory + "/grid_fy", error.fy, "mu Fn", "discretisation error of fy" + what);
   file.scalar("tolerances/" + theory + "/grid_mz", error.mz, "mu Fn sqrt(a b)", "discretisation error of mz" + what);
 }
 
-ResultFile::Shape shape_of(const Elements& elements) {
+ResultWriter::Shape shape_of(const Elements& elements) {
   return {static_cast<std::size_t>(elements.my()), static_cast<std::size_t>(elements.mx())};
 }
 
 /// All that a solution has, by the names of the table of quantities.
-void write_theory(ResultFile& file, const std::string& theory, const ContactSolution& solution) {
+void write_theory(ResultWriter& file, const std::string& theory, const ContactSolution& solution) {
   for (const Quantity& q : quantities())
     if (q.applies(solution))
       file.scalar(theory + "/" + std::string(q.name), q.value(solution), std::string(q.unit_of(solution)),
@@ -215,7 +223,7 @@ void write_theory(ResultFile& file, const std::string& theory, const ContactSolu
   file.text(theory + "/status", std::string(to_string(solution.report.status)), "how the calculation ended");
   if (!solution.report.reason.empty()) file.text(theory + "/reason", solution.report.reason, "why it is not ok");
 
-  const ResultFile::Shape shape = shape_of(solution.elements);
+  const ResultWriter::Shape shape = shape_of(solution.elements);
   const std::string fields = theory + "/fields/";
   for (const FieldQuantity& f : field_quantities())
     if (!f.values(solution).empty())
@@ -226,7 +234,7 @@ void write_theory(ResultFile& file, const std::string& theory, const ContactSolu
   file.array(fields + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
-void write_limit(ResultFile& file, const AccurateContact& limit) {
+void write_limit(ResultWriter& file, const AccurateContact& limit) {
   const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("exact/limit/") + name, value, unit, what);
   };
@@ -240,7 +248,7 @@ void write_limit(ResultFile& file, const AccurateContact& limit) {
   scalar("elements", limit.elements, "-", "across the ellipse, of the finest grid");
 }
 
-void write_interior(ResultFile& file, const InteriorGrid& points, const std::vector<InteriorState>& states) {
+void write_interior(ResultWriter& file, const InteriorGrid& points, const std::vector<InteriorState>& states) {
   if (states.empty()) return;
   file.array("interior/x", points.x, "m", "of the points");
   file.array("interior/y", points.y, "m", "of the points");
@@ -266,14 +274,14 @@ void write_interior(ResultFile& file, const InteriorGrid& points, const std::vec
 
 /// A number of every step of transient rolling.
 template <class Value>
-void write_history(ResultFile& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
+void write_history(ResultWriter& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
                    const Value& value) {
   std::vector<double> values;
   for (const auto& step : history) values.push_back(value(step));
   file.array(std::string("exact/history/") + name, values, unit, std::string(name) + " after each step");
 }
 
-void write_history(ResultFile& file, const std::vector<SolutionStep>& history, double step) {
+void write_history(ResultWriter& file, const std::vector<SolutionStep>& history, double step) {
   if (history.empty()) return;
   double rolled = 0;
   write_history(file, history, "distance", "m", [&](const SolutionStep&) { return rolled += step; });
@@ -285,7 +293,7 @@ void write_history(ResultFile& file, const std::vector<SolutionStep>& history, d
   write_history(file, history, "creepage_lateral", "-", [](const SolutionStep& s) { return s.creepage.lateral; });
 }
 
-void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& curve) {
+void write_curve(ResultWriter& file, const std::string& theory, const CreepCurve& curve) {
   const auto folder = "creep_curve/" + theory + "/";
   const auto write = [&](const std::string& name, const char* unit, double ContactForces::*member) {
     std::vector<double> values;
@@ -299,12 +307,12 @@ void write_curve(ResultFile& file, const std::string& theory, const CreepCurve& 
 }
 
 /// Of results for simpler bodies than the case's.
-void write_assumption(ResultFile& file, const std::string& group, const std::string& assumption) {
+void write_assumption(ResultWriter& file, const std::string& group, const std::string& assumption) {
   if (!assumption.empty()) file.attribute(group, "assumes", assumption);
 }
 
 /// Which creepage varies, and where on the curve the case is.
-void write_curve_point(ResultFile& file, const CreepCurve& curve, const Creepage& creepage) {
+void write_curve_point(ResultWriter& file, const CreepCurve& curve, const Creepage& creepage) {
   const auto write = [&](const char* name, double value, const char* unit) {
     file.scalar(std::string("creep_curve/") + name, value, unit,
                 "of the case: given, or found where the force is given");
@@ -392,9 +400,23 @@ RollingContactResult solve_case(const RollingCase& input, const Progress& progre
   return result;
 }
 
-void write_result(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
-                  const std::filesystem::path& path) {
-  ResultFile file(path, provenance);
+std::string reason_of(const RollingCase& input, const RollingContactResult& result) {
+  if (result.status == Status::ok) return "";
+  if (result.status == Status::no_solution) return "prescribed force exceeds mu Fn; the result shown is full sliding";
+  if (result.status == Status::not_converged && result.exact) {
+    const SolverReport& report = result.exact->contact.report;
+    if (result.exact->limit)
+      return "accuracy not reached: estimated error " + rounded(result.exact->limit->error) + " mu Fn";
+    if (report.friction_residual > friction_tolerance)
+      return "friction-slip iteration not converged after " + std::to_string(report.friction_iterations) +
+             " iterations: relative change of slip " + rounded(report.friction_residual);
+    if (std::isfinite(report.residual))
+      return "not converged: residual " + rounded(report.residual) + ", wanted " + rounded(input.tolerance);
+  }
+  return "overflow or underflow in the computation: check units and magnitudes";
+}
+
+void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file) {
   write_inputs(file, input, result.contact);
   write(file, hertz_quantities(result.hertz));
   write_assumption(file, "hertz", hertz_assumption(input));
@@ -417,7 +439,6 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     write_curve(file, name, simplified->curve);
     write_curve_point(file, simplified->curve, result.contact.creepage);
   }
-  file.commit();
 }
 
 } // namespace microslip

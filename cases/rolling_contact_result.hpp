@@ -2,7 +2,7 @@
 
 #include "cases/creep_curve.hpp"
 #include "io/case_file.hpp"
-#include "io/result_file.hpp"
+#include "io/result_writer.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 #include <filesystem>
@@ -69,6 +69,11 @@ std::string simplified_assumption(const RollingCase& input);
 /// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
 
+/// Why its status is not ok; empty if it is.
+std::string reason_of(const RollingCase& input, const RollingContactResult& result);
+
+/// Writes inputs, solutions and their tolerances.
+void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file);
 /// Writes it as HDF5. Error if that is impossible.
 void write_result(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
                   const std::filesystem::path& path);

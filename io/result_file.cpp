@@ -3,10 +3,7 @@
 #include "io/hdf5_handle.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
-#include "microslip/version.hpp"
 
-#include <chrono>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -14,15 +11,6 @@
 
 namespace microslip {
 namespace {
-
-std::string now() {
-  const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&time, &parts);
-  char text[32];
-  const auto length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return {text, length};
-}
 
 /// Access properties of a file that lives in memory only, or on disk.
 hid_t access_to(bool on_disk) {
@@ -153,20 +141,7 @@ struct ResultFile::Contents {
 
 ResultFile::ResultFile(const std::filesystem::path& path, const Provenance& provenance, Storage storage)
     : contents_(std::make_unique<Contents>(path, storage)) {
-  const auto build = build_info();
-  const std::pair<const char*, std::string> attributes[] = {
-      {"kind", provenance.kind},
-      {"title", provenance.title},
-      {"version", std::string(build.version)},
-      {"commit", std::string(build.commit)},
-      {"compiler", std::string(build.compiler)},
-      {"build_type", std::string(build.build_type)},
-      {"created", now()},
-      {"command_line", provenance.command_line},
-      {"case_file", provenance.case_file},
-      {"case_text", provenance.case_text},
-  };
-  for (const auto& [name, value] : attributes) attribute("/", name, value);
+  for (const auto& [name, value] : provenance_attributes(provenance)) ResultFile::attribute("/", name, value);
 }
 
 ResultFile::~ResultFile() = default;

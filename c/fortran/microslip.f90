@@ -16,6 +16,9 @@ module microslip
   integer(c_int), parameter, public :: microslip_kalker = 0, microslip_computed = 1
   integer(c_int), parameter, public :: microslip_forward = 0, microslip_backward = 1
   integer(c_int), parameter, public :: microslip_second_order = 0, microslip_classical = 1
+  integer(c_int), parameter, public :: microslip_constant = 0, microslip_bilinear = 1
+  integer(c_int), parameter, public :: microslip_newton = 0, microslip_alternating = 1
+  integer(c_int), parameter, public :: microslip_below = 0, microslip_above = 1
   integer(c_int), parameter, public :: microslip_steady = 0, microslip_transient = 1, microslip_shift = 2
   integer(c_int), parameter, public :: microslip_field_x = 0, microslip_field_y = 1, microslip_field_area = 2, &
     microslip_field_bound = 3, microslip_field_px = 4, microslip_field_py = 5, microslip_field_sx = 6, &
@@ -32,7 +35,7 @@ module microslip
     real(c_double) :: a = 0, b = 0
     real(c_double) :: shear_modulus = 0, poisson_ratio = 0
     real(c_double) :: normal_force = 0, rolling_speed = 1
-    real(c_double) :: creep_longitudinal = 0, creep_lateral = 0, spin = 0
+    real(c_double) :: creepage_longitudinal = 0, creepage_lateral = 0, spin = 0
     real(c_double) :: friction = 0
     integer(c_int) :: friction_law = microslip_coulomb
     real(c_double) :: friction_drop(2) = 0, friction_half_velocity(2) = 0
@@ -66,12 +69,41 @@ module microslip
     real(c_double) :: slope_initial, slope_at_infinity, slope_decay
   end type
 
+  !> A number or a field by its name; microslip_text makes Fortran texts of the pointers.
+  type, bind(c), public :: microslip_quantity
+    type(c_ptr) :: name, symbol, unit, shift_unit, description
+  end type
+
+  type, bind(c), public :: microslip_exact_body
+    real(c_double) :: shear_modulus = 0, poisson_ratio = 0
+    real(c_double) :: creep_ratio = 0, creep_time = 0
+    real(c_double) :: bulk_temperature = 0, conductivity = 0, density = 0, heat_capacity = 0
+  end type
+
+  type, bind(c), public :: microslip_layer
+    real(c_double) :: flexibility = 0, yield_stress = 0, hardening = 0
+  end type
+
+  type, bind(c), public :: microslip_friction_memory
+    real(c_double) :: distance = 0, speed = 0
+  end type
+
+  type, bind(c), public :: microslip_temperature_effect
+    real(c_double) :: change = 0, begin = 0, range = 0
+  end type
+
   type, bind(c), public :: microslip_exact_options
     integer(c_size_t) :: struct_size
     integer(c_int) :: mx, my, discretisation, direction
     real(c_double) :: tolerance, accuracy
     type(c_funptr) :: progress
     type(c_ptr) :: progress_data
+    integer(c_int) :: elements, coupling, slip_start
+    real(c_double) :: dissimilarity
+    type(microslip_exact_body) :: body1, body2
+    type(microslip_layer) :: layer
+    type(microslip_friction_memory) :: friction_memory
+    type(microslip_temperature_effect) :: temperature_effect
   end type
 
   type, bind(c), public :: microslip_exact_motion
@@ -84,7 +116,7 @@ module microslip
   type, bind(c), public :: microslip_exact_result
     integer(c_size_t) :: struct_size = 0
     type(microslip_forces) :: forces
-    real(c_double) :: creep_longitudinal = 0, creep_lateral = 0, spin = 0
+    real(c_double) :: creepage_longitudinal = 0, creepage_lateral = 0, spin = 0
     real(c_double) :: approach = 0, peak_pressure = 0, peak_traction = 0
     real(c_double) :: frictional_power = 0, power_by_creepage = 0, elastic_energy = 0
     real(c_double) :: residual = 0, error = 0
@@ -100,11 +132,61 @@ module microslip
       integer(c_int) :: code
     end function
 
+    function microslip_polach_friction(static_coefficient, ratio, decay, contact, error) bind(c) result(code)
+      import
+      real(c_double), value :: static_coefficient, ratio, decay
+      type(microslip_contact), intent(inout) :: contact
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
     function microslip_hertz_from_load(bodies, normal_force, hertz, error) bind(c) result(code)
       import
       type(microslip_bodies), intent(in) :: bodies
       real(c_double), value :: normal_force
       type(microslip_hertz), intent(out) :: hertz
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_hertz_warnings(bodies, hertz, text, error) bind(c) result(code)
+      import
+      type(microslip_bodies), intent(in) :: bodies
+      type(microslip_hertz), intent(in) :: hertz
+      type(c_ptr), intent(out) :: text
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_free_text(text) bind(c)
+      import
+      type(c_ptr), value :: text
+    end subroutine
+
+    function microslip_quantity_count() bind(c) result(count)
+      import
+      integer(c_size_t) :: count
+    end function
+
+    !> `index` counts from 0, as in C.
+    function microslip_quantity_info(index, info, error) bind(c) result(code)
+      import
+      integer(c_size_t), value :: index
+      type(microslip_quantity), intent(out) :: info
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_field_count() bind(c) result(count)
+      import
+      integer(c_size_t) :: count
+    end function
+
+    !> `index` counts from 0, as in C.
+    function microslip_field_info(index, info, error) bind(c) result(code)
+      import
+      integer(c_size_t), value :: index
+      type(microslip_quantity), intent(out) :: info
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
@@ -160,6 +242,26 @@ module microslip
       import
       type(c_ptr), value :: solver
       integer(c_int), value :: field
+      integer(c_size_t), value :: count
+      real(c_double), intent(out) :: values(*)
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    !> `name` ends with c_null_char: 'fx' // c_null_char.
+    function microslip_fastsim2_quantity(solver, name, value, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(out) :: value
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_fastsim2_field(solver, name, count, values, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      character(kind=c_char), intent(in) :: name(*)
       integer(c_size_t), value :: count
       real(c_double), intent(out) :: values(*)
       type(microslip_error), intent(inout) :: error
@@ -223,16 +325,49 @@ module microslip
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
+
+    !> `name` ends with c_null_char: 'fx' // c_null_char.
+    function microslip_exact_quantity(solver, name, value, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(out) :: value
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_exact_field(solver, name, count, values, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: solver
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_size_t), value :: count
+      real(c_double), intent(out) :: values(*)
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    !> `text` and `name` end with c_null_char; microslip_text makes a Fortran text of `json`.
+    function microslip_solve_case(text, name, json, error) bind(c) result(code)
+      import
+      character(kind=c_char), intent(in) :: text(*), name(*)
+      type(c_ptr), intent(out) :: json
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
   end interface
 
-  public :: microslip_contact_check, microslip_hertz_from_load
+  public :: microslip_contact_check, microslip_polach_friction, microslip_hertz_from_load
+  public :: microslip_hertz_warnings, microslip_free_text
+  public :: microslip_quantity_count, microslip_quantity_info, microslip_field_count, microslip_field_info
   public :: microslip_fastsim2_options_init, microslip_fastsim2_create, microslip_fastsim2_destroy
   public :: microslip_fastsim2_solve, microslip_fastsim2_differentiate
   public :: microslip_fastsim2_solve_fields, microslip_fastsim2_get
+  public :: microslip_fastsim2_quantity, microslip_fastsim2_field
   public :: microslip_exact_options_init, microslip_exact_motion_init
   public :: microslip_exact_create, microslip_exact_destroy
   public :: microslip_exact_solve, microslip_exact_differentiate, microslip_exact_get
-  public :: microslip_version, microslip_code_text, microslip_error_text
+  public :: microslip_exact_quantity, microslip_exact_field, microslip_solve_case
+  public :: microslip_version, microslip_code_text, microslip_error_text, microslip_text
 
 contains
 
@@ -245,7 +380,7 @@ contains
         type(c_ptr) :: text
       end function
     end interface
-    text = from_c(c_version())
+    text = microslip_text(c_version())
   end function
 
   !> What a code means, in a few words.
@@ -259,7 +394,7 @@ contains
         type(c_ptr) :: text
       end function
     end interface
-    text = from_c(c_code_text(code))
+    text = microslip_text(c_code_text(code))
   end function
 
   !> The words of an error.
@@ -274,17 +409,26 @@ contains
     end do
   end function
 
-  !> A C string as a Fortran one.
-  function from_c(pointer) result(text)
+  !> A C string as a Fortran one; empty if there is none.
+  function microslip_text(pointer) result(text)
     type(c_ptr), intent(in) :: pointer
     character(:), allocatable :: text
     character(kind=c_char), pointer :: letters(:)
-    integer :: i
-    call c_f_pointer(pointer, letters, [microslip_error_length])
-    text = ''
-    do i = 1, microslip_error_length
-      if (letters(i) == c_null_char) exit
-      text = text // letters(i)
+    integer(c_size_t) :: i, length
+    interface
+      function c_length(text) bind(c, name='strlen') result(length)
+        import
+        type(c_ptr), value :: text
+        integer(c_size_t) :: length
+      end function
+    end interface
+    length = 0
+    if (c_associated(pointer)) length = c_length(pointer)
+    allocate (character(length) :: text)
+    if (length == 0) return
+    call c_f_pointer(pointer, letters, [length])
+    do i = 1, length
+      text(i:i) = letters(i)
     end do
   end function
 

@@ -46,7 +46,7 @@ typedef enum microslip_code {
   MICROSLIP_INVALID_INPUT = 1, /* a contact is not a number or out of range; its results are NaN, others are solved */
   MICROSLIP_NOT_CONVERGED = 2, /* the result is the best one found; its residual is stated */
   MICROSLIP_NO_CONTACT = 3,    /* the bodies do not touch */
-  MICROSLIP_NO_SOLUTION = 4,   /* a given force is beyond what friction can bear; the result slides fully */
+  MICROSLIP_NO_SOLUTION = 4,   /* a prescribed force exceeds mu Fn; the result is full sliding */
   /* Why a call was refused. */
   MICROSLIP_NULL_POINTER = 16,
   MICROSLIP_WRONG_SIZE = 17,     /* of an array or a struct */
@@ -97,8 +97,8 @@ typedef struct microslip_contact {
   double poisson_ratio;             /* combined nu [-], in [0, 0.5] */
   double normal_force;              /* Fn [N], > 0 */
   double rolling_speed;             /* V [m/s], > 0; matters for falling friction and for powers only */
-  double creep_longitudinal;        /* xi [-] */
-  double creep_lateral;             /* eta [-] */
+  double creepage_longitudinal;     /* xi [-] */
+  double creepage_lateral;          /* eta [-] */
   double spin;                      /* phi [1/m] */
   double friction;                  /* mu, or mu_k of a falling law [-], in [0, 10], as is mu_k + d_1 + d_2 */
   int friction_law;                 /* a microslip_friction_law; derivatives of the exact theory take Coulomb's only */
@@ -108,6 +108,11 @@ typedef struct microslip_contact {
 
 /* Whether a contact is within the ranges above; if not, the error names the first field that is not. Any thread. */
 MICROSLIP_API microslip_code microslip_contact_check(const microslip_contact* contact, microslip_error* error);
+
+/* Polach's law mu_s ((1 - A) exp(-B v) + A), which is an exponential one, set in a contact: static coefficient mu_s in
+ * [0, 10], ratio A in [0, 1], decay B [s/m], > 0. Any thread. */
+MICROSLIP_API microslip_code microslip_polach_friction(double static_coefficient, double ratio, double decay,
+                                                       microslip_contact* contact, microslip_error* error);
 
 /* Totals, on body 1. */
 typedef struct microslip_forces {
@@ -143,12 +148,21 @@ typedef struct microslip_hertz {
   double stiffness;     /* dFn/d(approach) [N/m] */
   double shear_modulus; /* combined G [Pa] */
   double poisson_ratio; /* combined nu [-] */
-  double dissimilarity; /* K [-], 0 for equal bodies; both theories here neglect it */
+  double dissimilarity; /* K [-], 0 for equal bodies; to be set in the options of the exact theory */
 } microslip_hertz;
 
 /* Hertz's contact under a normal force [N], > 0. Cost: about a microsecond. Any thread. */
 MICROSLIP_API microslip_code microslip_hertz_from_load(const microslip_bodies* bodies, double normal_force,
                                                        microslip_hertz* hertz, microslip_error* error);
+
+/* What makes a contact implausible for half-spaces, in lines with numbers and the inputs to check: an ellipse or an
+ * approach that is large beside a radius of curvature, as lengths in mm or moduli in MPa make it. Empty for a plausible
+ * contact. `text` is to be released by microslip_free_text. Any thread. */
+MICROSLIP_API microslip_code microslip_hertz_warnings(const microslip_bodies* bodies, const microslip_hertz* hertz,
+                                                      char** text, microslip_error* error);
+
+/* Releases a text that this library made; NULL is allowed. */
+MICROSLIP_API void microslip_free_text(char* text);
 
 /* --------------------------------------------------------------------------------------------- names of choices ----
  */
@@ -162,6 +176,15 @@ typedef enum microslip_flexibility {
 typedef enum microslip_coefficients { MICROSLIP_KALKER = 0, MICROSLIP_COMPUTED = 1 } microslip_coefficients;
 typedef enum microslip_direction { MICROSLIP_FORWARD = 0, MICROSLIP_BACKWARD = 1 } microslip_direction;
 typedef enum microslip_discretisation { MICROSLIP_SECOND_ORDER = 0, MICROSLIP_CLASSICAL = 1 } microslip_discretisation;
+typedef enum microslip_elements { MICROSLIP_CONSTANT = 0, MICROSLIP_BILINEAR = 1 } microslip_elements;
+typedef enum microslip_coupling {
+  MICROSLIP_NEWTON = 0,     /* normal and tangential problem at once, by Newton's method */
+  MICROSLIP_ALTERNATING = 1 /* in turn until neither changes; elastic bodies */
+} microslip_coupling;
+typedef enum microslip_slip_start {
+  MICROSLIP_BELOW = 0, /* from rest: friction is static everywhere */
+  MICROSLIP_ABOVE = 1  /* from full sliding at the rolling speed */
+} microslip_slip_start;
 typedef enum microslip_motion {
   MICROSLIP_STEADY = 0,
   MICROSLIP_TRANSIENT = 1, /* rolling from no tractions on */
@@ -184,6 +207,23 @@ typedef enum microslip_field {
   MICROSLIP_FIELD_UX = 10,      /* exact theory only: displacement difference [m] */
   MICROSLIP_FIELD_UY = 11       /* [m] */
 } microslip_field;
+
+/* A number or a field that solutions have, by its name: "fx", "frictional_power", "pressure", "gap". Texts live as long
+ * as the library is loaded. */
+typedef struct microslip_quantity {
+  const char* name;       /* the same in files, C and Python */
+  const char* symbol;     /* in formulas; may be empty */
+  const char* unit;       /* SI; "-" without one */
+  const char* shift_unit; /* for a shift, whose creepages are lengths and whose power is work */
+  const char* description;
+} microslip_quantity;
+
+/* All of them: `index` counts from 0 to below the count. Later versions may have more. Any thread. */
+MICROSLIP_API size_t microslip_quantity_count(void);
+MICROSLIP_API microslip_code microslip_quantity_info(size_t index, microslip_quantity* info, microslip_error* error);
+/* The same for fields, of which there is a value for each element. */
+MICROSLIP_API size_t microslip_field_count(void);
+MICROSLIP_API microslip_code microslip_field_info(size_t index, microslip_quantity* info, microslip_error* error);
 
 /* ----------------------------------------------------------------------------------------------------- FASTSIM2 ----
  */
@@ -225,16 +265,54 @@ MICROSLIP_API microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2*
 /* Copies a field of the contact last solved by microslip_fastsim2_solve_fields; `count` must be mx my. */
 MICROSLIP_API microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, microslip_field field,
                                                     size_t count, double* values, microslip_error* error);
+/* The same by names, for all numbers and fields of microslip_quantity_info and microslip_field_info, and "state".
+ * MICROSLIP_NO_RESULT for one that the simplified theory does not have. */
+MICROSLIP_API microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name,
+                                                         double* value, microslip_error* error);
+MICROSLIP_API microslip_code microslip_fastsim2_field(const microslip_fastsim2* solver, const char* name, size_t count,
+                                                      double* values, microslip_error* error);
 
 /* ------------------------------------------------------------------------------------------------- exact theory ----
  */
 
 typedef struct microslip_exact microslip_exact;
 
+/* One of the two bodies. Zero stands for what is not given. */
+typedef struct microslip_exact_body {
+  double shear_modulus;    /* G [Pa], > 0, of quick loads; given for both bodies or for neither: viscoelastic ones */
+  double poisson_ratio;    /* nu [-], in [0, 0.5] */
+  double creep_ratio;      /* share by which deformation grows with time [-], in [0, 1e6]; 0: elastic */
+  double creep_time;       /* in which it grows [s] */
+  double bulk_temperature; /* before the contact [deg C]; temperatures are found if heat data of both are given */
+  double conductivity;     /* [W/(m K)], > 0 */
+  double density;          /* [kg/m^3], > 0 */
+  double heat_capacity;    /* [J/(kg K)], > 0 */
+} microslip_exact_body;
+
+/* A thin layer between the bodies, sheared in series with them. */
+typedef struct microslip_layer {
+  double flexibility;  /* thickness over shear modulus [m/Pa], >= 0; 0: no layer */
+  double yield_stress; /* [Pa], > 0; 0: it stays elastic */
+  double hardening;    /* what plastic deformation adds to that [Pa/m]; negative: it gets softer */
+} microslip_layer;
+
+/* How friction that depends on the slip follows its change. */
+typedef struct microslip_friction_memory {
+  double distance; /* [m], >= 0; 0: no memory */
+  double speed;    /* the least of forgetting [m/s], >= 0 */
+} microslip_friction_memory;
+
+/* What heat adds to the coefficient of friction. */
+typedef struct microslip_temperature_effect {
+  double change; /* [-]; 0: nothing */
+  double begin;  /* temperature from which on it does [deg C] */
+  double range;  /* over which the change comes [K], > 0 */
+} microslip_temperature_effect;
+
 typedef struct microslip_exact_options {
   size_t struct_size;
   int mx, my;         /* elements across the ellipse, 1 to 4,000; 24 and 24 */
-  int discretisation; /* a microslip_discretisation of steady rolling; second order */
+  int discretisation; /* a microslip_discretisation of steady rolling; second order where that is possible */
   int direction;      /* a microslip_direction; forward */
   double tolerance;   /* of the residual; 1e-6 */
   /* If not 0: steady rolling to this accuracy, a fraction of mu Fn in [1e-5, 0.1]. Grids are chosen, mx and my not
@@ -244,6 +322,16 @@ typedef struct microslip_exact_options {
    * MICROSLIP_NOT_CONVERGED, and NaN where there is no result yet. It must not call the same handle. */
   int (*progress)(double fraction, void* progress_data);
   void* progress_data;
+  int elements;   /* a microslip_elements, of the classical discretisation, which bilinear ones need; constant */
+  int coupling;   /* a microslip_coupling, of dissimilar bodies; Newton's method */
+  int slip_start; /* a microslip_slip_start, of friction that depends on the slip; below */
+  /* K of the contacts [-], in [-0.5, 0.5], as microslip_hertz has it; 0. Materials of body1 and body2 have a K of their
+   * own. These materials, combined, must be those of each contact. */
+  double dissimilarity;
+  microslip_exact_body body1, body2;
+  microslip_layer layer;
+  microslip_friction_memory friction_memory;
+  microslip_temperature_effect temperature_effect;
 } microslip_exact_options;
 
 /* How the bodies move over each other, beyond the creepages of the contact. */
@@ -259,20 +347,20 @@ typedef struct microslip_exact_motion {
 } microslip_exact_motion;
 
 typedef struct microslip_exact_result {
-  size_t struct_size;        /* set by the caller */
-  microslip_forces forces;   /* with an accuracy given: the limit */
-  double creep_longitudinal; /* xi as given, or as found where a force is given */
-  double creep_lateral;      /* eta, likewise */
-  double spin;               /* phi [1/m] */
-  double approach;           /* [m] */
-  double peak_pressure;      /* [Pa] */
-  double peak_traction;      /* [Pa] */
-  double frictional_power;   /* [W], >= 0; for a shift the work [J] */
-  double power_by_creepage;  /* -V (xi fx + eta fy + phi mz) [W] */
-  double elastic_energy;     /* of the tangential tractions [J] */
-  double residual;           /* relative, of the last Newton step */
-  double error;              /* estimated, fraction of mu Fn; 0 unless an accuracy was given */
-  int mx, my;                /* shape of the fields, margins outside the contact included */
+  size_t struct_size;           /* set by the caller */
+  microslip_forces forces;      /* with an accuracy given: the limit */
+  double creepage_longitudinal; /* xi as given, or as found where a force is given */
+  double creepage_lateral;      /* eta, likewise */
+  double spin;                  /* phi [1/m] */
+  double approach;              /* [m] */
+  double peak_pressure;         /* [Pa] */
+  double peak_traction;         /* [Pa] */
+  double frictional_power;      /* [W], >= 0; for a shift the work [J] */
+  double power_by_creepage;     /* -V (xi fx + eta fy + phi mz) [W] */
+  double elastic_energy;        /* of the tangential tractions [J] */
+  double residual;              /* relative, of the last Newton step */
+  double error;                 /* estimated, fraction of mu Fn; 0 unless an accuracy was given */
+  int mx, my;                   /* shape of the fields, margins outside the contact included */
   int newton_steps;
   long long products; /* with the matrix: what the solve cost */
 } microslip_exact_result;
@@ -299,6 +387,25 @@ MICROSLIP_API microslip_code microslip_exact_differentiate(microslip_exact* solv
 /* Copies a field of the contact last solved; `count` must be mx my of its result. */
 MICROSLIP_API microslip_code microslip_exact_get(const microslip_exact* solver, microslip_field field, size_t count,
                                                  double* values, microslip_error* error);
+/* A number of the contact last solved by its name, one of microslip_quantity_info. With an accuracy given it is that of
+ * the finest grid, like the fields. MICROSLIP_NO_RESULT for one that this contact does not have, such as temperatures
+ * without heat data. */
+MICROSLIP_API microslip_code microslip_exact_quantity(const microslip_exact* solver, const char* name, double* value,
+                                                      microslip_error* error);
+/* A field by its name, one of microslip_field_info, or "state". The first call for "gap" may solve a normal problem. */
+MICROSLIP_API microslip_code microslip_exact_field(microslip_exact* solver, const char* name, size_t count,
+                                                   double* values, microslip_error* error);
+
+/* --------------------------------------------------------------------------------------------------- case files ----
+ */
+
+/* Solves a case as `microslip solve CASE.toml --json` does. `text` is the case file's, `name` its name for messages.
+ * `json` becomes the document as UTF-8, to be released by microslip_free_text: the numbers of a result file but its
+ * fields, by the names that they have there, `units`, `status`, `warnings`. With a status other than MICROSLIP_OK it is
+ * made as well; NULL if the case is refused, and the error has file, line, key, value and range. A library that was
+ * built without case files returns MICROSLIP_NO_RESULT. Any thread. */
+MICROSLIP_API microslip_code microslip_solve_case(const char* text, const char* name, char** json,
+                                                  microslip_error* error);
 
 #ifdef __cplusplus
 }

@@ -17,8 +17,8 @@ inline microslip_contact c_form(const EllipticContact& contact) {
   c.poisson_ratio = contact.poisson_ratio;
   c.normal_force = contact.normal_force;
   c.rolling_speed = contact.rolling_speed;
-  c.creep_longitudinal = contact.creepage.longitudinal;
-  c.creep_lateral = contact.creepage.lateral;
+  c.creepage_longitudinal = contact.creepage.longitudinal;
+  c.creepage_lateral = contact.creepage.lateral;
   c.spin = contact.creepage.spin;
   c.friction = contact.friction.kinetic_coefficient();
   return c;
@@ -42,8 +42,8 @@ inline microslip_contact some_contact() {
   c.poisson_ratio = 0.28;
   c.normal_force = 80e3;
   c.rolling_speed = 30;
-  c.creep_longitudinal = 0.0012;
-  c.creep_lateral = 0.0006;
+  c.creepage_longitudinal = 0.0012;
+  c.creepage_lateral = 0.0006;
   c.spin = 0.4;
   c.friction = 0.3;
   return c;
@@ -67,8 +67,8 @@ inline constexpr WrongField wrong_fields[] = {
     {"poisson_ratio", &microslip_contact::poisson_ratio, -0.01},
     {"normal_force", &microslip_contact::normal_force, -1},
     {"rolling_speed", &microslip_contact::rolling_speed, 0},
-    {"creep_longitudinal", &microslip_contact::creep_longitudinal, infinite},
-    {"creep_lateral", &microslip_contact::creep_lateral, not_a_number},
+    {"creepage_longitudinal", &microslip_contact::creepage_longitudinal, infinite},
+    {"creepage_lateral", &microslip_contact::creepage_lateral, not_a_number},
     {"spin", &microslip_contact::spin, -infinite},
     {"friction", &microslip_contact::friction, -0.1},
     {"friction", &microslip_contact::friction, 10.1},

@@ -70,6 +70,42 @@ TEST(CContact, HertzRefusesWithWords) {
   EXPECT_EQ(microslip_hertz_from_load(nullptr, 1, &hertz, &error), MICROSLIP_NULL_POINTER);
 }
 
+TEST(CContact, ImplausibleContactsAreWarnedOf) {
+  microslip_bodies bodies = {{0.46, infinite}, {infinite, 0.3}, {210e9, 210e9}, {0.28, 0.28}};
+  microslip_hertz hertz;
+  microslip_error error;
+  const auto warnings = [&] {
+    char* text = nullptr;
+    EXPECT_EQ(microslip_hertz_from_load(&bodies, 80e3, &hertz, &error), MICROSLIP_OK) << error.text;
+    EXPECT_EQ(microslip_hertz_warnings(&bodies, &hertz, &text, &error), MICROSLIP_OK) << error.text;
+    std::string copy = text ? text : "none";
+    microslip_free_text(text);
+    return copy;
+  };
+  EXPECT_EQ(warnings(), "");
+  for (double& modulus : bodies.young_modulus) modulus = 210e3; // in MPa
+  const std::string text = warnings();
+  EXPECT_EQ(text.find("contact ellipse: semi-axis a = "), 0U) << text;
+  EXPECT_NE(text.find("moduli in Pa"), std::string::npos) << text;
+  EXPECT_EQ(text.back(), '\n');
+  EXPECT_EQ(microslip_hertz_warnings(&bodies, &hertz, nullptr, &error), MICROSLIP_NULL_POINTER);
+  microslip_free_text(nullptr);
+}
+
+TEST(CContact, PolachsLawIsThatOfTheLibrary) {
+  microslip_contact contact = some_contact();
+  ASSERT_EQ(microslip_polach_friction(0.4, 0.4, 0.6, &contact, nullptr), MICROSLIP_OK);
+  const FrictionLaw wanted = FrictionLaw::polach(0.4, 0.4, 0.6);
+  EXPECT_EQ(contact.friction_law, MICROSLIP_EXPONENTIAL);
+  EXPECT_EQ(contact.friction, wanted.kinetic_coefficient());
+  EXPECT_EQ(contact.friction_drop[0], wanted.terms()[0].drop);
+  EXPECT_EQ(contact.friction_half_velocity[0], wanted.terms()[0].half_velocity);
+  microslip_error error;
+  EXPECT_EQ(microslip_polach_friction(0.4, 1.4, 0.6, &contact, &error), MICROSLIP_INVALID_OPTION);
+  EXPECT_NE(std::string(error.text).find("ratio = 1.4"), std::string::npos) << error.text;
+  EXPECT_EQ(contact.friction, wanted.kinetic_coefficient()); // refused: nothing has changed
+}
+
 TEST(CContact, VersionsOfHeaderAndLibraryAgree) {
   const std::string header = std::to_string(MICROSLIP_VERSION_MAJOR) + "." + std::to_string(MICROSLIP_VERSION_MINOR) +
                              "." + std::to_string(MICROSLIP_VERSION_PATCH);

@@ -79,8 +79,8 @@ int main(void) {
   contact.normal_force = 80e3;
   contact.rolling_speed = 30;
   contact.friction = 0.3;
-  contact.creep_longitudinal = 0.0018;
-  contact.creep_lateral = 0.0006;
+  contact.creepage_longitudinal = 0.0018;
+  contact.creepage_lateral = 0.0006;
   contact.spin = 0.4;
   return simplified_theory(&contact) || exact_theory(&contact);
 }

@@ -20,7 +20,7 @@ program first_contact
   print '(a, es16.8, a, es16.8, a)', 'Hertz    a', hertz%a, ' b', hertz%b, ' m'
   contact = microslip_contact(a=hertz%a, b=hertz%b, shear_modulus=hertz%shear_modulus, &
     poisson_ratio=hertz%poisson_ratio, normal_force=80e3_c_double, rolling_speed=30.0_c_double, &
-    friction=0.3_c_double, creep_longitudinal=0.0018_c_double, creep_lateral=0.0006_c_double, spin=0.4_c_double)
+    friction=0.3_c_double, creepage_longitudinal=0.0018_c_double, creepage_lateral=0.0006_c_double, spin=0.4_c_double)
   call simplified_theory()
   call exact_theory()
 
@@ -41,7 +41,7 @@ contains
     type(microslip_derivatives) :: found(2)
     integer :: k
     contacts = contact
-    contacts(2)%creep_longitudinal = -contact%creep_longitudinal
+    contacts(2)%creepage_longitudinal = -contact%creepage_longitudinal
     call demand(microslip_fastsim2_options_init(options, c_sizeof(options)))
     call demand(microslip_fastsim2_create(options, solver, error))
     if (microslip_fastsim2_differentiate(solver, 2_c_size_t, contacts, found) /= microslip_ok) &

@@ -19,8 +19,8 @@ LATERAL, YAW, LATERAL_RATE, YAW_RATE, ROTATION = range(5)
 class Contact(ctypes.Structure):
     """microslip_contact"""
     _fields_ = [(name, ctypes.c_double) for name in (
-        "a", "b", "shear_modulus", "poisson_ratio", "normal_force", "rolling_speed", "creep_longitudinal",
-        "creep_lateral", "spin", "friction")] + [
+        "a", "b", "shear_modulus", "poisson_ratio", "normal_force", "rolling_speed", "creepage_longitudinal",
+        "creepage_lateral", "spin", "friction")] + [
         ("friction_law", ctypes.c_int), ("friction_drop", ctypes.c_double * 2),
         ("friction_half_velocity", ctypes.c_double * 2)]
 
@@ -113,7 +113,7 @@ class Wheelset:
         """f(z) and its Jacobian."""
         wheels = [self.creepages(side, z) for side in (1, -1)]
         for contact, (creepages, _, _) in zip(self.contacts, wheels):
-            contact.creep_longitudinal, contact.creep_lateral, contact.spin = creepages
+            contact.creepage_longitudinal, contact.creepage_lateral, contact.spin = creepages
         self.law.differentiate(self.contacts, self.found)
         rate, jacobian = np.zeros(5), np.zeros((5, 5))
         rate[LATERAL], rate[YAW] = z[LATERAL_RATE], z[YAW_RATE]

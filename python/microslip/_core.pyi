@@ -9,697 +9,1127 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 class AccurateContact:
+    """Steady rolling on two nested grids and its limit."""
     @property
-    def forces(self) -> ContactForces: ...
+    def forces(self) -> ContactForces:
+        """The limit, extrapolated; areas and status of the finer grid."""
     @property
-    def creepage(self) -> Creepage: ...
+    def creepage(self) -> Creepage:
+        """The limit, where a force is given [-], [-], [1/m]."""
     @property
-    def error(self) -> float: ...
+    def error(self) -> float:
+        """Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-]."""
     @property
-    def elements(self) -> int: ...
+    def elements(self) -> int:
+        """Elements across the ellipse, of the finer grid [-]."""
     @property
-    def finest(self) -> ExactContact: ...
+    def finest(self) -> ContactSolution:
+        """The solution on the finer grid, as ContactSolution."""
     @property
-    def coarser(self) -> ContactForces: ...
+    def coarser(self) -> ContactForces:
+        """The totals on half the elements, as ContactForces."""
     @property
-    def products(self) -> int: ...
+    def products(self) -> int:
+        """Products on all grids [-]."""
 
 class AccurateContactSolver:
-    def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06) -> None: ...
-    def solve(self, contact: EllipticContact, *, force_x: float | None = None, force_y: float | None = None) -> AccurateContact: ...
+    """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and 32, ... elements across,
+    extrapolated, until the limit's error is estimated below it."""
+    def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06) -> None:
+        """accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative residual [-]."""
+    def solve(self, contact: EllipticContact, *, force_x: float | None = None, force_y: float | None = None) -> AccurateContact:
+        """Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns AccurateContact; its status is
+        not_converged if not even 512 x 512 elements are good enough."""
 
 class Body:
+    """One of the two bodies of a case file."""
     @property
-    def rolling_radius(self) -> float: ...
+    def rolling_radius(self) -> float:
+        """Radius in the plane of rolling [m]."""
     @property
-    def transverse_radius(self) -> float: ...
+    def transverse_radius(self) -> float:
+        """Radius in the lateral plane [m]."""
     @property
-    def material(self) -> Material: ...
+    def material(self) -> Material:
+        """Its Material."""
 
 class CellState(enum.IntEnum):
+    """What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays of codes compare with it."""
     exterior = 0
     adhesion = 1
     slip = 2
 
 class CombinedMaterial:
-    def __init__(self, shear_modulus: float, poisson_ratio: float, dissimilarity: float = 0.0) -> None: ...
+    """The constants of two bodies in contact, as half-space theory needs them; combine() makes them."""
+    def __init__(self, shear_modulus: float, poisson_ratio: float, dissimilarity: float = 0.0) -> None:
+        """From combined constants: G [Pa], nu [-], K [-]."""
     @property
-    def shear_modulus(self) -> float: ...
+    def shear_modulus(self) -> float:
+        """Combined shear modulus G [Pa]."""
     @property
-    def poisson_ratio(self) -> float: ...
+    def poisson_ratio(self) -> float:
+        """Combined Poisson's ratio nu [-]."""
     @property
-    def dissimilarity(self) -> float: ...
+    def dissimilarity(self) -> float:
+        """K [-]; 0 for elastically similar bodies."""
     @property
-    def contact_modulus(self) -> float: ...
+    def contact_modulus(self) -> float:
+        """E* = G/(1 - nu) [Pa]."""
 
 class ContactCase:
+    """A case of a CONTACT input file and what became of it."""
     @property
-    def number(self) -> int: ...
+    def number(self) -> int:
+        """In the file, from 1 [-]."""
     @property
-    def line(self) -> int: ...
+    def line(self) -> int:
+        """Where it begins in the file, from 1 [-]."""
     @property
-    def outcome(self) -> str: ...
+    def outcome(self) -> str:
+        """solved, skipped (as the file says) or refused."""
     @property
-    def reasons(self) -> list[str]: ...
+    def reasons(self) -> list[str]:
+        """Why it was refused."""
     @property
-    def notes(self) -> list[str]: ...
+    def notes(self) -> list[str]:
+        """What was left out or done in another way."""
     @property
-    def status(self) -> Status: ...
+    def status(self) -> Status:
+        """How the calculation ended, a Status [-]."""
     @property
-    def totals(self) -> ContactTotals | None: ...
+    def totals(self) -> ContactTotals | None:
+        """ContactTotals, CONTACT's units [N], [mm]; None unless solved."""
     @property
-    def grid(self) -> ElementGrid | None: ...
+    def grid(self) -> ElementGrid | None:
+        """The ElementGrid, SI units; None unless solved."""
     @property
-    def normal(self) -> NormalSolution | None: ...
+    def normal(self) -> NormalSolution | None:
+        """The NormalSolution, SI units; None unless solved."""
     @property
-    def tangential(self) -> TangentialSolution | None: ...
+    def tangential(self) -> TangentialSolution | None:
+        """The TangentialSolution, SI units; None unless solved."""
 
 class ContactDerivatives:
+    """Totals and their derivatives."""
     @property
-    def forces(self) -> ContactForces: ...
+    def forces(self) -> ContactForces:
+        """The totals, as ContactForces."""
     @property
-    def jacobian(self) -> NDArray[numpy.float64]: ...
-
-class ContactFields:
-    @property
-    def mx(self) -> int: ...
-    @property
-    def my(self) -> int: ...
-    @property
-    def x(self) -> NDArray[numpy.float64]: ...
-    @property
-    def y(self) -> NDArray[numpy.float64]: ...
-    @property
-    def area(self) -> NDArray[numpy.float64]: ...
-    @property
-    def bound(self) -> NDArray[numpy.float64]: ...
-    @property
-    def px(self) -> NDArray[numpy.float64]: ...
-    @property
-    def py(self) -> NDArray[numpy.float64]: ...
-    @property
-    def sx(self) -> NDArray[numpy.float64]: ...
-    @property
-    def sy(self) -> NDArray[numpy.float64]: ...
-    @property
-    def state(self) -> NDArray[numpy.uint8]: ...
-    @property
-    def forces(self) -> ContactForces: ...
-    @property
-    def frictional_power(self) -> float: ...
+    def jacobian(self) -> NDArray[numpy.float64]:
+        """Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-], phi [1/m] and Fn [N], shape (3, 4); that to Fn keeps the
+        ellipse as it is."""
 
 class ContactForces:
+    """Totals, acting on body 1, the wheel. Positive creepage gives negative force."""
     @property
-    def fx(self) -> float: ...
+    def fx(self) -> float:
+        """Longitudinal force on body 1 [N]."""
     @property
-    def fy(self) -> float: ...
+    def fy(self) -> float:
+        """Lateral force on body 1 [N]."""
     @property
-    def mz(self) -> float: ...
+    def mz(self) -> float:
+        """Moment about z on body 1, integral of x py - y px [N m]."""
     @property
-    def adhesion_area(self) -> float: ...
+    def adhesion_area(self) -> float:
+        """Area in adhesion [m^2]."""
     @property
-    def slip_area(self) -> float: ...
+    def slip_area(self) -> float:
+        """Area in slip [m^2]."""
     @property
-    def status(self) -> Status: ...
+    def status(self) -> Status:
+        """How the calculation ended, a Status [-]."""
 
 class ContactRun:
+    """The cases of a CONTACT input file, solved one after the other as they are iterated over."""
     def __iter__(self) -> ContactRun: ...
     def __next__(self) -> ContactCase: ...
 
+class ContactSolution:
+    """What any solver finds for a contact; in transient rolling after the last step. Forces act on body 1."""
+    @property
+    def fx(self) -> object:
+        """Longitudinal force on body 1 [N]; None if the solution does not have it."""
+    @property
+    def fy(self) -> object:
+        """Lateral force on body 1 [N]; None if the solution does not have it."""
+    @property
+    def mz(self) -> object:
+        """Spin moment on body 1, about the normal [N m]; None if the solution does not have it."""
+    @property
+    def my(self) -> int:
+        """Rows [-]."""
+    @property
+    def creepage_longitudinal(self) -> object:
+        """Longitudinal creepage: as given, or as found where the force is prescribed [-], of a shift [m]; None if the solution does not have it."""
+    @property
+    def creepage_lateral(self) -> object:
+        """Lateral creepage: as given, or as found where the force is prescribed [-], of a shift [m]; None if the solution does not have it."""
+    @property
+    def spin(self) -> object:
+        """Spin [1/m], of a shift [rad]; None if the solution does not have it."""
+    @property
+    def adhesion_area(self) -> object:
+        """Area of adhesion [m^2]; None if the solution does not have it."""
+    @property
+    def slip_area(self) -> object:
+        """Area of slip [m^2]; None if the solution does not have it."""
+    @property
+    def frictional_power(self) -> object:
+        """Power lost to friction [W], of a shift [J]; None if the solution does not have it."""
+    @property
+    def power_by_creepage(self) -> object:
+        """Frictional power by forces and creepages [W], of a shift [J]; None if the solution does not have it."""
+    @property
+    def elastic_energy(self) -> object:
+        """Elastic energy of the tangential tractions [J]; None if the solution does not have it."""
+    @property
+    def approach(self) -> object:
+        """Relative approach of distant points [m]; None if the solution does not have it."""
+    @property
+    def peak_pressure(self) -> object:
+        """Largest pressure of an element [Pa]; None if the solution does not have it."""
+    @property
+    def peak_traction(self) -> object:
+        """Largest traction of an element [Pa]; None if the solution does not have it."""
+    @property
+    def highest_temperature(self) -> object:
+        """Highest temperature of the surfaces in contact [deg C]; None if the solution does not have it."""
+    @property
+    def residual(self) -> object:
+        """Relative residual of the equations of friction [-]; None if the solution does not have it."""
+    @property
+    def newton_steps(self) -> object:
+        """Iterations of Newton's method [-]; None if the solution does not have it."""
+    @property
+    def products(self) -> object:
+        """Products with the matrix of influence coefficients [-]; None if the solution does not have it."""
+    @property
+    def friction_iterations(self) -> object:
+        """Iterations between friction and slip [-]; None if the solution does not have it."""
+    @property
+    def friction_residual(self) -> object:
+        """Last relative change of the slip in these iterations [-]; None if the solution does not have it."""
+    @property
+    def fields(self) -> SurfaceFields:
+        """Tractions, slip and more, as SurfaceFields."""
+    @property
+    def mx(self) -> int:
+        """Elements of a row [-]."""
+    @property
+    def grid(self) -> ElementGrid:
+        """The ElementGrid that the elements belong to."""
+    @property
+    def forces(self) -> ContactForces:
+        """Forces and areas, as ContactForces."""
+    @property
+    def creepage(self) -> Creepage:
+        """As given, or as found where a force is prescribed [-], [-], [1/m]."""
+    @property
+    def status(self) -> Status:
+        """How the calculation ended, a Status [-]."""
+    @property
+    def reason(self) -> str:
+        """Why the status is not ok; empty if it is."""
+    @property
+    def history(self) -> list[SolutionStep]:
+        """Transient rolling: a list of SolutionStep, in their order."""
+
 class ContactTotals:
+    """The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1."""
     @property
-    def fn(self) -> float: ...
+    def fn(self) -> float:
+        """FN [N]."""
     @property
-    def fx(self) -> float: ...
+    def fx(self) -> float:
+        """FX [N]."""
     @property
-    def fy(self) -> float: ...
+    def fy(self) -> float:
+        """FY [N]."""
     @property
-    def mz(self) -> float: ...
+    def mz(self) -> float:
+        """MZ [N mm]."""
     @property
-    def elastic_energy(self) -> float: ...
+    def elastic_energy(self) -> float:
+        """ELAST.EN. [J]."""
     @property
-    def friction(self) -> float: ...
+    def friction(self) -> float:
+        """FRIC.POWER [W], for shifts FRIC.WORK [J]; negative where energy is lost."""
     @property
-    def fn_over_g(self) -> float: ...
+    def fn_over_g(self) -> float:
+        """FN/G [mm^2]."""
     @property
-    def x_name(self) -> str: ...
+    def x_name(self) -> str:
+        """What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is given."""
     @property
-    def x(self) -> float: ...
+    def x(self) -> float:
+        """[-], for a shift [mm]."""
     @property
-    def y_name(self) -> str: ...
+    def y_name(self) -> str:
+        """What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is given."""
     @property
-    def y(self) -> float: ...
+    def y(self) -> float:
+        """[-], for a shift [mm]."""
     @property
-    def approach(self) -> float: ...
+    def approach(self) -> float:
+        """APPROACH [mm]."""
     @property
-    def peak_pressure(self) -> float: ...
+    def peak_pressure(self) -> float:
+        """PMAX [N/mm^2]."""
     @property
-    def potential(self) -> int: ...
+    def potential(self) -> int:
+        """NPOT, elements of the potential contact [-]."""
     @property
-    def contact(self) -> int: ...
+    def contact(self) -> int:
+        """NCON, elements in contact [-]."""
     @property
-    def adhesion(self) -> int: ...
+    def adhesion(self) -> int:
+        """NADH, elements in adhesion [-]."""
     @property
-    def slip(self) -> int: ...
+    def slip(self) -> int:
+        """NSLIP, elements in slip [-]."""
 
 class CreepCurve:
+    """Forces along one creepage while the other two are held."""
     @property
-    def variable(self) -> str: ...
+    def variable(self) -> str:
+        """creepage_longitudinal, creepage_lateral or spin."""
     @property
-    def unit(self) -> str: ...
+    def unit(self) -> str:
+        """Unit of the variable."""
     @property
-    def value(self) -> NDArray[numpy.float64]: ...
+    def value(self) -> NDArray[numpy.float64]:
+        """Of the variable, shape (n), [-] or [1/m]."""
     @property
-    def fx(self) -> NDArray[numpy.float64]: ...
+    def fx(self) -> NDArray[numpy.float64]:
+        """Shape (n) [N]."""
     @property
-    def fy(self) -> NDArray[numpy.float64]: ...
+    def fy(self) -> NDArray[numpy.float64]:
+        """Shape (n) [N]."""
     @property
-    def mz(self) -> NDArray[numpy.float64]: ...
+    def mz(self) -> NDArray[numpy.float64]:
+        """Shape (n) [N m]."""
 
 class Creepage:
-    def __init__(self, longitudinal: float = 0.0, lateral: float = 0.0, spin: float = 0.0) -> None: ...
+    """Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x)."""
+    def __init__(self, longitudinal: float = 0.0, lateral: float = 0.0, spin: float = 0.0) -> None:
+        """From xi [-], eta [-] and phi [1/m]."""
     @property
-    def longitudinal(self) -> float: ...
+    def longitudinal(self) -> float:
+        """xi [-]; of a braked wheel positive. For a shift [m]."""
     @longitudinal.setter
     def longitudinal(self, value: float) -> None: ...
     @property
-    def lateral(self) -> float: ...
+    def lateral(self) -> float:
+        """eta [-]. For a shift [m]."""
     @lateral.setter
     def lateral(self, value: float) -> None: ...
     @property
-    def spin(self) -> float: ...
+    def spin(self) -> float:
+        """phi [1/m]. For a shift [rad]."""
     @spin.setter
     def spin(self, value: float) -> None: ...
     def __iter__(self) -> Iterator[float]: ...
 
 class CreepageCoefficients:
+    """Kalker's creepage coefficients: for vanishing creepages, with c = sqrt(a b), Fx = -G c^2 C11 xi,
+    Fy = -G c^2 (C22 eta + c C23 phi), Mz = -G c^3 (C32 eta + c C33 phi), C32 = -C23."""
     @property
-    def c11(self) -> float: ...
+    def c11(self) -> float:
+        """C11 [-]."""
     @property
-    def c22(self) -> float: ...
+    def c22(self) -> float:
+        """C22 [-]."""
     @property
-    def c23(self) -> float: ...
+    def c23(self) -> float:
+        """C23 [-]."""
     @property
-    def c33(self) -> float: ...
+    def c33(self) -> float:
+        """C33 [-]."""
 
 class DerivativeArrays:
+    """Forces of many contacts and their derivatives."""
     @property
-    def forces(self) -> ForceArrays: ...
+    def forces(self) -> ForceArrays:
+        """The forces."""
     @property
-    def jacobian(self) -> NDArray[numpy.float64]: ...
+    def jacobian(self) -> NDArray[numpy.float64]:
+        """Derivatives of fx [N], fy [N], mz [N m] to longitudinal and lateral creepage [-], spin [1/m] and normal force [N],
+        shape (..., 3, 4); that to the normal force keeps the ellipse as it is."""
 
 class ElementGrid:
-    def __init__(self, mx: int, my: int, x0: float, y0: float, dx: float, dy: float) -> None: ...
+    """The potential contact: mx x my equal rectangles, x and y ascending. Fields on it have shape (my, mx)."""
+    def __init__(self, mx: int, my: int, x0: float, y0: float, dx: float, dy: float) -> None:
+        """mx, my elements [-] with sides dx, dy [m], the first one's centre at x0, y0 [m]. Error for sizes out of range."""
     @staticmethod
-    def across_ellipse(a: float, b: float, mx: int, my: int, margin: int = 0) -> ElementGrid: ...
+    def across_ellipse(a: float, b: float, mx: int, my: int, margin: int = 0) -> ElementGrid:
+        """mx x my elements [-] across an ellipse with semi-axes a, b [m], its centre at the origin, and `margin` more on each
+        side [-]."""
     @staticmethod
-    def across_line(a: float, mx: int, margin: int = 0, length: float = 1.0) -> ElementGrid: ...
+    def across_line(a: float, mx: int, margin: int = 0, length: float = 1.0) -> ElementGrid:
+        """A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin` more on each side [-];
+        forces are those of `length` [m]."""
     @property
-    def mx(self) -> int: ...
+    def mx(self) -> int:
+        """Columns [-]."""
     @property
-    def my(self) -> int: ...
+    def my(self) -> int:
+        """Rows [-]."""
     @property
-    def dx(self) -> float: ...
+    def dx(self) -> float:
+        """Length of an element [m]."""
     @property
-    def dy(self) -> float: ...
+    def dy(self) -> float:
+        """Width of an element [m]."""
     @property
-    def line(self) -> bool: ...
+    def line(self) -> bool:
+        """Whether it is a line contact."""
     @property
-    def x(self) -> NDArray[numpy.float64]: ...
+    def x(self) -> NDArray[numpy.float64]:
+        """Centres of the columns, shape (mx) [m]."""
     @property
-    def y(self) -> NDArray[numpy.float64]: ...
+    def y(self) -> NDArray[numpy.float64]:
+        """Centres of the rows, shape (my) [m]."""
 
 class EllipticContact:
-    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> None: ...
+    """A Hertzian ellipse with material, load, friction and creepages: what the solvers of either theory take. Fields may be
+    changed between calls; solvers check them, and what is out of range gives Status.invalid_input and NaN."""
+    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> None:
+        """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], the normal
+        force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), and the speed V [m/s]."""
     @property
-    def a(self) -> float: ...
+    def a(self) -> float:
+        """Semi-axis along the rolling direction [m], > 0."""
     @a.setter
     def a(self, value: float) -> None: ...
     @property
-    def b(self) -> float: ...
+    def b(self) -> float:
+        """Lateral semi-axis [m], > 0."""
     @b.setter
     def b(self, value: float) -> None: ...
     @property
-    def shear_modulus(self) -> float: ...
+    def shear_modulus(self) -> float:
+        """Combined G [Pa], > 0."""
     @shear_modulus.setter
     def shear_modulus(self, value: float) -> None: ...
     @property
-    def poisson_ratio(self) -> float: ...
+    def poisson_ratio(self) -> float:
+        """Combined nu [-], in [0, 0.5]."""
     @poisson_ratio.setter
     def poisson_ratio(self, value: float) -> None: ...
     @property
-    def normal_force(self) -> float: ...
+    def normal_force(self) -> float:
+        """Fn [N], > 0."""
     @normal_force.setter
     def normal_force(self, value: float) -> None: ...
     @property
-    def friction(self) -> FrictionLaw: ...
+    def friction(self) -> FrictionLaw:
+        """The friction law, mu [-] of the slip velocity [m/s]; a number is taken for Coulomb's."""
     @friction.setter
     def friction(self, value: FrictionLaw | float) -> None: ...
     @property
-    def creepage(self) -> Creepage: ...
+    def creepage(self) -> Creepage:
+        """Creepages [-], [-] and spin [1/m]; three numbers may be assigned."""
     @creepage.setter
     def creepage(self, value: Creepage | tuple[float, float, float]) -> None: ...
     @property
-    def rolling_speed(self) -> float: ...
+    def rolling_speed(self) -> float:
+        """V [m/s], > 0; matters for falling friction and for the frictional power."""
     @rolling_speed.setter
     def rolling_speed(self, value: float) -> None: ...
 
 class EllipticContactSolver:
-    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, elements: Literal["constant", "bilinear"] = 'constant', material: CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below') -> None: ...
-    def solve(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, steps: int = 1) -> ExactContact: ...
-    def differentiate(self, contact: EllipticContact) -> ExactDerivatives: ...
-    def deformed_gap(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady') -> NDArray[numpy.float64]: ...
-    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> ExactForceArrays: ...
+    """Hertzian contacts by the exact theory of half-spaces: normal and
+    tangential problem on mx x my elements across the ellipse. Influence coefficients are kept for the next contact with the
+    same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them."""
+    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, elements: Literal["constant", "bilinear"] = 'constant', material: CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below') -> None:
+        """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or 'classical'
+        (Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or 'backward'; tolerance of
+        the relative residual [-]. elements 'constant' or, classical, 'bilinear'. material: CombinedMaterial of bodies of different
+        materials (classical; coupling 'newton' or 'alternating'); None: similar ones, with the contact's G and nu. Friction that falls
+        with the slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of several solutions
+        slip_start picks that from 'below' or 'above'. Error if an option is out of range or the grid needs more memory than the machine has."""
+    def solve(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, steps: int = 1) -> ContactSolution:
+        """Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m] (0: the elements' length)
+        from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on body 1 take the
+        place of the creepage in that direction. Returns ContactSolution; input out of range gives
+        Status.invalid_input and NaN. Cost O(N log N) in the number of elements, 2 ms at 24 x 24."""
+    def differentiate(self, contact: EllipticContact) -> ExactDerivatives:
+        """Steady rolling at second order: forces [N], [N m] and their derivatives to xi [-], eta [-] and phi [1/m], as
+        ExactDerivatives, by the implicit function theorem, right to 1e-5 away from kinks."""
+    def deformed_gap(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady') -> NDArray[numpy.float64]:
+        """Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in contact."""
+    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> ExactForceArrays:
+        """Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads as given. Arguments as
+        in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the
+        call. Returns ExactForceArrays; no contact stops the others."""
 
-class Error(ValueError): ...
-
-class ExactContact:
-    @property
-    def fields(self) -> ContactFields: ...
-    @property
-    def forces(self) -> ContactForces: ...
-    @property
-    def pressure(self) -> NDArray[numpy.float64]: ...
-    @property
-    def ux(self) -> NDArray[numpy.float64]: ...
-    @property
-    def uy(self) -> NDArray[numpy.float64]: ...
-    @property
-    def creepage(self) -> Creepage: ...
-    @property
-    def approach(self) -> float: ...
-    @property
-    def peak_pressure(self) -> float: ...
-    @property
-    def peak_traction(self) -> float: ...
-    @property
-    def power_by_creepage(self) -> float: ...
-    @property
-    def elastic_energy(self) -> float: ...
-    @property
-    def my(self) -> float: ...
-    @property
-    def residual(self) -> float: ...
-    @property
-    def newton_steps(self) -> int: ...
-    @property
-    def products(self) -> int: ...
-    @property
-    def history(self) -> list[ExactStep]: ...
+class Error(ValueError):
+    """A set-up that makes no sense: the text names the field, its value, its unit and the allowed range."""
 
 class ExactDerivatives:
+    """Forces in steady rolling and their derivatives."""
     @property
-    def contact(self) -> ExactContact: ...
+    def solution(self) -> ContactSolution:
+        """The solution, as ContactSolution."""
     @property
-    def jacobian(self) -> NDArray[numpy.float64]: ...
+    def jacobian(self) -> NDArray[numpy.float64]:
+        """Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-] and phi [1/m], shape (3, 3)."""
     @property
-    def products(self) -> int: ...
+    def products(self) -> int:
+        """Products that the derivatives took [-]."""
 
 class ExactForceArrays:
+    """Forces of many contacts by the exact theory."""
     @property
-    def forces(self) -> ForceArrays: ...
+    def forces(self) -> ForceArrays:
+        """The forces."""
     @property
-    def residual(self) -> NDArray[numpy.float64]: ...
+    def residual(self) -> NDArray[numpy.float64]:
+        """Relative residuals at the end of the iteration, shape (...) [-]."""
     @property
-    def newton_steps(self) -> NDArray[numpy.int32]: ...
+    def newton_steps(self) -> NDArray[numpy.int32]:
+        """Steps of Newton's method, shape (...) [-]."""
 
 class ExactResult:
+    """What the exact theory makes of a case."""
     @property
-    def contact(self) -> ExactContact: ...
+    def solution(self) -> ContactSolution:
+        """The ContactSolution, its gap among the fields."""
     @property
-    def forces(self) -> ContactForces: ...
+    def forces(self) -> ContactForces:
+        """The totals, as ContactForces."""
     @property
-    def gap(self) -> NDArray[numpy.float64]: ...
+    def grid_error(self) -> GridError:
+        """To the grid with half the elements [-]."""
     @property
-    def grid_error(self) -> GridError: ...
+    def limit(self) -> AccurateContact | None:
+        """AccurateContact if the case asks for an accuracy, else None."""
     @property
-    def limit(self) -> AccurateContact | None: ...
-    @property
-    def curve(self) -> CreepCurve | None: ...
-
-class ExactStep:
-    @property
-    def creepage(self) -> Creepage: ...
-    @property
-    def forces(self) -> ContactForces: ...
-    @property
-    def residual(self) -> float: ...
-    @property
-    def newton_steps(self) -> int: ...
-    @property
-    def products(self) -> int: ...
+    def curve(self) -> CreepCurve | None:
+        """The CreepCurve through the case, None if it is not steady rolling."""
 
 class Fastsim(RowSolver):
-    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0)) -> None: ...
+    """FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length."""
+    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0)) -> None:
+        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility 'three', 'one' or 'blended';
+        coefficients 'kalker' or 'computed'; direction 'forward' (along +x) or 'backward'; slope_reduction (initial, at_infinity,
+        decay) [-] lessens the creep curve's slope. Error if an option is out of range.
+        half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as in (F16)."""
 
 class Fastsim2(RowSolver):
-    def __init__(self, mx: int = 10, my: int = 10, *, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0)) -> None: ...
+    """FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked boundaries between
+    adhesion and slip, second order in the cell length. 10 x 10 cells are enough for forces."""
+    def __init__(self, mx: int = 10, my: int = 10, *, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0)) -> None:
+        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility 'three', 'one' or 'blended';
+        coefficients 'kalker' or 'computed'; direction 'forward' (along +x) or 'backward'; slope_reduction (initial, at_infinity,
+        decay) [-] lessens the creep curve's slope. Error if an option is out of range."""
 
 class ForceArrays:
+    """Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views."""
     @property
-    def fx(self) -> NDArray[numpy.float64]: ...
+    def fx(self) -> NDArray[numpy.float64]:
+        """Longitudinal forces on body 1, shape (...) [N]."""
     @property
-    def fy(self) -> NDArray[numpy.float64]: ...
+    def fy(self) -> NDArray[numpy.float64]:
+        """Lateral forces on body 1, shape (...) [N]."""
     @property
-    def mz(self) -> NDArray[numpy.float64]: ...
+    def mz(self) -> NDArray[numpy.float64]:
+        """Moments about z on body 1, shape (...) [N m]."""
     @property
-    def adhesion_area(self) -> NDArray[numpy.float64]: ...
+    def adhesion_area(self) -> NDArray[numpy.float64]:
+        """Areas in adhesion, shape (...) [m^2]."""
     @property
-    def slip_area(self) -> NDArray[numpy.float64]: ...
+    def slip_area(self) -> NDArray[numpy.float64]:
+        """Areas in slip, shape (...) [m^2]."""
     @property
-    def status(self) -> NDArray[numpy.uint8]: ...
+    def status(self) -> NDArray[numpy.uint8]:
+        """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     def __len__(self) -> int: ...
 
 class FrictionLaw:
-    def __init__(self) -> None: ...
+    """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear: mu_k + sum d_i max(0, 1 -
+    v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2); exponential: mu_k + sum d_i 2^(-v/v_i); polach:
+    mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient
+    outside [0, 10] or a velocity that is not positive. FrictionLaw() is frictionless."""
+    def __init__(self) -> None:
+        """Frictionless, mu = 0 [-]."""
     @staticmethod
-    def coulomb(coefficient: float) -> FrictionLaw: ...
+    def coulomb(coefficient: float) -> FrictionLaw:
+        """Coulomb friction, coefficient [-] in [0, 10]."""
     @staticmethod
-    def linear(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw: ...
+    def linear(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
+        """From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
-    def rational(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw: ...
+    def rational(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
+        """From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
-    def exponential(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw: ...
+    def exponential(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
+        """From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
-    def polach(static_coefficient: float, ratio: float, decay: float) -> FrictionLaw: ...
+    def polach(static_coefficient: float, ratio: float, decay: float) -> FrictionLaw:
+        """Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law."""
     @property
-    def kind(self) -> str: ...
+    def kind(self) -> str:
+        """coulomb, linear, rational or exponential."""
     @property
-    def kinetic_coefficient(self) -> float: ...
+    def kinetic_coefficient(self) -> float:
+        """mu_k [-]."""
     @property
-    def static_coefficient(self) -> float: ...
+    def static_coefficient(self) -> float:
+        """mu(0) [-]."""
     @property
-    def terms(self) -> tuple[tuple[float, float], tuple[float, float]]: ...
-    def coefficient(self, slip_velocity: ArrayLike) -> Any: ...
+    def terms(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Both terms as (drop [-], half_velocity [m/s])."""
+    def coefficient(self, slip_velocity: ArrayLike) -> Any:
+        """mu(v) [-] for v >= 0 [m/s], a number or an array, shape (...)."""
 
 class GapCurvatures:
-    def __init__(self, x: float, y: float) -> None: ...
+    """Shape of the gap between two bodies in first contact: h(x, y) = A x^2 + B y^2."""
+    def __init__(self, x: float, y: float) -> None:
+        """From A and B [1/m]."""
     @property
-    def x(self) -> float: ...
+    def x(self) -> float:
+        """A [1/m], along the rolling direction."""
     @property
-    def y(self) -> float: ...
+    def y(self) -> float:
+        """B [1/m], lateral."""
 
 class GridError:
+    """How far totals are from those on another grid."""
     @property
-    def fx(self) -> float: ...
+    def fx(self) -> float:
+        """In units of mu Fn [-]."""
     @property
-    def fy(self) -> float: ...
+    def fy(self) -> float:
+        """In units of mu Fn [-]."""
     @property
-    def mz(self) -> float: ...
+    def mz(self) -> float:
+        """In units of mu Fn sqrt(a b) [-]."""
 
 class HertzContact:
+    """A Hertzian contact: what follows from shape, material and load."""
     @property
-    def a(self) -> float: ...
+    def a(self) -> float:
+        """Semi-axis along x, the rolling direction [m]."""
     @property
-    def b(self) -> float: ...
+    def b(self) -> float:
+        """Semi-axis along y [m]."""
     @property
-    def normal_force(self) -> float: ...
+    def normal_force(self) -> float:
+        """Fn [N]."""
     @property
-    def approach(self) -> float: ...
+    def approach(self) -> float:
+        """delta [m], by which distant points come nearer."""
     @property
-    def peak_pressure(self) -> float: ...
+    def peak_pressure(self) -> float:
+        """p0 = 3 Fn/(2 pi a b) [Pa]."""
     @property
-    def stiffness(self) -> float: ...
+    def stiffness(self) -> float:
+        """dFn/d(approach) = 3 Fn/(2 delta) [N/m]."""
     @property
-    def gap(self) -> GapCurvatures: ...
-    def pressure(self, x: ArrayLike, y: ArrayLike) -> Any: ...
+    def gap(self) -> GapCurvatures:
+        """Curvatures of the gap [1/m]."""
+    def pressure(self, x: ArrayLike, y: ArrayLike) -> Any:
+        """p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or arrays that
+        broadcast, shape (...)."""
 
 class InteriorField:
-    def __init__(self, material: Material, body: Literal[1, 2], grid: ElementGrid, *, px: ArrayLike | None = None, py: ArrayLike | None = None, pn: ArrayLike | None = None) -> None: ...
-    def at(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike) -> InteriorStates: ...
+    """Displacements and stresses in a body from the tractions on its surface, as sums over the elements of a grid. Elastic
+    half-space; a line contact gives the plane field of endless strips. Exact for tractions that are constant in each element;
+    those of a contact are not, which is felt nearer to the surface than about an element."""
+    def __init__(self, material: Material, body: Literal[1, 2], grid: ElementGrid, *, px: ArrayLike | None = None, py: ArrayLike | None = None, pn: ArrayLike | None = None) -> None:
+        """body 1 (wheel, z > 0) or 2 (rail) [-]; px, py, pn [Pa] are the tractions **on body 1** of the grid's elements, shape
+        (my, mx), none: zero. Error for what is out of range or not finite."""
+    def at(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike) -> InteriorStates:
+        """At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to shape (...). Returns
+        InteriorStates. Cost .3 us for every point and element with tractions; Ctrl-C ends it."""
     @property
-    def grid(self) -> ElementGrid: ...
+    def grid(self) -> ElementGrid:
+        """The elements, as ElementGrid."""
 
 class InteriorLayers:
-    def __init__(self, field: InteriorField, margin: int = 0) -> None: ...
+    """The same at the centres of all elements in planes of constant depth, by fast transforms: 4 to 8 us a point."""
+    def __init__(self, field: InteriorField, margin: int = 0) -> None:
+        """Points at the centres of the field's elements and of `margin` more columns and rows on each side [-]."""
     @property
-    def grid(self) -> ElementGrid: ...
-    def at_depth(self, depth: float) -> InteriorStates: ...
-    def find_largest(self, depths: ArrayLike, measure: Literal["von_mises", "tresca", "hydrostatic"] = 'von_mises') -> InteriorPeak: ...
+    def grid(self) -> ElementGrid:
+        """Where the points are, as ElementGrid."""
+    def at_depth(self, depth: float) -> InteriorStates:
+        """States at the points in the depth [m] >= 0, shape (my, mx), as InteriorStates."""
+    def find_largest(self, depths: ArrayLike, measure: Literal["von_mises", "tresca", "hydrostatic"] = 'von_mises') -> InteriorPeak:
+        """The largest value [Pa] of 'von_mises', 'tresca' or 'hydrostatic' and where it is, as InteriorPeak: the best point of
+        the planes `depths` [m], ascending, shape (n), and from there a search. The largest one if the planes are close enough."""
 
 class InteriorPeak:
+    """The largest value of a measure of stress, and where it is."""
     @property
-    def value(self) -> float: ...
+    def value(self) -> float:
+        """The value [Pa]."""
     @property
-    def x(self) -> float: ...
+    def x(self) -> float:
+        """Where it is [m]."""
     @property
-    def y(self) -> float: ...
+    def y(self) -> float:
+        """Where it is [m]."""
     @property
-    def depth(self) -> float: ...
+    def depth(self) -> float:
+        """Below the surface [m]."""
 
 class InteriorStates:
+    """Displacements and stresses at points of a body: arrays with the points' shape (...)."""
     @property
-    def ux(self) -> NDArray[numpy.float64]: ...
+    def ux(self) -> NDArray[numpy.float64]:
+        """Displacement of this body, shape (...) [m]."""
     @property
-    def uy(self) -> NDArray[numpy.float64]: ...
+    def uy(self) -> NDArray[numpy.float64]:
+        """Displacement of this body, shape (...) [m]."""
     @property
-    def uz(self) -> NDArray[numpy.float64]: ...
+    def uz(self) -> NDArray[numpy.float64]:
+        """Displacement of this body, shape (...) [m]."""
     @property
-    def xx(self) -> NDArray[numpy.float64]: ...
+    def xx(self) -> NDArray[numpy.float64]:
+        """sigma_xx, tension positive, shape (...) [Pa]."""
     @property
-    def yy(self) -> NDArray[numpy.float64]: ...
+    def yy(self) -> NDArray[numpy.float64]:
+        """sigma_yy, tension positive, shape (...) [Pa]."""
     @property
-    def zz(self) -> NDArray[numpy.float64]: ...
+    def zz(self) -> NDArray[numpy.float64]:
+        """sigma_zz, tension positive, shape (...) [Pa]."""
     @property
-    def xy(self) -> NDArray[numpy.float64]: ...
+    def xy(self) -> NDArray[numpy.float64]:
+        """sigma_xy, shape (...) [Pa]."""
     @property
-    def xz(self) -> NDArray[numpy.float64]: ...
+    def xz(self) -> NDArray[numpy.float64]:
+        """sigma_xz, shape (...) [Pa]."""
     @property
-    def yz(self) -> NDArray[numpy.float64]: ...
+    def yz(self) -> NDArray[numpy.float64]:
+        """sigma_yz, shape (...) [Pa]."""
     @property
-    def hydrostatic(self) -> NDArray[numpy.float64]: ...
+    def hydrostatic(self) -> NDArray[numpy.float64]:
+        """(xx + yy + zz)/3, shape (...) [Pa]."""
     @property
-    def von_mises(self) -> NDArray[numpy.float64]: ...
+    def von_mises(self) -> NDArray[numpy.float64]:
+        """Von Mises' stress, the root of 3 J2, shape (...) [Pa]."""
     @property
-    def tresca(self) -> NDArray[numpy.float64]: ...
+    def tresca(self) -> NDArray[numpy.float64]:
+        """sigma1 - sigma3, twice the largest shear stress, shape (...) [Pa]."""
     @property
-    def principal(self) -> NDArray[numpy.float64]: ...
+    def principal(self) -> NDArray[numpy.float64]:
+        """sigma1 >= sigma2 >= sigma3, shape (..., 3) [Pa]."""
 
 class LineContact:
+    """Two cylinders with parallel axes, per unit length."""
     @property
-    def half_width(self) -> float: ...
+    def half_width(self) -> float:
+        """a [m], along the rolling direction."""
     @property
-    def force_per_length(self) -> float: ...
+    def force_per_length(self) -> float:
+        """fn [N/m]."""
     @property
-    def peak_pressure(self) -> float: ...
+    def peak_pressure(self) -> float:
+        """p0 = 2 fn/(pi a) [Pa]."""
     @property
-    def curvature(self) -> float: ...
-    def pressure(self, x: ArrayLike) -> Any: ...
+    def curvature(self) -> float:
+        """A = 1/(2R) of the gap h = A x^2 [1/m]."""
+    def pressure(self, x: ArrayLike) -> Any:
+        """p_n(x) = p0 sqrt(1 - (x/a)^2), 0 outside [Pa]; x [m] is a number or an array, shape (...)."""
 
 class Material:
-    def __init__(self, shear_modulus: float, poisson_ratio: float) -> None: ...
+    """A linearly elastic, isotropic body."""
+    def __init__(self, shear_modulus: float, poisson_ratio: float) -> None:
+        """From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-], in [0, 0.5]. Values are
+        checked where they are used."""
     @staticmethod
-    def from_young(young_modulus: float, poisson_ratio: float) -> Material: ...
+    def from_young(young_modulus: float, poisson_ratio: float) -> Material:
+        """From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's ratio [-] in
+        [0, 0.5]. Error if out of range."""
     @property
-    def shear_modulus(self) -> float: ...
+    def shear_modulus(self) -> float:
+        """Shear modulus G [Pa]."""
     @property
-    def poisson_ratio(self) -> float: ...
+    def poisson_ratio(self) -> float:
+        """Poisson's ratio nu [-]."""
 
 class NormalProblem:
-    def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None: ...
-    def solve(self, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, tolerance: float = 1e-08) -> NormalSolution: ...
+    """The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e = h - delta + u_n >= 0,
+    p_n e = 0, by conjugate gradients. Elastically similar bodies."""
+    def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
+        """Error for a grid that needs more memory than the machine has; some 190 bytes for an element."""
+    def solve(self, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, tolerance: float = 1e-08) -> NormalSolution:
+        """Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either the normal force [N] or
+        the approach [m] given. Returns NormalSolution. Error for a gap with NaN or a load out of range. Cost O(N log N)."""
 
 class NormalSolution:
+    """The contact area and the pressure on it; read-only views of shape (my, mx)."""
     @property
-    def pressure(self) -> NDArray[numpy.float64]: ...
+    def pressure(self) -> NDArray[numpy.float64]:
+        """p_n >= 0, shape (my, mx) [Pa]."""
     @property
-    def displacement(self) -> NDArray[numpy.float64]: ...
+    def displacement(self) -> NDArray[numpy.float64]:
+        """u_n, shape (my, mx) [m]."""
     @property
-    def gap(self) -> NDArray[numpy.float64]: ...
+    def gap(self) -> NDArray[numpy.float64]:
+        """Deformed distance h - delta + u_n, zero in contact, shape (my, mx) [m]."""
     @property
-    def approach(self) -> float: ...
+    def approach(self) -> float:
+        """delta [m]."""
     @property
-    def normal_force(self) -> float: ...
+    def normal_force(self) -> float:
+        """Fn [N]."""
     @property
-    def elastic_energy(self) -> float: ...
+    def elastic_energy(self) -> float:
+        """Of the pressure [J]."""
     @property
-    def peak_pressure(self) -> float: ...
+    def peak_pressure(self) -> float:
+        """Largest pressure of an element [Pa]."""
     @property
-    def contact_elements(self) -> int: ...
+    def contact_elements(self) -> int:
+        """Elements in contact [-]."""
     @property
-    def touches_border(self) -> bool: ...
+    def touches_border(self) -> bool:
+        """Whether contact reaches the rim of the grid, which then is too small."""
     @property
-    def residual(self) -> float: ...
+    def residual(self) -> float:
+        """Relative to the largest displacement [-]."""
     @property
-    def products(self) -> int: ...
+    def products(self) -> int:
+        """Products with the matrix [-]."""
     @property
-    def status(self) -> Status: ...
+    def status(self) -> Status:
+        """How the calculation ended, a Status [-]."""
 
 class PatchRolling:
-    def __init__(self, material: CombinedMaterial, grid: ElementGrid, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, direction: Literal["forward", "backward"] = 'forward') -> None: ...
+    """Steady rolling of elastically similar bodies of any shape at second order: the normal problem on a regular grid, elements
+    fitted to the edges of its contact area, the tangential problem on them. One contact patch or several."""
+    def __init__(self, material: CombinedMaterial, grid: ElementGrid, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, direction: Literal["forward", "backward"] = 'forward') -> None:
+        """gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the approach [m] is given. The grid
+        needs three columns to spare on the side that particles come from and one on the other. Error otherwise."""
     @property
-    def normal(self) -> NormalSolution: ...
-    def solve(self, friction: float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, tolerance: float = 1e-06) -> PatchSolution: ...
-
-class PatchSolution:
-    @property
-    def x(self) -> NDArray[numpy.float64]: ...
-    @property
-    def y(self) -> NDArray[numpy.float64]: ...
-    @property
-    def area(self) -> NDArray[numpy.float64]: ...
-    @property
-    def bound(self) -> NDArray[numpy.float64]: ...
-    @property
-    def px(self) -> NDArray[numpy.float64]: ...
-    @property
-    def py(self) -> NDArray[numpy.float64]: ...
-    @property
-    def sx(self) -> NDArray[numpy.float64]: ...
-    @property
-    def sy(self) -> NDArray[numpy.float64]: ...
-    @property
-    def ux(self) -> NDArray[numpy.float64]: ...
-    @property
-    def uy(self) -> NDArray[numpy.float64]: ...
-    @property
-    def state(self) -> NDArray[numpy.uint8]: ...
-    @property
-    def forces(self) -> ContactForces: ...
-    @property
-    def creepage(self) -> Creepage: ...
-    @property
-    def residual(self) -> float: ...
-    @property
-    def newton_steps(self) -> int: ...
-    @property
-    def products(self) -> int: ...
+    def normal(self) -> NormalSolution:
+        """The normal problem's NormalSolution."""
+    def solve(self, friction: float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, rolling_speed: float = 1.0, tolerance: float = 1e-06) -> ContactSolution:
+        """friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x, force_y [N] on body 1 in the
+        place of the creepage in that direction; rolling_speed V [m/s] for the frictional power; tolerance of the relative residual [-]. Returns
+        ContactSolution."""
 
 class RollingCase:
+    """What a case file says; read_case and parse_case make them."""
     @property
-    def title(self) -> str: ...
+    def title(self) -> str:
+        """Its title."""
     @property
-    def body1(self) -> Body: ...
+    def body1(self) -> Body:
+        """The body that forces act on, e.g. the wheel."""
     @property
-    def body2(self) -> Body: ...
+    def body2(self) -> Body:
+        """The other body, e.g. the rail."""
     @property
-    def friction(self) -> FrictionLaw: ...
+    def friction(self) -> FrictionLaw:
+        """The FrictionLaw, mu [-]."""
     @property
-    def theory(self) -> str: ...
+    def theory(self) -> str:
+        """fastsim, fastsim_half_step, fastsim2 or exact."""
     @property
-    def hertz(self) -> HertzContact: ...
+    def hertz(self) -> HertzContact:
+        """The HertzContact."""
     @property
-    def contact(self) -> EllipticContact: ...
+    def contact(self) -> EllipticContact:
+        """The EllipticContact for the solvers of either theory."""
     @property
-    def text(self) -> str: ...
-    def exact_solver(self, *, cells: int | None = None, discretisation: str | None = None) -> EllipticContactSolver: ...
-    def accurate_solver(self, accuracy: float) -> AccurateContactSolver: ...
-    def simplified_solver(self, *, cells: int | None = None) -> RowSolver: ...
+    def text(self) -> str:
+        """The text of the file."""
+    def exact_solver(self, *, cells: int | None = None, discretisation: str | None = None) -> EllipticContactSolver:
+        """An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-], on its grid or with
+        `cells` elements across the ellipse in each direction. Error if it cannot have that discretisation."""
+    def accurate_solver(self, accuracy: float) -> AccurateContactSolver:
+        """An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation."""
+    def simplified_solver(self, *, cells: int | None = None) -> RowSolver:
+        """The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with `cells` in each
+        direction. Error for FaStrip, which has no such solver in Python."""
 
 class RollingContactResult:
+    """All that `microslip solve` computes of a case."""
     @property
-    def case(self) -> RollingCase: ...
+    def case(self) -> RollingCase:
+        """The RollingCase."""
     @property
-    def hertz(self) -> HertzContact: ...
+    def hertz(self) -> HertzContact:
+        """The HertzContact."""
     @property
-    def contact(self) -> EllipticContact: ...
+    def contact(self) -> EllipticContact:
+        """The EllipticContact, with creepages as found where a force is given."""
     @property
-    def exact(self) -> ExactResult | None: ...
+    def exact(self) -> ExactResult | None:
+        """ExactResult, None if the case does not ask for it."""
     @property
-    def simplified(self) -> SimplifiedResult | None: ...
+    def simplified(self) -> SimplifiedResult | None:
+        """SimplifiedResult, also beside the exact theory in steady rolling; else None."""
     @property
-    def status(self) -> Status: ...
+    def status(self) -> Status:
+        """Of the theory that the case asks for, a Status [-]."""
     @property
-    def warnings(self) -> list[str]: ...
-    def write(self, path: str | os.PathLike[str]) -> None: ...
+    def warnings(self) -> list[str]:
+        """What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a length
+        in mm or a modulus in MPa."""
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot be written."""
 
 class RowSolver:
+    """What Fastsim and Fastsim2 have in common: all memory is taken when one is made, then it is used again and again."""
     @overload
-    def solve(self, contact: EllipticContact) -> ContactForces: ...
+    def solve(self, contact: EllipticContact) -> ContactForces:
+        """Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives Status.invalid_input and
+        NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my)."""
     @overload
-    def solve(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactForces: ...
+    def solve(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactForces:
+        """The same with other creepages [-], [-] and spin [1/m] than the contact's own."""
     @overload
-    def differentiate(self, contact: EllipticContact) -> ContactDerivatives: ...
+    def differentiate(self, contact: EllipticContact) -> ContactDerivatives:
+        """Forces [N], [N m] and their derivatives to xi [-], eta [-], phi [1/m] and Fn [N], as ContactDerivatives: forward
+        differentiation of the same code."""
     @overload
-    def differentiate(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactDerivatives: ...
-    def fields(self, contact: EllipticContact) -> ContactFields: ...
-    def patch_fields(self, y: ArrayLike, leading: ArrayLike, trailing: ArrayLike, pressure: ArrayLike, *, row_width: float, flexibilities: tuple[float, float, float], friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], rolling_speed: float = 1.0) -> ContactFields: ...
+    def differentiate(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactDerivatives:
+        """The same with other creepages [-], [-] and spin [1/m] than the contact's own."""
+    def fields(self, contact: EllipticContact) -> ContactSolution:
+        """Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution."""
+    def patch_fields(self, y: ArrayLike, leading: ArrayLike, trailing: ArrayLike, pressure: ArrayLike, *, row_width: float, flexibilities: tuple[float, float, float], friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], rolling_speed: float = 1.0) -> ContactSolution:
+        """The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their leading to their trailing
+        edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), x ascending;
+        row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, friction [-] or a
+        law, creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense."""
     @property
-    def mx(self) -> int: ...
+    def mx(self) -> int:
+        """Cells of a row [-]."""
     @property
-    def my(self) -> int: ...
-    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> ForceArrays: ...
-    def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays: ...
+    def my(self) -> int:
+        """Rows [-]."""
+    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; fields that
+        are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], b [m],
+        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s]. Results have the broadcast
+        shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays
+        that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns ForceArrays."""
+    def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; fields that
+        are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], b [m],
+        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s]. Results have the broadcast
+        shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays
+        that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
 class SimplifiedResult:
+    """What the simplified theory makes of a case."""
     @property
-    def fields(self) -> ContactFields: ...
+    def solution(self) -> ContactSolution:
+        """The ContactSolution."""
     @property
-    def forces(self) -> ContactForces: ...
+    def forces(self) -> ContactForces:
+        """The totals, as ContactForces."""
     @property
-    def grid_error(self) -> GridError: ...
+    def grid_error(self) -> GridError:
+        """To the grid with twice the cells [-]."""
     @property
-    def curve(self) -> CreepCurve: ...
+    def curve(self) -> CreepCurve:
+        """The CreepCurve through the case."""
+
+class SolutionStep:
+    """One of the steps of transient rolling."""
+    @property
+    def creepage(self) -> Creepage:
+        """As given, or found where a force is prescribed [-], [-], [1/m]."""
+    @property
+    def forces(self) -> ContactForces:
+        """The totals, as ContactForces."""
+    @property
+    def residual(self) -> float:
+        """Relative residual [-]."""
+    @property
+    def newton_steps(self) -> int:
+        """Iterations of Newton's method [-]."""
+    @property
+    def products(self) -> int:
+        """Products with the matrix [-]."""
 
 class Status(enum.IntEnum):
+    """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are NaN; not_converged, the
+    result is the best one found; no_contact, the bodies do not touch; no_solution, the force given is beyond friction
+    and the result slides fully. An IntEnum: arrays of codes compare with it."""
     ok = 0
     invalid_input = 1
     not_converged = 2
     no_contact = 3
     no_solution = 4
 
+class SurfaceFields:
+    """The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the rows, x within a row; None
+    for one that the solution does not have. Zero outside the contact."""
+    @property
+    def x(self) -> object:
+        """Centre of the element along the rolling direction, shape (my, mx) [m]; None if the solution does not have it."""
+    @property
+    def y(self) -> object:
+        """Lateral centre of the element, shape (my, mx) [m]; None if the solution does not have it."""
+    @property
+    def width(self) -> object:
+        """Length of the element along x, shape (my, mx) [m]; None if the solution does not have it."""
+    @property
+    def area(self) -> object:
+        """What the element counts for in the forces, shape (my, mx) [m^2]; None if the solution does not have it."""
+    @property
+    def pressure(self) -> object:
+        """Pressure, shape (my, mx) [Pa]; None if the solution does not have it."""
+    @property
+    def bound(self) -> object:
+        """Traction bound, shape (my, mx) [Pa]; None if the solution does not have it."""
+    @property
+    def px(self) -> object:
+        """Longitudinal traction on body 1, shape (my, mx) [Pa]; None if the solution does not have it."""
+    @property
+    def py(self) -> object:
+        """Lateral traction on body 1, shape (my, mx) [Pa]; None if the solution does not have it."""
+    @property
+    def sx(self) -> object:
+        """Relative slip of body 1 over body 2, longitudinal, shape (my, mx) [-], of a shift [m]; None if the solution does not have it."""
+    @property
+    def sy(self) -> object:
+        """Relative slip of body 1 over body 2, lateral, shape (my, mx) [-], of a shift [m]; None if the solution does not have it."""
+    @property
+    def ux(self) -> object:
+        """Displacement difference u1 - u2, longitudinal, shape (my, mx) [m]; None if the solution does not have it."""
+    @property
+    def uy(self) -> object:
+        """Displacement difference u1 - u2, lateral, shape (my, mx) [m]; None if the solution does not have it."""
+    @property
+    def gap(self) -> object:
+        """Distance of the deformed bodies, shape (my, mx) [m]; None if the solution does not have it."""
+    @property
+    def friction(self) -> object:
+        """Coefficient of friction, where it depends on slip or temperature, shape (my, mx) [-]; None if the solution does not have it."""
+    @property
+    def temperature1(self) -> object:
+        """Temperature of body 1's surface, shape (my, mx) [deg C]; None if the solution does not have it."""
+    @property
+    def temperature2(self) -> object:
+        """Temperature of body 2's surface, shape (my, mx) [deg C]; None if the solution does not have it."""
+    @property
+    def state(self) -> NDArray[numpy.uint8]:
+        """Codes of CellState as uint8, shape (my, mx) [-]."""
+
 class TangentialProblem:
-    def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None: ...
-    def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution: ...
+    """The tangential contact problem of the exact theory on a grid of elements with constant tractions, classical
+    discretisation, elastically similar bodies: shifts, steps of transient rolling, steady rolling."""
+    def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
+        """Error for a grid that needs more memory than the machine has; some 5,900 bytes for an element at most."""
+    def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
+        """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact; creepages [-], [-], [1/m], for
+        a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in the place of the creepage in that direction; step dq [m], 0 the
+        elements' length; rolling_speed V [m/s]; previous: the TangentialSolution that a shift or a step of transient rolling
+        starts from, none: no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for input out of
+        range."""
 
 class TangentialSolution:
+    """Tractions and slip on a regular grid; read-only views of shape (my, mx), x and y ascending."""
     @property
-    def px(self) -> NDArray[numpy.float64]: ...
+    def px(self) -> NDArray[numpy.float64]:
+        """Tractions on body 1, shape (my, mx) [Pa]."""
     @property
-    def py(self) -> NDArray[numpy.float64]: ...
+    def py(self) -> NDArray[numpy.float64]:
+        """Tractions on body 1, shape (my, mx) [Pa]."""
     @property
-    def bound(self) -> NDArray[numpy.float64]: ...
+    def bound(self) -> NDArray[numpy.float64]:
+        """g, shape (my, mx) [Pa]."""
     @property
-    def ux(self) -> NDArray[numpy.float64]: ...
+    def ux(self) -> NDArray[numpy.float64]:
+        """u1 - u2, shape (my, mx) [m]."""
     @property
-    def uy(self) -> NDArray[numpy.float64]: ...
+    def uy(self) -> NDArray[numpy.float64]:
+        """u1 - u2, shape (my, mx) [m]."""
     @property
-    def sx(self) -> NDArray[numpy.float64]: ...
+    def sx(self) -> NDArray[numpy.float64]:
+        """Relative slip, shape (my, mx) [-]; for a shift [m]."""
     @property
-    def sy(self) -> NDArray[numpy.float64]: ...
+    def sy(self) -> NDArray[numpy.float64]:
+        """Relative slip, shape (my, mx) [-]; for a shift [m]."""
     @property
-    def state(self) -> NDArray[numpy.uint8]: ...
+    def state(self) -> NDArray[numpy.uint8]:
+        """Codes of CellState as uint8, shape (my, mx) [-]."""
     @property
-    def forces(self) -> ContactForces: ...
+    def forces(self) -> ContactForces:
+        """The totals, as ContactForces."""
     @property
-    def creepage(self) -> Creepage: ...
+    def creepage(self) -> Creepage:
+        """As given, or as found where a force is given [-], [-], [1/m]."""
     @property
-    def elastic_energy(self) -> float: ...
+    def elastic_energy(self) -> float:
+        """Of the tractions [J]."""
     @property
-    def frictional_power(self) -> float: ...
+    def frictional_power(self) -> float:
+        """[W]; for a shift the work [J]."""
     @property
-    def residual(self) -> float: ...
+    def residual(self) -> float:
+        """Relative residual [-]."""
     @property
-    def newton_steps(self) -> int: ...
+    def newton_steps(self) -> int:
+        """Steps of Newton's method [-]."""
     @property
-    def products(self) -> int: ...
+    def products(self) -> int:
+        """Products with the matrix [-]."""
 
-def build_info() -> dict[str, str]: ...
+def build_info() -> dict[str, str]:
+    """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
 
-def combine(body1: Material, body2: Material) -> CombinedMaterial: ...
+def combine(body1: Material, body2: Material) -> CombinedMaterial:
+    """Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa],
+    K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or Poisson's ratio
+    is out of range or both bodies are rigid."""
 
-def creepage_coefficients(a_over_b: float, poisson_ratio: float, coefficients: Literal["kalker", "computed"] = 'kalker') -> CreepageCoefficients: ...
+def creepage_coefficients(a_over_b: float, poisson_ratio: float, coefficients: Literal["kalker", "computed"] = 'kalker') -> CreepageCoefficients:
+    """The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker' (Kalker 1990, table E.3)
+    or 'computed' (right to 1e-4 from a/b = .05 to 20). Beyond a table they tend to the limits of slender ellipses."""
 
-def gap_curvatures(rolling1: float, rolling2: float, transverse1: float, transverse2: float) -> GapCurvatures: ...
+def gap_curvatures(rolling1: float, rolling2: float, transverse1: float, transverse2: float) -> GapCurvatures:
+    """A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m] of bodies 1 and 2 in
+    the plane of rolling and in the lateral plane: positive convex, negative concave, math.inf flat. Error for a radius
+    that is zero or not a number, and unless A and B are positive."""
 
-def hertz_from_approach(gap: GapCurvatures, material: CombinedMaterial, approach: float) -> HertzContact: ...
+def hertz_from_approach(gap: GapCurvatures, material: CombinedMaterial, approach: float) -> HertzContact:
+    """The same from the approach [m] in the place of the load."""
 
-def hertz_from_ellipse(a: float, b: float, material: CombinedMaterial, normal_force: float) -> HertzContact: ...
+def hertz_from_ellipse(a: float, b: float, material: CombinedMaterial, normal_force: float) -> HertzContact:
+    """The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5]."""
 
-def hertz_from_load(gap: GapCurvatures, material: CombinedMaterial, normal_force: float) -> HertzContact: ...
+def hertz_from_load(gap: GapCurvatures, material: CombinedMaterial, normal_force: float) -> HertzContact:
+    """Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2). Relative error below
+    1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and for A/B outside [1e-9, 1e9]."""
 
-def hertzian_gap(gap: GapCurvatures, grid: ElementGrid) -> NDArray[numpy.float64]: ...
+def hertzian_gap(gap: GapCurvatures, grid: ElementGrid) -> NDArray[numpy.float64]:
+    """The undeformed distance h = A x^2 + B y^2 at the elements' centres, shape (my, mx) [m]."""
 
-def line_contact_from_half_width(curvature: float, material: CombinedMaterial, half_width: float) -> LineContact: ...
+def line_contact_from_half_width(curvature: float, material: CombinedMaterial, half_width: float) -> LineContact:
+    """The same from the half-width a [m]."""
 
-def line_contact_from_load(curvature: float, material: CombinedMaterial, force_per_length: float) -> LineContact: ...
+def line_contact_from_load(curvature: float, material: CombinedMaterial, force_per_length: float) -> LineContact:
+    """a = sqrt(4 R fn/(pi E*)), R = 1/(2A), from the curvature A [1/m] and fn [N/m] (Johnson 1985, section 4.2c)."""
 
-def parse_case(text: str, name: str = 'case') -> RollingCase: ...
+def parse_case(text: str, name: str = 'case') -> RollingCase:
+    """The same from TOML text, SI units; `name` is the file's name for messages [-]."""
 
-def read_case(path: str | os.PathLike[str]) -> RollingCase: ...
+def read_case(path: str | os.PathLike[str]) -> RollingCase:
+    """Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with file, line, key, value and
+    allowed range for what is wrong, and with the nearest key for unknown ones [-]."""
 
-def run_contact_input(path: str | os.PathLike[str]) -> ContactRun: ...
+def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
+    """Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what the ones before it have
+    left: `for case in run_contact_input(path)` gives ContactCase, totals in CONTACT's units [N], [mm], fields in SI units.
+    Memory does not grow with the number of cases. A case that asks for something unsupported is refused with its reasons,
+    and the others run. Error with file, line and field for what is against the grammar, when the case is reached."""
 
-def solve_case(case: RollingCase) -> RollingContactResult: ...
+def solve_case(case: RollingCase) -> RollingContactResult:
+    """Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI units [-]. Ctrl-C ends it.
+    Returns RollingContactResult; not converging is a status."""
 
-def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, normal_force: float, friction: float, x: ArrayLike, y: ArrayLike) -> Any: ...
+def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, normal_force: float, friction: float, x: ArrayLike, y: ArrayLike) -> Any:
+    """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside the ellipse. 'parabolic':
+    mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3 Fn/(2 pi a b) times the root of the same. Both integrate to
+    mu Fn. x, y [m] are numbers or arrays that broadcast, shape (...)."""

@@ -1,0 +1,108 @@
+// A case file's text in, the result as JSON out: the numbers that the library finds for the same case.
+
+#include "cases/case_document.hpp"
+#include "microslip.h"
+
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const std::string wheel_on_rail = R"(
+title = "Wheel on rail"
+[body1]
+rolling_radius = 0.46
+transverse_radius = inf
+young_modulus = 210e9
+poisson_ratio = 0.28
+[body2]
+rolling_radius = inf
+transverse_radius = 0.3
+young_modulus = 210e9
+poisson_ratio = 0.28
+[load]
+normal_force = 80e3
+[friction]
+coefficient = 0.3
+[motion]
+rolling_speed = 30.0
+creepage_longitudinal = 0.0018
+spin = 0.4
+[solution]
+theory = "exact"
+grid = [10, 10]
+[interior]
+x = [0.0]
+y = [0.0]
+z = [0.001, 0.003]
+)";
+
+struct Answer {
+  microslip_code code;
+  std::string error;
+  Json json; ///< null where there is none
+};
+
+Answer solve_in_c(const std::string& text) {
+  char* json = nullptr;
+  microslip_error error;
+  const microslip_code code = microslip_solve_case(text.c_str(), "wheel.toml", &json, &error);
+  Answer answer{code, error.text, json ? Json::parse(json) : Json()};
+  microslip_free_text(json);
+  return answer;
+}
+
+std::string with(std::string text, const std::string& old_words, const std::string& new_words) {
+  return text.replace(text.find(old_words), old_words.size(), new_words);
+}
+
+TEST(CSolveCase, HasTheDocumentOfTheProgram) {
+  auto [code, error, json] = solve_in_c(wheel_on_rail);
+  ASSERT_EQ(code, MICROSLIP_OK) << error;
+  const RollingCase input = parse_case(wheel_on_rail, "wheel.toml");
+  const RollingContactResult result = solve_case(input);
+  Json wanted = case_document(
+      input, result,
+      {.kind = "rolling_contact", .title = "Wheel on rail", .case_file = "wheel.toml", .case_text = wheel_on_rail});
+  json.erase("created"); // when it was solved
+  wanted.erase("created");
+  EXPECT_EQ(json, wanted);
+  EXPECT_EQ(json.at("exact").at("fx"), result.exact->contact.totals.fx);
+  EXPECT_EQ(json.at("units").at("exact/fx"), "N");
+  EXPECT_EQ(json.at("inputs").at("rolling_radius_2"), "inf");
+  EXPECT_FALSE(json.at("exact").contains("fields"));
+  EXPECT_FALSE(json.contains("interior"));
+  EXPECT_EQ(json.at("interior_extremes").at("von_mises").at("value"),
+            std::max(von_mises(result.exact->interior[0].stress), von_mises(result.exact->interior[1].stress)));
+  EXPECT_EQ(json.at("warnings"), Json::array());
+}
+
+TEST(CSolveCase, RefusesACaseInTheWordsOfTheFile) {
+  const auto [code, error, json] = solve_in_c(with(wheel_on_rail, "normal_force", "normal_forse"));
+  EXPECT_EQ(code, MICROSLIP_INVALID_OPTION);
+  EXPECT_EQ(error.find("wheel.toml:"), 0U) << error;
+  EXPECT_NE(error.find("did you mean normal_force?"), std::string::npos) << error;
+  EXPECT_TRUE(json.is_null());
+  microslip_error refusal;
+  EXPECT_EQ(microslip_solve_case("", "wheel.toml", nullptr, &refusal), MICROSLIP_NULL_POINTER);
+}
+
+TEST(CSolveCase, WarnsAndTellsWhy) {
+  auto [code, error, json] = solve_in_c(with(with(wheel_on_rail, "210e9", "210e3"), "210e9", "210e3"));
+  ASSERT_FALSE(json.is_null()) << error;
+  ASSERT_FALSE(json.at("warnings").empty());
+  EXPECT_NE(json.at("warnings").at(0).get<std::string>().find("contact ellipse"), std::string::npos);
+  std::tie(code, error, json) = [] {
+    Answer beyond = solve_in_c(with(wheel_on_rail, "creepage_longitudinal = 0.0018", "force_longitudinal = -30e3"));
+    return std::tuple(beyond.code, beyond.error, beyond.json);
+  }();
+  EXPECT_EQ(code, MICROSLIP_NO_SOLUTION);
+  EXPECT_EQ(error, "prescribed force exceeds mu Fn; the result shown is full sliding");
+  EXPECT_EQ(json.at("status"), "no_solution");
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,78 @@
+#include "io/json_result.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <type_traits>
+
+namespace microslip {
+namespace {
+
+Json::json_pointer pointer_to(const std::string& path) {
+  return path == "/" ? Json::json_pointer() : Json::json_pointer("/" + path);
+}
+
+} // namespace
+
+bool is_field(const std::string& path) {
+  constexpr std::array<std::string_view, 3> groups = {"fields", "elements", "interior"};
+  const std::string bounded = "/" + path;
+  return std::any_of(groups.begin(), groups.end(), [&](std::string_view group) {
+    const std::size_t at = bounded.find("/" + std::string(group) + "/");
+    return at != std::string::npos;
+  });
+}
+
+JsonResult::JsonResult(const Provenance& provenance) {
+  for (const auto& [name, value] : provenance_attributes(provenance)) members_[name] = value;
+}
+
+void JsonResult::scalar(const std::string& path, double value, const std::string& unit, const std::string&) {
+  if (is_field(path)) return;
+  members_[pointer_to(path)] = json_number(value);
+  units_[path] = unit;
+}
+
+void JsonResult::text(const std::string& path, const std::string& value, const std::string&) {
+  if (!is_field(path)) members_[pointer_to(path)] = value;
+}
+
+template <class Value>
+void JsonResult::numbers(const std::string& path, std::span<const Value> values, const std::string& unit,
+                         const Shape& shape) {
+  if (is_field(path) || shape.size() > 1) return;
+  Json all = Json::array();
+  for (const Value value : values) {
+    if constexpr (std::is_integral_v<Value>)
+      all.push_back(value);
+    else
+      all.push_back(json_number(value));
+  }
+  members_[pointer_to(path)] = std::move(all);
+  units_[path] = unit;
+}
+
+void JsonResult::array(const std::string& path, std::span<const double> values, const std::string& unit,
+                       const std::string&, const Shape& shape) {
+  numbers(path, values, unit, shape);
+}
+void JsonResult::array(const std::string& path, std::span<const int> values, const std::string& unit,
+                       const std::string&, const Shape& shape) {
+  numbers(path, values, unit, shape);
+}
+void JsonResult::array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
+                       const std::string&, const Shape& shape) {
+  numbers(path, values, unit, shape);
+}
+
+void JsonResult::attribute(const std::string& path, const std::string& name, const std::string& value) {
+  if (!is_field(path + "/")) members_[pointer_to(path)][name] = value;
+}
+
+Json JsonResult::document() const {
+  Json all = members_;
+  all["units"] = units_;
+  return all;
+}
+
+} // namespace microslip

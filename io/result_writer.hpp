@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+
+/// Where a result comes from: root attributes of every result file, beside those the build knows itself (`version`,
+/// `commit`, `compiler`, `build_type`) and `created` (ISO 8601, UTC).
+struct Provenance {
+  std::string kind = {}; ///< what the file holds, e.g. "rolling_contact" or a study's name
+  std::string title = {};
+  std::string command_line = {};
+  std::string case_file = {}; ///< path of the case file; empty if there is none
+  std::string case_text = {}; ///< its text, verbatim
+};
+
+/// These attributes and those the build knows, with the time of now.
+std::vector<std::pair<std::string, std::string>> provenance_attributes(const Provenance& provenance);
+
+/// What a result is written to: numbers, texts and arrays by paths such as "creep_curve/fx", where each stroke opens a
+/// group.
+class ResultWriter {
+public:
+  ResultWriter() = default;
+  ResultWriter(const ResultWriter&) = delete;
+  ResultWriter& operator=(const ResultWriter&) = delete;
+  virtual ~ResultWriter() = default;
+
+  virtual void scalar(const std::string& path, double value, const std::string& unit,
+                      const std::string& description) = 0;
+  virtual void text(const std::string& path, const std::string& value, const std::string& description) = 0;
+
+  /// Arrays, the last index fastest; `shape` empty means one dimension. Error if it does not fit the values.
+  using Shape = std::vector<std::size_t>;
+  virtual void array(const std::string& path, std::span<const double> values, const std::string& unit,
+                     const std::string& description, const Shape& shape = {}) = 0;
+  virtual void array(const std::string& path, std::span<const int> values, const std::string& unit,
+                     const std::string& description, const Shape& shape = {}) = 0;
+  virtual void array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
+                     const std::string& description, const Shape& shape = {}) = 0;
+
+  /// A text attribute of a group or dataset that is there; "/" is the root.
+  virtual void attribute(const std::string& path, const std::string& name, const std::string& value) = 0;
+};
+
+} // namespace microslip
