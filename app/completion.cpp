@@ -19,7 +19,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What may stand in the place of a value.
+/// What may stand in place of a value.
 struct Candidates {
   enum class Kind { none, words, files, folders } kind = Kind::none;
   Words words = {};

@@ -44,7 +44,7 @@ struct RollingCase {
   Discretisation discretisation = Discretisation::second_order; ///< of the exact theory
   ElementShape elements = ElementShape::constant;               ///< of its classical discretisation
   double tolerance = 1e-6;                                      ///< of its residual
-  Coupling coupling = Coupling::newton;                         ///< of its problems for bodies of different materials
+  Coupling coupling = Coupling::newton;                         ///< of its problems for dissimilar materials
   SlipStart slip_start = SlipStart::below;                      ///< of its friction that depends on the slip
   InteriorGrid interior = {};          ///< points inside the bodies, with the exact theory; none: no interior field
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid

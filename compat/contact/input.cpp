@@ -114,7 +114,7 @@ void InputReader::read_case(Case& c) {
   read_points(c);
 }
 
-/// Digits that do not go together.
+/// Digits that cannot be combined.
 void InputReader::check_digits(const Case& c) {
   const Digits& d = c.digits;
   if ((d.gausei == SolverChoice::steady_gs || d.gausei == SolverChoice::gd_steady) && d.tang != Tangential::steady)

@@ -59,7 +59,7 @@ InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
   return points;
 }
 
-/// FG and TC of a viscoelastic body make a part of its displacements come late.
+/// FG and TC of a viscoelastic body: a part of its displacements is retarded.
 InteriorBody body_of(const Case& c, std::size_t body) {
   const MaterialData& m = *c.material;
   const Material material = {(body == 0 ? m.shear1 : m.shear2) * newton_per_mm2, body == 0 ? m.poisson1 : m.poisson2};

@@ -277,7 +277,7 @@ double set_friction(const Case& c, ContactStep& step) {
   return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
 }
 
-/// CONTACT's solvers, but for SteadyGS, correct steps that are longer than the elements, as if the edge were at the
+/// CONTACT's solvers, except SteadyGS, correct steps that are longer than the elements, as if the edge were at the
 /// centre of the element ahead of the contact.
 bool corrects_leading_edge(const Case& c, const ContactStep& step) {
   constexpr double rounding = 1e-3;

@@ -8,9 +8,9 @@
 
 namespace microslip::contact_program {
 
-/// Constants of both bodies, SI; of viscoelastic ones for quick loads.
+/// Constants of both bodies, SI; of viscoelastic ones the instantaneous ones.
 CombinedMaterial combined_material(const Case& c);
-/// The same with what deforms late.
+/// The same with their retarded parts.
 Bodies bodies_of(const Case& c);
 /// How body 1 (0) or 2 (1) of viscoelastic ones (M = 1) creeps.
 Creep creep_of(const Case& c, std::size_t body);
