@@ -36,6 +36,7 @@ TYPES_OF_ARGUMENTS = {
     "body": "Literal[1, 2]",
     "friction": "FrictionLaw | float",
     "creepage": "Creepage | tuple[float, float, float]",
+    "bodies": "Bodies | CombinedMaterial",
     "path": "str | os.PathLike[str]",
 }
 # Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
@@ -44,7 +45,8 @@ TYPES_OF_PROPERTIES = {
     "ForceArrays.status": "NDArray[numpy.uint8]",
     "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
 }
-RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any"}  # a number for numbers, else an array
+RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any",  # a number for numbers, else an array
+           "to_dict": "dict[str, Any]"}
 
 
 def python_type(text):
@@ -80,9 +82,11 @@ def argument(text, owner):
         kind = TYPES_OF_ARGUMENTS.get(name, kind)
     if kind == "object":
         kind = "ArrayLike"
+    if kind == "Bodies | None":
+        kind = TYPES_OF_ARGUMENTS[name]
     if default == "None" and "None" not in kind:
         kind += " | None"
-    if default.startswith("Creepage("):
+    if default.startswith("Creepage(") or default == "inf":
         default = "..."
     if kind.startswith("tuple"):
         default = default.replace("[", "(").replace("]", ")")
@@ -99,10 +103,26 @@ def signatures(function):
     return [re.fullmatch(r"(\w+)\((.*)\) -> (.*)", line).groups() for line in lines]
 
 
+def texts(function):
+    """The texts of a function or method without its signatures, one for each overload."""
+    lines = function.__doc__.splitlines()
+    if len(lines) > 1 and lines[1].startswith("Overloaded"):
+        parts = re.split(r"^\d\. .*$", "\n".join(lines), flags=re.MULTILINE)[1:]
+    else:
+        parts = ["\n".join(lines[1:])]
+    return [part.strip() for part in parts]
+
+
+def documented(head, text, indent):
+    """A definition whose body is its text."""
+    inner = indent + "    "
+    return [f"{head}:", f'{inner}"""' + text.replace("\n", f"\n{inner}") + '"""'] if text else [f"{head}: ..."]
+
+
 def function_lines(name, function, owner="", indent="", decorator=""):
     """A function or a method; each overload on a line of its own."""
     found = signatures(function)
-    for _, arguments, result in found:
+    for (_, arguments, result), text in zip(found, texts(function)):
         if len(found) > 1:
             yield f"{indent}@overload"
         if decorator:
@@ -111,7 +131,7 @@ def function_lines(name, function, owner="", indent="", decorator=""):
         parts = [argument(part, owner) for part in split(arguments)]
         if name == "__init__":
             result = "None"
-        yield f"{indent}def {name}({', '.join(parts)}) -> {result}: ..."
+        yield from documented(f"{indent}def {name}({', '.join(parts)}) -> {result}", text, indent)
 
 
 def property_type(owner, name, member):
@@ -132,15 +152,15 @@ SPECIAL_METHODS = {
 def class_lines(name, cls):
     """A class with its methods and properties in the order of their definition."""
     if issubclass(cls, Exception):
-        return [f"class {name}(ValueError): ..."]
+        return documented(f"class {name}(ValueError)", cls.__doc__, "")
     if issubclass(cls, enum.IntEnum):
-        return [f"class {name}(enum.IntEnum):", *(f"    {member.name} = {member.value}" for member in cls)]
+        return [*documented(f"class {name}(enum.IntEnum)", cls.__doc__, ""), *(f"    {member.name} = {member.value}" for member in cls)]
     base = cls.__mro__[1].__name__
-    lines = [f"class {name}({base}):" if base in vars(microslip) else f"class {name}:"]
+    lines = documented(f"class {name}({base})" if base in vars(microslip) else f"class {name}", cls.__doc__, "")
     for key, member in vars(cls).items():
         if isinstance(member, property):
             kind = property_type(name, key, member)
-            lines += ["    @property", f"    def {key}(self) -> {kind}: ..."]
+            lines += ["    @property", *documented(f"    def {key}(self) -> {kind}", member.__doc__, "    ")]
             if member.fset:
                 value = TYPES_OF_ARGUMENTS.get(key, kind)
                 lines += [f"    @{key}.setter", f"    def {key}(self, value: {value}) -> None: ..."]
@@ -150,7 +170,7 @@ def class_lines(name, cls):
             lines += function_lines(key, member.__func__, name, "    ", "staticmethod")
         elif not key.startswith("_") or (key == "__init__" and member.__doc__.startswith("__init__(self")):
             lines += function_lines(key, member, name, "    ")
-    return lines if len(lines) > 1 else [lines[0] + " ..."]
+    return lines
 
 
 def stub():

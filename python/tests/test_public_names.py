@@ -11,7 +11,7 @@ import microslip
 from tests.compiled import load_tests_if_compiled
 
 PACKAGE = Path(microslip.__file__).resolve().parent
-UNIT = re.compile(r"\[(-|1/m|m/s|mm|mm\^2|m|m\^2|N|N m|N mm|N/m|N/mm\^2|Pa|1/Pa|m/Pa|J|W)\]")
+UNIT = re.compile(r"\[(-|1/m|m/s|s|mm|mm\^2|m|m\^2|N|N m|N mm|N/m|N/mm\^2|Pa|Pa/m|1/Pa|m/Pa|J|W|K|deg C|kg/m\^3|W/\(m K\)|J/\(kg K\))\]")
 SHAPE = re.compile(r"[Ss]hape \((\.\.\.|[a-z\d]+)(, [a-z\d]+)*\)")
 
 
@@ -54,8 +54,8 @@ class PublicNamesTest(unittest.TestCase):
         for name, node in stub().items():
             if not isinstance(node, ast.ClassDef) or issubclass(members()[name], (Exception, enum.Enum)):
                 continue
-            for method in node.body:
-                returns = ast.unparse(method.returns) if isinstance(method, ast.FunctionDef) and method.returns else ""
+            for method in (part for part in node.body if isinstance(part, ast.FunctionDef)):
+                returns = ast.unparse(method.returns) if method.returns else ""
                 if any(ast.unparse(one) == "property" for one in method.decorator_list):
                     text = getattr(members()[name], method.name).__doc__
                     if returns in ("float", "int") or returns.startswith("NDArray"):
@@ -82,6 +82,14 @@ class PublicNamesTest(unittest.TestCase):
                     if isinstance(method, ast.FunctionDef):
                         self.assertTrue(hasattr(members()[name], method.name), f"{name}.{method.name}")
 
+    def test_every_name_of_the_stub_has_a_text(self):
+        for name, node in stub().items():
+            self.assertTrue(ast.get_docstring(node), name)
+            for method in node.body:
+                if isinstance(method, ast.FunctionDef) and not method.name.startswith("__"):
+                    is_setter = any(ast.unparse(one).endswith(".setter") for one in method.decorator_list)
+                    self.assertTrue(is_setter or ast.get_docstring(method), f"{name}.{method.name}")
+
     def test_the_package_is_typed(self):
         self.assertTrue((PACKAGE / "py.typed").exists())
 
@@ -91,6 +99,7 @@ class PublicNamesTest(unittest.TestCase):
 
     def test_the_build_is_known(self):
         self.assertEqual(sorted(microslip.build_info()), ["build_type", "commit", "compiler", "version"])
+        self.assertEqual(microslip.__version__, microslip.build_info()["version"])
 
 
 load_tests = load_tests_if_compiled([PublicNamesTest])
