@@ -14,6 +14,8 @@
 
 namespace microslip::python {
 
+using contact_program::PrintedTotals;
+
 template <>
 inline constexpr auto fields<PrintedTotals> = std::tuple{Field{"fn", &PrintedTotals::fn},
                                                          Field{"fx", &PrintedTotals::fx},
@@ -39,7 +41,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 using contact_program::Outcome;
-using contact_program::PrintedTotals;
 
 /// A case of a CONTACT file and what became of it.
 struct RunCase {
