@@ -159,7 +159,7 @@ def columns(draw, like):
 def elliptic_contact(draw):
     solver = microslip.EllipticContactSolver(draw.count(1, 12), draw.count(1, 12), **draw.some(
         discretisation=lambda: draw.word("second_order", "classical"), direction=lambda: draw.word("forward", "backward"),
-        elements=lambda: draw.word("constant", "bilinear"), material=lambda: material(draw),
+        elements=lambda: draw.word("constant", "bilinear"), bodies=lambda: material(draw),
         coupling=lambda: draw.word("newton", "alternating"), slip_start=lambda: draw.word("below", "above"),
         memory_distance=lambda: draw.scale(1e-5, 1e-2), memory_speed=lambda: draw.scale(1e-3, 10),
         tolerance=lambda: draw.scale(1e-8, 1e-3)))

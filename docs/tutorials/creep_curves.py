@@ -5,13 +5,15 @@
 # again. This tutorial computes such curves in single calls, and says what bends them.
 
 # %%
+import copy
+
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
 from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
-contact = microslip.read_case("examples/wheel_on_rail.toml").contact
+contact = copy.copy(microslip.read_case("examples/wheel_on_rail.toml").contact)  # to be changed below
 solver = microslip.Fastsim2()
 limit = 0.3 * contact.normal_force  # mu Fn
 

@@ -5,6 +5,8 @@
 # treated. This tutorial shows three things that the simplified theory cannot do.
 
 # %%
+import copy
+
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
@@ -12,7 +14,7 @@ from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, 
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 case = microslip.read_case("examples/wheel_on_rail.toml")
-contact = case.contact
+contact = copy.copy(case.contact)  # to be changed below
 limit = 0.3 * contact.normal_force
 solver = microslip.EllipticContactSolver(32, 32)
 

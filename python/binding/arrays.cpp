@@ -29,9 +29,13 @@ std::string to_text(const Shape& shape) {
 }
 
 RealArray real_array(const char* field, const py::object& values) {
+  const auto numpy = py::module_::import("numpy");
+  const py::object masks = numpy.attr("ma");
+  if (masks.attr("isMaskedArray")(values).cast<bool>() && masks.attr("is_masked")(values).cast<bool>())
+    throw Error(std::string(field) + ": has masked values; fill them in first, with filled()");
   py::array array;
   try {
-    array = py::module_::import("numpy").attr("asarray")(values).cast<py::array>();
+    array = numpy.attr("asarray")(values).cast<py::array>();
   } catch (py::error_already_set& error) { // a ragged list
     throw Error(std::string(field) + ": is no array of numbers");
   }

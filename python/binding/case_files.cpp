@@ -1,7 +1,8 @@
-#include "binding/arrays.hpp"
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
 #include "binding/long_work.hpp"
+#include "binding/paths.hpp"
+#include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "microslip/error.hpp"
@@ -11,6 +12,24 @@
 #include <optional>
 
 namespace microslip::python {
+
+/// A copy of what belongs to a case, which may be read but not changed: the change would be lost.
+template <class T> struct ReadOnly : T {};
+
+template <>
+inline constexpr auto fields<BodyInput> =
+    std::tuple{Field{"rolling_radius", &BodyInput::rolling_radius},
+               Field{"transverse_radius", &BodyInput::transverse_radius}, Field{"material", &BodyInput::material},
+               Field{"creep", &BodyInput::creep}, Field{"thermal", &BodyInput::thermal}};
+template <>
+inline constexpr auto fields<GridError> =
+    std::tuple{Field{"fx", &GridError::fx}, Field{"fy", &GridError::fy}, Field{"mz", &GridError::mz}};
+template <>
+inline constexpr auto fields<CreepCurve> =
+    std::tuple{Field{"variable", &CreepCurve::variable}, Field{"unit", &CreepCurve::unit},
+               Field{"value", &CreepCurve::value}, Field{"forces", &CreepCurve::forces},
+               Field{"point_value", &CreepCurve::point_value}};
+
 namespace {
 
 namespace py = pybind11;
@@ -26,10 +45,6 @@ struct SolvedCase {
   std::shared_ptr<const Case> of;
   RollingContactResult result;
 };
-
-std::string path_from(const py::object& path) {
-  return py::module_::import("os").attr("fspath")(path).cast<std::string>();
-}
 
 std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
   return std::make_shared<Case>(Case{parse_case(text, name), name, text});
@@ -96,12 +111,36 @@ template <class T> auto of_input(T RollingCase::*member) {
   return [member](const Case& self) { return self.input.*member; };
 }
 
+/// Copies and pickles are those of what may be changed.
+template <class T> py::class_<ReadOnly<T>, T> bind_read_only(py::module_& module, const char* name, const char* text) {
+  py::class_<ReadOnly<T>, T> cls(module, name, text);
+  cls.def("__setattr__",
+          [](const py::object&, const std::string& field, const py::object&) {
+            throw Error(field + ": belongs to a case, whose text it would not change; change a copy, "
+                                "contact = copy.copy(case.contact)");
+          })
+      .def("__copy__", [](const ReadOnly<T>& self) { return T(self); })
+      .def("__deepcopy__", [](const ReadOnly<T>& self, const py::dict&) { return T(self); })
+      .def("__reduce_ex__",
+           [](const ReadOnly<T>& self, int protocol) { return py::cast(T(self)).attr("__reduce_ex__")(protocol); });
+  return cls;
+}
+
 void bind_case(py::module_& module) {
+  bind_read_only<Creepage>(module, "CaseCreepage", "The Creepage of a case, to be read, not changed.");
+  bind_read_only<EllipticContact>(module, "CaseContact",
+                                  "The EllipticContact of a case, to be read, not changed; copy.copy() gives one that "
+                                  "can be changed.")
+      .def_property_readonly(
+          "creepage", [](const ReadOnly<EllipticContact>& self) { return ReadOnly<Creepage>{self.creepage}; },
+          "Creepages [-], [-] and spin [1/m].");
   auto body = py::class_<BodyInput>(module, "Body", "One of the two bodies of a case file.");
   body.def_readonly("rolling_radius", &BodyInput::rolling_radius, "Radius in the plane of rolling [m].")
       .def_readonly("transverse_radius", &BodyInput::transverse_radius, "Radius in the lateral plane [m].")
-      .def_readonly("material", &BodyInput::material, "Its Material.");
-  add_text(body, {"rolling_radius", "transverse_radius", "material"});
+      .def_readonly("material", &BodyInput::material, "Its Material.")
+      .def_readonly("creep", &BodyInput::creep, "Its Creep; the ratio is 0 for an elastic body.")
+      .def_readonly("thermal", &BodyInput::thermal, "Its ThermalBody, or None.");
+  add_value(body, {"rolling_radius", "transverse_radius", "material", "creep", "thermal"});
 
   auto rolling_case = py::class_<Case, std::shared_ptr<Case>>(
       module, "RollingCase", "What a case file says; read_case and parse_case make them.");
@@ -113,8 +152,13 @@ void bind_case(py::module_& module) {
       .def_property_readonly(
           "hertz", [](const Case& self) { return hertz_contact(self.input); }, "The HertzContact.")
       .def_property_readonly(
-          "contact", [](const Case& self) { return elliptic_contact(self.input, hertz_contact(self.input)); },
-          "The EllipticContact for the solvers of either theory.")
+          "contact",
+          [](const Case& self) {
+            return ReadOnly<EllipticContact>{elliptic_contact(self.input, hertz_contact(self.input))};
+          },
+          "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be read, not "
+          "changed:\n"
+          "copy.copy(case.contact) gives one that can be.")
       .def_property_readonly(
           "text", [](const Case& self) { return self.text; }, "The text of the file.");
   rolling_case
@@ -131,11 +175,25 @@ void bind_case(py::module_& module) {
            "in each\n"
            "direction. Error for FaStrip, which has no such solver in Python.");
   add_text(rolling_case, {"title", "theory", "contact"});
+  rolling_case
+      .def("__eq__",
+           [](const Case& self, const py::object& other) {
+             return py::isinstance<Case>(other) && self.text == other.cast<const Case&>().text;
+           })
+      .def("__copy__", [](const Case& self) { return std::make_shared<Case>(self); })
+      .def("__deepcopy__", [](const Case& self, const py::dict&) { return std::make_shared<Case>(self); })
+      .def(py::pickle(
+          [](const Case& self) { return py::make_tuple(state_version, py::make_tuple(self.text, self.name)); },
+          [](const py::tuple& state) {
+            const auto [text, name] = checked_state("RollingCase", state).cast<std::pair<std::string, std::string>>();
+            return parse(text, name);
+          }))
+      .def("to_dict", &to_dict, "All fields [SI units] as a dict.");
 
   module.def(
       "read_case",
       [](const py::object& path) {
-        const auto name = path_from(path);
+        const auto name = readable_path(path);
         return parse(read_case_text(name), name);
       },
       "path"_a,
@@ -155,8 +213,8 @@ template <class Value> auto along(const Value& value) {
 }
 
 void bind_curve(py::module_& module) {
-  py::class_<CreepCurve>(module, "CreepCurve", "Forces along one creepage while the other two are held.")
-      .def_readonly("variable", &CreepCurve::variable, "creepage_longitudinal, creepage_lateral or spin.")
+  py::class_<CreepCurve> curve(module, "CreepCurve", "Forces along one creepage while the other two are held.");
+  curve.def_readonly("variable", &CreepCurve::variable, "creepage_longitudinal, creepage_lateral or spin.")
       .def_readonly("unit", &CreepCurve::unit, "Unit of the variable.")
       .def_property_readonly(
           "value",
@@ -168,6 +226,7 @@ void bind_curve(py::module_& module) {
       .def_property_readonly("fx", along([](const ContactForces& f) { return f.fx; }), "Shape (n) [N].")
       .def_property_readonly("fy", along([](const ContactForces& f) { return f.fy; }), "Shape (n) [N].")
       .def_property_readonly("mz", along([](const ContactForces& f) { return f.mz; }), "Shape (n) [N m].");
+  add_value(curve, {"variable", "unit", "value", "fx", "fy", "mz"});
 }
 
 void bind_theories(py::module_& module) {
@@ -175,23 +234,27 @@ void bind_theories(py::module_& module) {
   error.def_readonly("fx", &GridError::fx, "In units of mu Fn [-].")
       .def_readonly("fy", &GridError::fy, "In units of mu Fn [-].")
       .def_readonly("mz", &GridError::mz, "In units of mu Fn sqrt(a b) [-].");
-  add_text(error, {"fx", "fy", "mz"});
+  add_value(error, {"fx", "fy", "mz"});
 
-  py::class_<SimplifiedResult>(module, "SimplifiedResult", "What the simplified theory makes of a case.")
-      .def_readonly("solution", &SimplifiedResult::solution, "The ContactSolution.")
+  py::class_<SimplifiedResult> simplified(module, "SimplifiedResult", "What the simplified theory makes of a case.");
+  simplified.def_readonly("solution", &SimplifiedResult::solution, "The ContactSolution.")
       .def_property_readonly(
           "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
       .def_readonly("grid_error", &SimplifiedResult::grid_error, "To the grid with twice the cells [-].")
-      .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
+      .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.")
+      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
+  add_text(simplified, {"solution", "grid_error"});
 
-  py::class_<ExactResult>(module, "ExactResult", "What the exact theory makes of a case.")
-      .def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
+  py::class_<ExactResult> exact(module, "ExactResult", "What the exact theory makes of a case.");
+  exact.def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
       .def_property_readonly(
           "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
       .def_readonly("grid_error", &ExactResult::grid_error, "To the grid with half the elements [-].")
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
-      .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
+      .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.")
+      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
+  add_text(exact, {"solution", "grid_error", "limit"});
 }
 
 } // namespace
@@ -205,7 +268,8 @@ void bind_case_files(py::module_& module) {
       return self.result.*member;
     };
   };
-  py::class_<SolvedCase>(module, "RollingContactResult", "All that `microslip solve` computes of a case.")
+  py::class_<SolvedCase> solved(module, "RollingContactResult", "All that `microslip solve` computes of a case.");
+  solved
       .def_property_readonly(
           "case", [](const SolvedCase& self) { return std::const_pointer_cast<Case>(self.of); }, "The RollingCase.")
       .def_property_readonly("hertz", result(&RollingContactResult::hertz), "The HertzContact.")
@@ -224,7 +288,9 @@ void bind_case_files(py::module_& module) {
           "in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
-           "be written.");
+           "be written.")
+      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
+  add_text(solved, {"status", "exact", "simplified", "warnings"});
   module.def("solve_case", &solve, "case"_a,
              "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI units [-]. "
              "Ctrl-C ends it.\n"

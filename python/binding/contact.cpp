@@ -3,6 +3,7 @@
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
 #include "binding/contact_batch.hpp"
+#include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 
@@ -48,7 +49,7 @@ void bind_creepage(py::module_& module) {
       .def_readwrite("spin", &Creepage::spin, "phi [1/m]. For a shift [rad].")
       .def("__iter__",
            [](const Creepage& self) { return py::iter(py::make_tuple(self.longitudinal, self.lateral, self.spin)); });
-  add_text(creepage, {"longitudinal", "lateral", "spin"});
+  add_value(creepage, {"longitudinal", "lateral", "spin"});
 
   auto coefficients = py::class_<CreepageCoefficients>(
       module, "CreepageCoefficients",
@@ -58,7 +59,7 @@ void bind_creepage(py::module_& module) {
       .def_readonly("c22", &CreepageCoefficients::c22, "C22 [-].")
       .def_readonly("c23", &CreepageCoefficients::c23, "C23 [-].")
       .def_readonly("c33", &CreepageCoefficients::c33, "C33 [-].");
-  add_text(coefficients, {"c11", "c22", "c23", "c33"});
+  add_value(coefficients, {"c11", "c22", "c23", "c33"});
   module.def("creepage_coefficients", &creepage_coefficients, "a_over_b"_a, "poisson_ratio"_a,
              "coefficients"_a = CreepageTable::kalker,
              "The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker' (Kalker "
@@ -68,7 +69,8 @@ void bind_creepage(py::module_& module) {
 }
 
 EllipticContact make_contact(double a, double b, double shear_modulus, double poisson_ratio, double normal_force,
-                             const py::object& friction, const py::object& creepage, double rolling_speed) {
+                             const py::object& friction, const py::object& creepage, double rolling_speed,
+                             double dissimilarity) {
   return {.a = a,
           .b = b,
           .shear_modulus = shear_modulus,
@@ -76,7 +78,14 @@ EllipticContact make_contact(double a, double b, double shear_modulus, double po
           .normal_force = normal_force,
           .friction = friction_from(friction),
           .creepage = creepage_from(creepage),
-          .rolling_speed = rolling_speed};
+          .rolling_speed = rolling_speed,
+          .dissimilarity = dissimilarity};
+}
+
+EllipticContact contact_from_hertz(const HertzContact& hertz, const CombinedMaterial& material,
+                                   const py::object& friction, const py::object& creepage, double rolling_speed) {
+  return make_contact(hertz.a, hertz.b, material.shear_modulus, material.poisson_ratio, hertz.normal_force, friction,
+                      creepage, rolling_speed, material.dissimilarity);
 }
 
 void bind_elliptic_contact(py::module_& module) {
@@ -86,12 +95,18 @@ void bind_elliptic_contact(py::module_& module) {
       "may be\n"
       "changed between calls; solvers check them, and what is out of range gives Status.invalid_input and NaN.");
   contact
-      .def(py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
-           "creepage"_a = Creepage{}, "rolling_speed"_a = 1.0,
-           "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], "
-           "the normal\n"
-           "force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), and the "
-           "speed V [m/s].")
+      .def(
+          py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
+          "creepage"_a = Creepage{}, "rolling_speed"_a = 1.0, "dissimilarity"_a = 0.0,
+          "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], "
+          "the normal\n"
+          "force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), the speed "
+          "V [m/s]\n"
+          "and the combined K [-] of bodies of different materials.")
+      .def_static("from_hertz", &contact_from_hertz, "hertz"_a, "material"_a, "friction"_a, "creepage"_a = Creepage{},
+                  "rolling_speed"_a = 1.0,
+                  "From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as "
+                  "above.")
       .def_readwrite("a", &EllipticContact::a, "Semi-axis along the rolling direction [m], > 0.")
       .def_readwrite("b", &EllipticContact::b, "Lateral semi-axis [m], > 0.")
       .def_readwrite("shear_modulus", &EllipticContact::shear_modulus, "Combined G [Pa], > 0.")
@@ -106,9 +121,13 @@ void bind_elliptic_contact(py::module_& module) {
           [](EllipticContact& self, const py::object& value) { self.creepage = creepage_from(value); },
           "Creepages [-], [-] and spin [1/m]; three numbers may be assigned.")
       .def_readwrite("rolling_speed", &EllipticContact::rolling_speed,
-                     "V [m/s], > 0; matters for falling friction and for the frictional power.");
-  add_text(contact,
-           {"a", "b", "shear_modulus", "poisson_ratio", "normal_force", "friction", "creepage", "rolling_speed"});
+                     "V [m/s], > 0; matters for falling friction and for the frictional power.")
+      .def_readwrite("dissimilarity", &EllipticContact::dissimilarity,
+                     "Combined K [-], in [-0.5, 0.5], which couples pressure and tractions of bodies of different "
+                     "materials; the\n"
+                     "simplified theory refuses it.");
+  add_value(contact, {"a", "b", "shear_modulus", "poisson_ratio", "normal_force", "friction", "creepage",
+                      "rolling_speed", "dissimilarity"});
 }
 
 void bind_forces(py::module_& module) {
@@ -120,10 +139,10 @@ void bind_forces(py::module_& module) {
       .def_readonly("adhesion_area", &ContactForces::adhesion_area, "Area in adhesion [m^2].")
       .def_readonly("slip_area", &ContactForces::slip_area, "Area in slip [m^2].")
       .def_readonly("status", &ContactForces::status, "How the calculation ended, a Status [-].");
-  add_text(forces, {"fx", "fy", "mz", "adhesion_area", "slip_area", "status"});
+  add_value(forces, {"fx", "fy", "mz", "adhesion_area", "slip_area", "status"});
 
-  py::class_<ContactDerivatives>(module, "ContactDerivatives", "Totals and their derivatives.")
-      .def_readonly("forces", &ContactDerivatives::forces, "The totals, as ContactForces.")
+  auto derivatives = py::class_<ContactDerivatives>(module, "ContactDerivatives", "Totals and their derivatives.");
+  derivatives.def_readonly("forces", &ContactDerivatives::forces, "The totals, as ContactForces.")
       .def_property_readonly(
           "jacobian",
           [](const py::object& self) {
@@ -134,6 +153,7 @@ void bind_forces(py::module_& module) {
           "Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-], phi [1/m] and Fn [N], shape (3, 4); that to Fn "
           "keeps the\n"
           "ellipse as it is.");
+  add_value(derivatives, {"forces", "jacobian"});
 }
 
 } // namespace

@@ -16,7 +16,8 @@ ContactBatch::ContactBatch(const EllipticContact& like, const ContactArrays& arr
                                                              {"poisson_ratio", &arrays.poisson_ratio},
                                                              {"normal_force", &arrays.normal_force},
                                                              {"friction", &arrays.friction},
-                                                             {"rolling_speed", &arrays.rolling_speed}};
+                                                             {"rolling_speed", &arrays.rolling_speed},
+                                                             {"dissimilarity", &arrays.dissimilarity}};
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     if (given[k].second->is_none()) continue;
     columns_[k] = real_array(given[k].first, *given[k].second);
@@ -43,6 +44,7 @@ EllipticContact ContactBatch::operator[](std::size_t i) const {
     if (values_[k] != nullptr) *places[k] = values_[k][constant_[k] ? 0 : i];
   if (values_[8] != nullptr) contact.friction = FrictionLaw::coulomb(values_[8][constant_[8] ? 0 : i]);
   if (values_[9] != nullptr) contact.rolling_speed = values_[9][constant_[9] ? 0 : i];
+  if (values_[10] != nullptr) contact.dissimilarity = values_[10][constant_[10] ? 0 : i];
   return contact;
 }
 

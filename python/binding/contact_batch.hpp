@@ -12,7 +12,7 @@ namespace microslip::python {
 struct ContactArrays {
   pybind11::object longitudinal, lateral, spin; ///< [-], [-], [1/m]
   pybind11::object a, b;                        ///< [m]
-  pybind11::object shear_modulus, poisson_ratio, normal_force, friction, rolling_speed;
+  pybind11::object shear_modulus, poisson_ratio, normal_force, friction, rolling_speed, dissimilarity;
 };
 
 /// Many contacts: one that the others are like, and arrays that broadcast by numpy's rules. None: as in that one.
@@ -31,9 +31,9 @@ private:
   EllipticContact like_;
   Shape shape_;
   std::size_t count_ = 1;
-  std::array<RealArray, 10> columns_;
-  std::array<const double*, 10> values_ = {}; ///< null where the contact's own value holds
-  std::array<bool, 10> constant_ = {};
+  std::array<RealArray, 11> columns_;
+  std::array<const double*, 11> values_ = {}; ///< null where the contact's own value holds
+  std::array<bool, 11> constant_ = {};
 };
 
 /// Forces of many contacts.

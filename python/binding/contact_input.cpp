@@ -2,6 +2,8 @@
 #include "binding/codes.hpp"
 #include "binding/grid.hpp"
 #include "binding/long_work.hpp"
+#include "binding/paths.hpp"
+#include "binding/value.hpp"
 #include "compat/contact/run.hpp"
 #include "microslip/error.hpp"
 
@@ -11,12 +13,34 @@
 #include <system_error>
 
 namespace microslip::python {
+
+using contact_program::PrintedTotals;
+
+template <>
+inline constexpr auto fields<PrintedTotals> = std::tuple{Field{"fn", &PrintedTotals::fn},
+                                                         Field{"fx", &PrintedTotals::fx},
+                                                         Field{"fy", &PrintedTotals::fy},
+                                                         Field{"mz", &PrintedTotals::mz},
+                                                         Field{"elastic_energy", &PrintedTotals::elastic_energy},
+                                                         Field{"friction", &PrintedTotals::friction},
+                                                         Field{"fn_over_g", &PrintedTotals::fn_over_g},
+                                                         Field{"x_name", &PrintedTotals::x_name},
+                                                         Field{"y_name", &PrintedTotals::y_name},
+                                                         Field{"x", &PrintedTotals::x},
+                                                         Field{"y", &PrintedTotals::y},
+                                                         Field{"approach", &PrintedTotals::approach},
+                                                         Field{"peak_pressure", &PrintedTotals::peak_pressure},
+                                                         Field{"temperature", &PrintedTotals::temperature},
+                                                         Field{"potential", &PrintedTotals::potential},
+                                                         Field{"contact", &PrintedTotals::contact},
+                                                         Field{"adhesion", &PrintedTotals::adhesion},
+                                                         Field{"slip", &PrintedTotals::slip}};
+
 namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
 using contact_program::Outcome;
-using contact_program::PrintedTotals;
 
 /// A case of a CONTACT file and what became of it.
 struct RunCase {
@@ -65,10 +89,10 @@ bool is_solved(const RunCase& self) {
 }
 
 void bind_totals(py::module_& module) {
-  py::class_<PrintedTotals>(
+  py::class_<PrintedTotals> totals(
       module, "ContactTotals",
-      "The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1.")
-      .def_readonly("fn", &PrintedTotals::fn, "FN [N].")
+      "The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1.");
+  totals.def_readonly("fn", &PrintedTotals::fn, "FN [N].")
       .def_readonly("fx", &PrintedTotals::fx, "FX [N].")
       .def_readonly("fy", &PrintedTotals::fy, "FY [N].")
       .def_readonly("mz", &PrintedTotals::mz, "MZ [N mm].")
@@ -88,11 +112,12 @@ void bind_totals(py::module_& module) {
       .def_readonly("contact", &PrintedTotals::contact, "NCON, elements in contact [-].")
       .def_readonly("adhesion", &PrintedTotals::adhesion, "NADH, elements in adhesion [-].")
       .def_readonly("slip", &PrintedTotals::slip, "NSLIP, elements in slip [-].");
+  add_value(totals, {"fn", "fx", "fy", "mz", "approach", "peak_pressure", "contact", "adhesion", "slip"});
 }
 
 void bind_case(py::module_& module) {
-  py::class_<RunCase>(module, "ContactCase", "A case of a CONTACT input file and what became of it.")
-      .def_readonly("number", &RunCase::number, "In the file, from 1 [-].")
+  py::class_<RunCase> run_case(module, "ContactCase", "A case of a CONTACT input file and what became of it.");
+  run_case.def_readonly("number", &RunCase::number, "In the file, from 1 [-].")
       .def_readonly("line", &RunCase::line, "Where it begins in the file, from 1 [-].")
       .def_property_readonly(
           "outcome", [](const RunCase& self) { return name_of(self.outcome.kind); },
@@ -129,7 +154,9 @@ void bind_case(py::module_& module) {
             if (!is_solved(self)) return std::nullopt;
             return TangentialResult{self.outcome.solution.tangential, shape_of(self.outcome.step.grid)};
           },
-          "The TangentialSolution, SI units; None unless solved.");
+          "The TangentialSolution, SI units; None unless solved.")
+      .def("to_dict", &to_dict, "All fields [CONTACT's units and SI units] as a dict; arrays are copies.");
+  add_text(run_case, {"number", "line", "outcome", "status", "totals"});
 }
 
 } // namespace
@@ -142,11 +169,7 @@ void bind_contact_input(py::module_& module) {
       .def("__iter__", [](Run& self) -> Run& { return self; })
       .def("__next__", &Run::next);
   module.def(
-      "run_contact_input",
-      [](const py::object& path) {
-        return std::make_unique<Run>(py::module_::import("os").attr("fspath")(path).cast<std::string>());
-      },
-      "path"_a,
+      "run_contact_input", [](const py::object& path) { return std::make_unique<Run>(readable_path(path)); }, "path"_a,
       "Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what the ones "
       "before it have\n"
       "left: `for case in run_contact_input(path)` gives ContactCase, totals in CONTACT's units [N], [mm], fields in "

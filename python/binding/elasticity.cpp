@@ -1,7 +1,10 @@
 #include "binding/bindings.hpp"
 
-#include "binding/arrays.hpp"
+#include "binding/value.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/elasticity/viscoelastic.hpp"
+
+#include <limits>
 
 namespace microslip::python {
 namespace {
@@ -25,7 +28,7 @@ void bind_materials(py::module_& module) {
           "[0, 0.5]. Error if out of range.")
       .def_readonly("shear_modulus", &Material::shear_modulus, "Shear modulus G [Pa].")
       .def_readonly("poisson_ratio", &Material::poisson_ratio, "Poisson's ratio nu [-].");
-  add_text(material, {"shear_modulus", "poisson_ratio"});
+  add_value(material, {"shear_modulus", "poisson_ratio"});
 
   auto combined = py::class_<CombinedMaterial>(
       module, "CombinedMaterial",
@@ -40,9 +43,9 @@ void bind_materials(py::module_& module) {
       .def_readonly("poisson_ratio", &CombinedMaterial::poisson_ratio, "Combined Poisson's ratio nu [-].")
       .def_readonly("dissimilarity", &CombinedMaterial::dissimilarity, "K [-]; 0 for elastically similar bodies.")
       .def_property_readonly("contact_modulus", &CombinedMaterial::contact_modulus, "E* = G/(1 - nu) [Pa].");
-  add_text(combined, {"shear_modulus", "poisson_ratio", "dissimilarity"});
+  add_value(combined, {"shear_modulus", "poisson_ratio", "dissimilarity"});
 
-  module.def("combine", &combine, "body1"_a, "body2"_a,
+  module.def("combine", py::overload_cast<const Material&, const Material&>(&combine), "body1"_a, "body2"_a,
              "Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa],\n"
              "K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or "
              "Poisson's ratio\n"
@@ -58,7 +61,7 @@ void bind_hertz(py::module_& module) {
           "x"_a, "y"_a, "From A and B [1/m].")
       .def_readonly("x", &GapCurvatures::x, "A [1/m], along the rolling direction.")
       .def_readonly("y", &GapCurvatures::y, "B [1/m], lateral.");
-  add_text(gap, {"x", "y"});
+  add_value(gap, {"x", "y"});
 
   module.def(
       "gap_curvatures",
@@ -90,7 +93,17 @@ void bind_hertz(py::module_& module) {
           "p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or arrays "
           "that\n"
           "broadcast, shape (...).");
-  add_text(hertz, {"a", "b", "normal_force", "approach", "peak_pressure", "stiffness"});
+  hertz.def("_repr_html_", [](const HertzContact& self) {
+    return html_table("Hertzian contact", {{"a", self.a, "m", "semi-axis along x, the rolling direction"},
+                                           {"b", self.b, "m", "semi-axis along y"},
+                                           {"Fn", self.normal_force, "N", "normal force"},
+                                           {"delta", self.approach, "m", "approach of distant points"},
+                                           {"p0", self.peak_pressure, "Pa", "peak pressure"},
+                                           {"dFn/ddelta", self.stiffness, "N/m", "stiffness"},
+                                           {"A", self.gap.x, "1/m", "curvature of the gap A x^2 + B y^2"},
+                                           {"B", self.gap.y, "1/m", "curvature of the gap A x^2 + B y^2"}});
+  });
+  add_value(hertz, {"a", "b", "normal_force", "approach", "peak_pressure", "stiffness", "gap"});
 
   module.def(
       "hertz_from_load", &hertz_from_load, "gap"_a, "material"_a, "normal_force"_a,
@@ -102,6 +115,73 @@ void bind_hertz(py::module_& module) {
   module.def(
       "hertz_from_ellipse", &hertz_from_ellipse, "a"_a, "b"_a, "material"_a, "normal_force"_a,
       "The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5].");
+}
+
+void bind_bodies(py::module_& module) {
+  auto creep = py::class_<Creep>(module, "Creep",
+                                 "A standard linear solid: under a constant stress its elastic deformation grows by "
+                                 "the share f (1 - exp(-t/tau)).");
+  creep
+      .def(py::init([](double ratio, double time) {
+             return Creep{ratio, time};
+           }),
+           "ratio"_a, "time"_a, "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.")
+      .def_readonly("ratio", &Creep::ratio, "f [-].")
+      .def_readonly("time", &Creep::time, "tau [s].");
+  add_value(creep, {"ratio", "time"});
+
+  auto layer = py::class_<InterfaceLayer>(
+      module, "InterfaceLayer",
+      "A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G; beyond the yield "
+      "stress\n"
+      "tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms plastically.");
+  layer
+      .def(py::init([](double flexibility, double yield_stress, double hardening) {
+             const InterfaceLayer made{flexibility, yield_stress, hardening};
+             check(made);
+             return made;
+           }),
+           "flexibility"_a, "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
+           "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it gets softer. "
+           "Error\n"
+           "for numbers out of range.")
+      .def_readonly("flexibility", &InterfaceLayer::flexibility, "h/G [m/Pa].")
+      .def_readonly("yield_stress", &InterfaceLayer::yield_stress, "tau_c0 [Pa].")
+      .def_readonly("hardening", &InterfaceLayer::hardening, "k [Pa/m].");
+  add_value(layer, {"flexibility", "yield_stress", "hardening"});
+
+  auto bodies = py::class_<Bodies>(module, "Bodies",
+                                   "Two bodies in contact, as the exact theory needs them: elastic ones, or those that "
+                                   "viscoelastic() makes.");
+  bodies
+      .def(py::init([](const CombinedMaterial& material, const std::optional<InterfaceLayer>& between) {
+             Bodies made(material);
+             if (between) made.layer = *between;
+             return made;
+           }),
+           "material"_a, "layer"_a = py::none(),
+           "Elastic bodies from their CombinedMaterial, with an InterfaceLayer between them or none [-].")
+      .def_readonly("material", &Bodies::material, "Of what deforms at once, as CombinedMaterial.")
+      .def_readonly("layer", &Bodies::layer, "The InterfaceLayer; its flexibility is 0 without one.")
+      .def_property_readonly("are_elastic", &Bodies::are_elastic, "Whether no part of the deformation comes late.");
+  add_value(bodies, {"material", "layer", "are_elastic"});
+  py::implicitly_convertible<CombinedMaterial, Bodies>();
+
+  module.def(
+      "viscoelastic",
+      [](const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
+         double rolling_velocity, const std::optional<InterfaceLayer>& between) {
+        Bodies made = viscoelastic(body1, creep1, body2, creep2, rolling_velocity);
+        if (between) made.layer = *between;
+        return made;
+      },
+      "body1"_a, "creep1"_a, "body2"_a, "creep2"_a, "rolling_velocity"_a, "layer"_a = py::none(),
+      "Two standard linear solids that roll steadily, as Bodies: their Material, of quick loads, and Creep, the "
+      "velocity "
+      "V [m/s],\n"
+      "positive along +x, negative with direction 'backward', and an InterfaceLayer between them or none. Error for "
+      "constants out\n"
+      "of range.");
 }
 
 void bind_line_contact(py::module_& module) {
@@ -116,7 +196,7 @@ void bind_line_contact(py::module_& module) {
             return mapped("x", x, "x", py::float_(0.0), [&](double at, double) { return self.pressure(at); });
           },
           "x"_a, "p_n(x) = p0 sqrt(1 - (x/a)^2), 0 outside [Pa]; x [m] is a number or an array, shape (...).");
-  add_text(line, {"half_width", "force_per_length", "peak_pressure", "curvature"});
+  add_value(line, {"half_width", "force_per_length", "peak_pressure", "curvature"});
 
   module.def(
       "line_contact_from_load", &line_contact_from_load, "curvature"_a, "material"_a, "force_per_length"_a,
@@ -129,6 +209,7 @@ void bind_line_contact(py::module_& module) {
 
 void bind_elasticity(py::module_& module) {
   bind_materials(module);
+  bind_bodies(module);
   bind_hertz(module);
   bind_line_contact(module);
 }

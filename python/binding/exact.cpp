@@ -3,11 +3,24 @@
 #include "binding/contact.hpp"
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
+#include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 
 namespace microslip::python {
+
+template <>
+inline constexpr auto fields<ExactDerivatives> =
+    std::tuple{Field{"solution", &ExactDerivatives::solution}, Field{"jacobian", &ExactDerivatives::jacobian},
+               Field{"products", &ExactDerivatives::products}};
+template <>
+inline constexpr auto fields<AccurateContact> =
+    std::tuple{Field{"finest", &AccurateContact::finest},    Field{"coarser", &AccurateContact::coarser},
+               Field{"forces", &AccurateContact::forces},    Field{"creepage", &AccurateContact::creepage},
+               Field{"error", &AccurateContact::error},      Field{"elements", &AccurateContact::elements},
+               Field{"products", &AccurateContact::products}};
+
 namespace {
 
 namespace py = pybind11;
@@ -15,6 +28,7 @@ using namespace py::literals;
 using Solver = OneAtATime<EllipticContactSolver>;
 using AccurateSolver = OneAtATime<AccurateContactSolver>;
 using Force = std::optional<double>;
+using Heat = std::optional<std::pair<ThermalBody, ThermalBody>>;
 
 ContactSolution solve(Solver& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
                       double step, int steps) {
@@ -38,13 +52,15 @@ ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, co
                              const py::object& lateral, const py::object& spin, const py::object& a,
                              const py::object& b, const py::object& shear_modulus, const py::object& poisson_ratio,
                              const py::object& normal_force, const py::object& friction,
-                             const py::object& rolling_speed, int threads) {
-  const ContactBatch batch(
-      like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force, friction, rolling_speed});
+                             const py::object& rolling_speed, const py::object& dissimilarity, int threads) {
+  const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
+                                  friction, rolling_speed, dissimilarity});
   ExactForceArrays out(batch);
   const ExactOptions options = self.object.options();
-  if (options.bodies && !(shear_modulus.is_none() && poisson_ratio.is_none()))
-    throw Error("shear_modulus, poisson_ratio: the solver's material has its own; make a solver for each material");
+  if (options.bodies && !(shear_modulus.is_none() && poisson_ratio.is_none() && dissimilarity.is_none()))
+    throw Error(
+        "shear_modulus, poisson_ratio, dissimilarity: the solver's bodies have their own; make a solver for each "
+        "pair of bodies");
   const int count = thread_count(threads);
   const py::gil_scoped_release release;
   run_batch(batch.count(), 1, count, [&]() -> BatchWorker {
@@ -60,8 +76,9 @@ ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, co
 }
 
 void bind_results(py::module_& module) {
-  py::class_<ExactDerivatives>(module, "ExactDerivatives", "Forces in steady rolling and their derivatives.")
-      .def_readonly("solution", &ExactDerivatives::solution, "The solution, as ContactSolution.")
+  py::class_<ExactDerivatives> derivatives(module, "ExactDerivatives",
+                                           "Forces in steady rolling and their derivatives.");
+  derivatives.def_readonly("solution", &ExactDerivatives::solution, "The solution, as ContactSolution.")
       .def_property_readonly(
           "jacobian",
           [](const py::object& self) {
@@ -71,8 +88,10 @@ void bind_results(py::module_& module) {
           },
           "Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-] and phi [1/m], shape (3, 3).")
       .def_readonly("products", &ExactDerivatives::products, "Products that the derivatives took [-].");
+  add_value(derivatives, {"solution", "jacobian"});
 
-  py::class_<AccurateContact>(module, "AccurateContact", "Steady rolling on two nested grids and its limit.")
+  py::class_<AccurateContact> accurate(module, "AccurateContact", "Steady rolling on two nested grids and its limit.");
+  accurate
       .def_readonly("forces", &AccurateContact::forces, "The limit, extrapolated; areas and status of the finer grid.")
       .def_readonly("creepage", &AccurateContact::creepage, "The limit, where a force is given [-], [-], [1/m].")
       .def_readonly("error", &AccurateContact::error,
@@ -81,7 +100,34 @@ void bind_results(py::module_& module) {
       .def_readonly("finest", &AccurateContact::finest, "The solution on the finer grid, as ContactSolution.")
       .def_readonly("coarser", &AccurateContact::coarser, "The totals on half the elements, as ContactForces.")
       .def_readonly("products", &AccurateContact::products, "Products on all grids [-].");
+  add_value(accurate, {"forces", "creepage", "error", "elements"});
 }
+
+/// What both solvers take of the bodies, heat and friction.
+ExactOptions options_from(RollingDirection direction, double tolerance, std::optional<Bodies> bodies, Coupling coupling,
+                          double memory_distance, double memory_speed, SlipStart slip_start, const Heat& thermal,
+                          std::optional<TemperatureEffect> temperature_effect) {
+  ExactOptions options{.direction = direction, .tolerance = tolerance};
+  options.bodies = std::move(bodies);
+  options.coupling = coupling;
+  options.friction_memory = {memory_distance, memory_speed};
+  options.slip_start = slip_start;
+  if (thermal) options.thermal = {thermal->first, thermal->second};
+  options.temperature_effect = temperature_effect;
+  return options;
+}
+
+constexpr const char* bodies_text =
+    "bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or "
+    "'alternating';\n"
+    "None: elastic ones with the contact's G, nu and K. Friction that falls with the slip (classical) follows it over "
+    "memory_distance\n"
+    "[m] or at least with memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. "
+    "thermal: "
+    "two\n"
+    "ThermalBody, whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these add "
+    "to "
+    "the friction.\n";
 
 void bind_solver(py::module_& module) {
   const auto none = py::none();
@@ -92,38 +138,29 @@ void bind_solver(py::module_& module) {
       "with the\n"
       "same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.")
       .def(py::init([](int mx, int my, Discretisation discretisation, RollingDirection direction, double tolerance,
-                       ElementShape elements, std::optional<CombinedMaterial> material, Coupling coupling,
-                       double memory_distance, double memory_speed, SlipStart slip_start) {
-             ExactOptions options{.mx = mx, .my = my, .discretisation = discretisation};
+                       ElementShape elements, std::optional<Bodies> bodies, Coupling coupling, double memory_distance,
+                       double memory_speed, SlipStart slip_start, const Heat& thermal,
+                       std::optional<TemperatureEffect> temperature_effect) {
+             ExactOptions options = options_from(direction, tolerance, std::move(bodies), coupling, memory_distance,
+                                                 memory_speed, slip_start, thermal, temperature_effect);
+             options.mx = mx;
+             options.my = my;
+             options.discretisation = discretisation;
              options.elements = elements;
-             options.direction = direction;
-             options.tolerance = tolerance;
-             if (material) options.bodies = *material;
-             options.coupling = coupling;
-             options.friction_memory = {memory_distance, memory_speed};
-             options.slip_start = slip_start;
              return std::make_unique<Solver>(options);
            }),
            "mx"_a = 24, "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,
            "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6, "elements"_a = ElementShape::constant,
-           "material"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
-           "slip_start"_a = SlipStart::below,
-           "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or "
-           "'classical'\n"
-           "(Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or "
-           "'backward'; tolerance of\n"
-           "the relative residual [-]. elements 'constant' or, classical, 'bilinear'. material: CombinedMaterial of "
-           "bodies of "
-           "different\n"
-           "materials (classical; coupling 'newton' or 'alternating'); None: similar ones, with the contact's G and "
-           "nu. Friction "
-           "that falls\n"
-           "with the slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of "
-           "several "
-           "solutions\n"
-           "slip_start picks that from 'below' or 'above'. Error if an option is out of range or the grid needs more "
-           "memory than the "
-           "machine has.")
+           "bodies"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
+           "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
+           ("mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or "
+            "'classical'\n"
+            "(Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or "
+            "'backward'; tolerance of\n"
+            "the relative residual [-]. elements 'constant' or, classical, 'bilinear'.\n" +
+            std::string(bodies_text) +
+            "Error if an option is out of range or the grid needs more memory than the machine has.")
+               .c_str())
       .def("solve", &solve, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = none,
            "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,
            "Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m] (0: the "
@@ -149,12 +186,14 @@ void bind_solver(py::module_& module) {
            "contact.")
       .def("solve_batch", &solve_batch, "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
            py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
-           "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "threads"_a = 0,
+           "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "dissimilarity"_a = none,
+           "threads"_a = 0,
            "Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads as given. "
            "Arguments as\n"
            "in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], "
            "poisson_ratio [-],\n"
-           "normal_force [N], friction [-], rolling_speed [m/s], as numbers or arrays that broadcast to shape (...). "
+           "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], as numbers or arrays that "
+           "broadcast to shape (...). "
            "Ctrl-C ends the\n"
            "call. Returns ExactForceArrays; no contact stops the others.");
 
@@ -162,13 +201,22 @@ void bind_solver(py::module_& module) {
                              "Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, "
                              "16 and 32, ... elements across,\n"
                              "extrapolated, until the limit's error is estimated below it.")
-      .def(py::init([](double accuracy, RollingDirection direction, double tolerance) {
-             return std::make_unique<AccurateSolver>(accuracy,
-                                                     ExactOptions{.direction = direction, .tolerance = tolerance});
+      .def(py::init([](double accuracy, RollingDirection direction, double tolerance, std::optional<Bodies> bodies,
+                       Coupling coupling, double memory_distance, double memory_speed, SlipStart slip_start,
+                       const Heat& thermal, std::optional<TemperatureEffect> temperature_effect) {
+             return std::make_unique<AccurateSolver>(accuracy, options_from(direction, tolerance, std::move(bodies),
+                                                                            coupling, memory_distance, memory_speed,
+                                                                            slip_start, thermal, temperature_effect));
            }),
            "accuracy"_a, py::kw_only(), "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6,
-           "accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative "
-           "residual [-].")
+           "bodies"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
+           "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
+           ("accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative "
+            "residual "
+            "[-].\n" +
+            std::string(bodies_text) +
+            "Those that are solved classically take far more elements for the same accuracy.")
+               .c_str())
       .def(
           "solve",
           [](AccurateSolver& self, const EllipticContact& contact, Force force_x, Force force_y) {

@@ -1,9 +1,11 @@
 #include "binding/bindings.hpp"
 
-#include "binding/arrays.hpp"
+#include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
+#include "microslip/friction/temperature_effect.hpp"
 #include "microslip/friction/traction_bound.hpp"
+#include "microslip/thermal/surface_temperature.hpp"
 
 namespace microslip::python {
 namespace {
@@ -80,7 +82,42 @@ void bind_friction(py::module_& module) {
                           [&](double v, double) { return coefficient_at(self, v); });
           },
           "slip_velocity"_a, "mu(v) [-] for v >= 0 [m/s], a number or an array, shape (...).");
-  add_text(law, {"kind", "kinetic_coefficient", "static_coefficient"});
+  add_value(law, {"kind", "kinetic_coefficient", "static_coefficient", "terms"});
+
+  auto effect = py::class_<TemperatureEffect>(module, "TemperatureEffect",
+                                              "What the temperature T of the surfaces adds to a friction coefficient: "
+                                              "change min(1, max(0, (T - begin)/range)).");
+  effect
+      .def(py::init([](double change, double begin, double range) {
+             const TemperatureEffect made{change, begin, range};
+             check(made);
+             return made;
+           }),
+           "change"_a, "begin"_a, "range"_a,
+           "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K] > 0 over "
+           "which it grows.\n"
+           "Error for numbers out of range.")
+      .def_readonly("change", &TemperatureEffect::change, "The whole change [-].")
+      .def_readonly("begin", &TemperatureEffect::begin, "Up to this temperature there is none [deg C].")
+      .def_readonly("range", &TemperatureEffect::range, "Over which it grows [K].");
+  add_value(effect, {"change", "begin", "range"});
+
+  auto thermal = py::class_<ThermalBody>(module, "ThermalBody", "What a body is for heat.");
+  thermal
+      .def(py::init([](double bulk_temperature, double conductivity, double density, double heat_capacity) {
+             const ThermalBody made{bulk_temperature, conductivity, density, heat_capacity};
+             check(ThermalBodies{made, made});
+             return made;
+           }),
+           "bulk_temperature"_a, "conductivity"_a, "density"_a, "heat_capacity"_a,
+           "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3] and c [J/(kg "
+           "K)], all three\n"
+           "> 0. Error for numbers out of range.")
+      .def_readonly("bulk_temperature", &ThermalBody::bulk_temperature, "Where it enters the contact [deg C].")
+      .def_readonly("conductivity", &ThermalBody::conductivity, "lambda [W/(m K)].")
+      .def_readonly("density", &ThermalBody::density, "rho [kg/m^3].")
+      .def_readonly("heat_capacity", &ThermalBody::heat_capacity, "c [J/(kg K)].");
+  add_value(thermal, {"bulk_temperature", "conductivity", "density", "heat_capacity"});
 
   module.def(
       "traction_bound",

@@ -3,6 +3,7 @@
 #include "binding/contact.hpp"
 #include "binding/grid.hpp"
 #include "binding/long_work.hpp"
+#include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
@@ -55,6 +56,8 @@ void bind_grid(py::module_& module) {
                   "forces are those of `length` [m].")
       .def_readonly("mx", &ElementGrid::mx, "Columns [-].")
       .def_readonly("my", &ElementGrid::my, "Rows [-].")
+      .def_readonly("x0", &ElementGrid::x0, "Centre of the first element [m].")
+      .def_readonly("y0", &ElementGrid::y0, "Centre of the first element [m].")
       .def_readonly("dx", &ElementGrid::dx, "Length of an element [m].")
       .def_readonly("dy", &ElementGrid::dy, "Width of an element [m].")
       .def_readonly("line", &ElementGrid::line, "Whether it is a line contact.")
@@ -64,7 +67,7 @@ void bind_grid(py::module_& module) {
       .def_property_readonly(
           "y", [](const ElementGrid& self) { return centres(self.my, self.y0, self.dy); },
           "Centres of the rows, shape (my) [m].");
-  add_text(grid, {"mx", "my", "dx", "dy"});
+  add_value(grid, {"mx", "my", "x0", "y0", "dx", "dy", "line"});
 
   module.def(
       "hertzian_gap",
@@ -86,9 +89,9 @@ template <class T> auto normal_field(std::vector<T> NormalSolution::*member) {
 
 void bind_normal(py::module_& module) {
   const auto number = [](auto member) { return [member](const NormalResult& self) { return self.solution.*member; }; };
-  py::class_<NormalResult>(module, "NormalSolution",
-                           "The contact area and the pressure on it; read-only views of shape (my, mx).")
-      .def_property_readonly("pressure", normal_field(&NormalSolution::pressure), "p_n >= 0, shape (my, mx) [Pa].")
+  py::class_<NormalResult> normal(module, "NormalSolution",
+                                  "The contact area and the pressure on it; read-only views of shape (my, mx).");
+  normal.def_property_readonly("pressure", normal_field(&NormalSolution::pressure), "p_n >= 0, shape (my, mx) [Pa].")
       .def_property_readonly("displacement", normal_field(&NormalSolution::displacement), "u_n, shape (my, mx) [m].")
       .def_property_readonly("gap", normal_field(&NormalSolution::gap),
                              "Deformed distance h - delta + u_n, zero in contact, shape (my, mx) [m].")
@@ -103,6 +106,7 @@ void bind_normal(py::module_& module) {
       .def_property_readonly("residual", number(&NormalSolution::residual), "Relative to the largest displacement [-].")
       .def_property_readonly("products", number(&NormalSolution::products), "Products with the matrix [-].")
       .def_property_readonly("status", number(&NormalSolution::status), "How the calculation ended, a Status [-].");
+  add_value(normal, {"status", "normal_force", "approach", "peak_pressure", "contact_elements", "residual"});
 
   struct Problem {
     Problem(const CombinedMaterial& material, const ElementGrid& on) : problem(material, on), grid(on) {}
@@ -112,7 +116,7 @@ void bind_normal(py::module_& module) {
   py::class_<Problem>(module, "NormalProblem",
                       "The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e "
                       "= h - delta + u_n >= 0,\n"
-                      "p_n e = 0, by conjugate gradients. Elastically similar bodies.")
+                      "p_n e = 0, by conjugate gradients, without friction: any K.")
       .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
            "Error for a grid that needs more memory than the machine has; some 190 bytes for an element.")
       .def(
@@ -151,9 +155,10 @@ void bind_tangential_solution(py::module_& module) {
   const auto number = [](auto member) {
     return [member](const TangentialResult& self) { return self.solution.*member; };
   };
-  py::class_<TangentialResult>(
+  py::class_<TangentialResult> tangential(
       module, "TangentialSolution",
-      "Tractions and slip on a regular grid; read-only views of shape (my, mx), x and y ascending.")
+      "Tractions and slip on a regular grid; read-only views of shape (my, mx), x and y ascending.");
+  tangential
       .def_property_readonly("px", traction_field(&TangentialState::px), "Tractions on body 1, shape (my, mx) [Pa].")
       .def_property_readonly("py", traction_field(&TangentialState::py), "Tractions on body 1, shape (my, mx) [Pa].")
       .def_property_readonly("bound", tangential_field(&TangentialSolution::bound), "g, shape (my, mx) [Pa].")
@@ -174,11 +179,20 @@ void bind_tangential_solution(py::module_& module) {
       .def_property_readonly("residual", number(&TangentialSolution::residual), "Relative residual [-].")
       .def_property_readonly("newton_steps", number(&TangentialSolution::newton_steps), "Steps of Newton's method [-].")
       .def_property_readonly("products", number(&TangentialSolution::products), "Products with the matrix [-].");
+  add_value(tangential, {"forces", "creepage", "residual"});
+}
+
+/// The tangential problem alone knows no pressure, with which dissimilar bodies couple it.
+const CombinedMaterial& similar(const CombinedMaterial& material) {
+  if (material.dissimilarity != 0)
+    throw Error("material.dissimilarity", material.dissimilarity, "-",
+                "0 for a tangential problem alone; EllipticContactSolver couples it with the normal one");
+  return material;
 }
 
 void bind_tangential(py::module_& module) {
   struct Problem {
-    Problem(const CombinedMaterial& material, const ElementGrid& on) : problem(material, on), grid(on) {}
+    Problem(const CombinedMaterial& material, const ElementGrid& on) : problem(similar(material), on), grid(on) {}
     OneAtATime<TangentialProblem> problem;
     ElementGrid grid;
   };
@@ -187,7 +201,9 @@ void bind_tangential(py::module_& module) {
       "The tangential contact problem of the exact theory on a grid of elements with constant tractions, classical\n"
       "discretisation, elastically similar bodies: shifts, steps of transient rolling, steady rolling.")
       .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
-           "Error for a grid that needs more memory than the machine has; some 5,900 bytes for an element at most.")
+           "Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some 5,900 bytes "
+           "for "
+           "an element\nat most.")
       .def(
           "solve",
           [](Problem& self, const py::object& bound, const py::object& creepage, ContactMotion motion, Force force_x,

@@ -1,6 +1,8 @@
+#include "binding/interior.hpp"
 #include "binding/bindings.hpp"
 #include "binding/grid.hpp"
 #include "binding/long_work.hpp"
+#include "binding/value.hpp"
 #include "io/option_words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/interior/interior_peak.hpp"
@@ -10,16 +12,28 @@
 #include <string>
 
 namespace microslip::python {
+
+template <>
+inline constexpr auto fields<Stress> =
+    std::tuple{Field{"xx", &Stress::xx}, Field{"yy", &Stress::yy}, Field{"zz", &Stress::zz},
+               Field{"xy", &Stress::xy}, Field{"xz", &Stress::xz}, Field{"yz", &Stress::yz}};
+template <>
+inline constexpr auto fields<InteriorState> =
+    std::tuple{Field{"ux", &InteriorState::ux}, Field{"uy", &InteriorState::uy}, Field{"uz", &InteriorState::uz},
+               Field{"stress", &InteriorState::stress}};
+template <>
+inline constexpr auto fields<InteriorPoint> =
+    std::tuple{Field{"x", &InteriorPoint::x}, Field{"y", &InteriorPoint::y}, Field{"depth", &InteriorPoint::depth}};
+template <>
+inline constexpr auto fields<InteriorPeak> = std::tuple{
+    Field{"value", &InteriorPeak::value}, Field{"point", &InteriorPeak::point}, Field{"state", &InteriorPeak::state}};
+template <>
+inline constexpr auto fields<States> = std::tuple{Field{"shape", &States::shape}, Field{"states", &States::states}};
+
 namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-/// Displacements and stresses at points, of any shape.
-struct States {
-  Shape shape;
-  std::vector<InteriorState> states;
-};
 
 RealArray values(const States& self, const auto& value) {
   RealArray out(self.shape);
@@ -51,9 +65,9 @@ RealArray principal(const States& self) {
 }
 
 void bind_states(py::module_& module) {
-  py::class_<States>(module, "InteriorStates",
-                     "Displacements and stresses at points of a body: arrays with the points' shape (...).")
-      .def_property_readonly("ux", displacement(&InteriorState::ux), "Displacement of this body, shape (...) [m].")
+  py::class_<States> states(module, "InteriorStates",
+                            "Displacements and stresses at points of a body: arrays with the points' shape (...).");
+  states.def_property_readonly("ux", displacement(&InteriorState::ux), "Displacement of this body, shape (...) [m].")
       .def_property_readonly("uy", displacement(&InteriorState::uy), "Displacement of this body, shape (...) [m].")
       .def_property_readonly("uz", displacement(&InteriorState::uz), "Displacement of this body, shape (...) [m].")
       .def_property_readonly("xx", stress(&Stress::xx), "sigma_xx, tension positive, shape (...) [Pa].")
@@ -67,6 +81,7 @@ void bind_states(py::module_& module) {
       .def_property_readonly("tresca", measure(&tresca),
                              "sigma1 - sigma3, twice the largest shear stress, shape (...) [Pa].")
       .def_property_readonly("principal", &principal, "sigma1 >= sigma2 >= sigma3, shape (..., 3) [Pa].");
+  add_value(states, {"von_mises"});
 }
 
 Body body_from(int body) {
@@ -121,7 +136,7 @@ void bind_peak(py::module_& module) {
           "y", [](const InteriorPeak& self) { return self.point.y; }, "Where it is [m].")
       .def_property_readonly(
           "depth", [](const InteriorPeak& self) { return self.point.depth; }, "Below the surface [m].");
-  add_text(peak, {"value", "x", "y", "depth"});
+  add_value(peak, {"value", "x", "y", "depth"});
 }
 
 void bind_field(py::module_& module) {

@@ -36,6 +36,7 @@ TYPES_OF_ARGUMENTS = {
     "body": "Literal[1, 2]",
     "friction": "FrictionLaw | float",
     "creepage": "Creepage | tuple[float, float, float]",
+    "bodies": "Bodies | CombinedMaterial",
     "path": "str | os.PathLike[str]",
 }
 # Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
@@ -81,6 +82,8 @@ def argument(text, owner):
         kind = TYPES_OF_ARGUMENTS.get(name, kind)
     if kind == "object":
         kind = "ArrayLike"
+    if kind == "Bodies | None":
+        kind = TYPES_OF_ARGUMENTS[name]
     if default == "None" and "None" not in kind:
         kind += " | None"
     if default.startswith("Creepage(") or default == "inf":

@@ -81,9 +81,10 @@ template <class Solve> auto batch_method(const Solve& solve) {
   return [solve](const RowSolver& self, const EllipticContact& like, const py::object& longitudinal,
                  const py::object& lateral, const py::object& spin, const py::object& a, const py::object& b,
                  const py::object& shear_modulus, const py::object& poisson_ratio, const py::object& normal_force,
-                 const py::object& friction, const py::object& rolling_speed, int threads) {
-    const ContactBatch batch(
-        like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force, friction, rolling_speed});
+                 const py::object& friction, const py::object& rolling_speed, const py::object& dissimilarity,
+                 int threads) {
+    const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
+                                    friction, rolling_speed, dissimilarity});
     return solve(self, batch, thread_count(threads));
   };
 }
@@ -122,7 +123,8 @@ constexpr const char* batch_text =
     "fields that\n"
     "are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], "
     "b [m],\n"
-    "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s]. Results have the "
+    "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. "
+    "Results have the "
     "broadcast\n"
     "shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for "
     "arrays\n"
@@ -132,7 +134,8 @@ void def_batch(py::class_<RowSolver>& solver, const char* name, const auto& meth
   const auto none = py::none();
   solver.def(name, batch_method(method), "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
              py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
-             "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "threads"_a = 0, text.c_str());
+             "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "dissimilarity"_a = none,
+             "threads"_a = 0, text.c_str());
 }
 
 void bind_row_solver(py::module_& module) {

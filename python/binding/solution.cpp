@@ -1,6 +1,12 @@
+#include "binding/codes.hpp"
 #include "binding/contact.hpp"
+#include "binding/interior.hpp"
+#include "binding/value.hpp"
+#include "binding/words.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/contact/quantities.hpp"
+#include "microslip/interior/interior_grid.hpp"
 
 #include <string>
 
@@ -8,6 +14,7 @@ namespace microslip::python {
 namespace {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 Shape shape_of(const Elements& elements) {
   return {elements.my(), elements.mx()};
@@ -32,10 +39,10 @@ struct Fields {
 };
 
 void bind_fields(py::module_& module) {
-  py::class_<Fields> fields(module, "SurfaceFields",
-                            "The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the "
-                            "rows, x within a row; None\n"
-                            "for one that the solution does not have. Zero outside the contact.");
+  py::class_<Fields> surface(module, "SurfaceFields",
+                             "The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the "
+                             "rows, x within a row; None\n"
+                             "for one that the solution does not have. Zero outside the contact.");
   for (const FieldQuantity& field : field_quantities()) {
     const std::string text = capitalised(field.description) + ", shape (my, mx)" +
                              unit_text(field.unit, field.shift_unit) + "; None if the solution does not have it.";
@@ -44,17 +51,22 @@ void bind_fields(py::module_& module) {
       if (found.empty()) return py::none();
       return view(found, shape_of(self.of().elements), self.solution);
     };
-    fields.def_property_readonly(std::string(field.name).c_str(), get, text.c_str());
+    surface.def_property_readonly(std::string(field.name).c_str(), get, text.c_str());
   }
-  fields.def_property_readonly(
+  surface.def_property_readonly(
       "state",
       [](const Fields& self) { return view(self.of().fields.state, shape_of(self.of().elements), self.solution); },
       "Codes of CellState as uint8, shape (my, mx) [-].");
+  surface.def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.")
+      .def("__repr__", [](const Fields& self) {
+        return "SurfaceFields(" + std::to_string(self.of().elements.my()) + " rows of " +
+               std::to_string(self.of().elements.mx()) + " elements)";
+      });
 }
 
 void bind_step(py::module_& module) {
-  py::class_<SolutionStep>(module, "SolutionStep", "One of the steps of transient rolling.")
-      .def_readonly("creepage", &SolutionStep::creepage,
+  py::class_<SolutionStep> step(module, "SolutionStep", "One of the steps of transient rolling.");
+  step.def_readonly("creepage", &SolutionStep::creepage,
                     "As given, or found where a force is prescribed [-], [-], [1/m].")
       .def_property_readonly(
           "forces",
@@ -70,6 +82,46 @@ void bind_step(py::module_& module) {
           "Iterations of Newton's method [-].")
       .def_property_readonly(
           "products", [](const SolutionStep& self) { return self.report.products; }, "Products with the matrix [-].");
+  add_value(step, {"creepage", "forces", "residual", "newton_steps", "products"});
+}
+
+std::string table(const ContactSolution& self) {
+  std::vector<TableRow> rows;
+  for (const Quantity& quantity : quantities())
+    if (quantity.applies(self))
+      rows.push_back({std::string(quantity.symbol.empty() ? quantity.name : quantity.symbol), quantity.value(self),
+                      std::string(quantity.unit_of(self)), std::string(quantity.description)});
+  const std::string reason = self.report.reason.empty() ? "" : ": " + self.report.reason;
+  return html_table("Contact, " + std::string(to_string(self.report.status)) + reason, rows);
+}
+
+/// A field at the centres of a regular grid.
+py::array sampled_field(const ContactSolution& self, const std::string& name, const ElementGrid& grid) {
+  check(grid);
+  const std::vector<double>& field = field_quantity(name).values(self);
+  if (field.empty()) throw Error("field = \"" + name + "\": the solution does not have it");
+  const std::vector<double> values = sampled(self.elements, field, grid);
+  py::array_t<double> out({grid.my, grid.mx});
+  std::copy(values.begin(), values.end(), out.mutable_data());
+  return out;
+}
+
+/// The stresses inside at all combinations of coordinates.
+States states_inside(const ContactSolution& self, const Material& body1, const Material& body2, const py::object& x,
+                     const py::object& y, const py::object& z) {
+  InteriorGrid points;
+  for (const auto& [name, given, axis] :
+       {std::tuple("x", &x, &points.x), std::tuple("y", &y, &points.y), std::tuple("z", &z, &points.z)}) {
+    const auto values = real_array(name, *given);
+    if (values.ndim() > 1) throw Error(std::string(name) + ": must be a number or a list of numbers");
+    for (const double value : span_of(values)) axis->push_back(require_finite(name, value, "m"));
+  }
+  if (points.count() > most_interior_points)
+    throw Error("x, y, z: " + std::to_string(points.count()) + " points: must be at most " +
+                std::to_string(most_interior_points));
+  const auto extent = [](const std::vector<double>& axis) { return static_cast<py::ssize_t>(axis.size()); };
+  const py::gil_scoped_release release;
+  return {{extent(points.z), extent(points.y), extent(points.x)}, interior_states(body1, body2, self, points)};
 }
 
 } // namespace
@@ -93,12 +145,9 @@ void bind_solution(py::module_& module) {
       .def_property_readonly(
           "fields", [](const py::object& self) { return Fields{self}; }, "Tractions, slip and more, as SurfaceFields.")
       .def_property_readonly(
-          "mx", [](const ContactSolution& self) { return self.elements.mx(); }, "Elements of a row [-].")
-      .def_property_readonly(
-          "my", [](const ContactSolution& self) { return self.elements.my(); }, "Rows [-].")
-      .def_property_readonly(
           "grid", [](const ContactSolution& self) { return self.elements.grid; },
-          "The ElementGrid that the elements belong to.")
+          "The ElementGrid that the elements belong to; fields have the shape (grid.my, grid.mx).")
+      .def_readonly("motion", &ContactSolution::motion, "'steady', 'transient' or 'shift'.")
       .def_property_readonly(
           "forces", [](const ContactSolution& self) { return self.forces(); }, "Forces and areas, as ContactForces.")
       .def_readonly("creepage", &ContactSolution::creepage,
@@ -109,7 +158,20 @@ void bind_solution(py::module_& module) {
       .def_property_readonly(
           "reason", [](const ContactSolution& self) { return self.report.reason; },
           "Why the status is not ok; empty if it is.")
-      .def_readonly("history", &ContactSolution::history, "Transient rolling: a list of SolutionStep, in their order.");
+      .def_readonly("history", &ContactSolution::history, "Transient rolling: a list of SolutionStep, in their order.")
+      .def("sampled", &sampled_field, "field"_a, "grid"_a,
+           "A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid, in the "
+           "field's unit [SI]:\n"
+           "the value of the element that a centre lies in, zero where there is none. Error for a field that the "
+           "solution does not have.")
+      .def("interior_states", &states_inside, "body1"_a, "body2"_a, "x"_a, "y"_a, "z"_a,
+           "Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x, y, z [m], "
+           "numbers or lists;\n"
+           "z >= 0 lies in body 1, z < 0 in body 2, whose Material are given. Returns InteriorStates of shape (len(z), "
+           "len(y), len(x)).\n"
+           "Error for a solution without pressures, as those of the simplified theory.")
+      .def("_repr_html_", &table);
+  add_value(solution, {"status", "fx", "fy", "mz", "creepage", "grid"});
 }
 
 } // namespace microslip::python

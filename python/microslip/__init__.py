@@ -15,17 +15,17 @@ def __getattr__(name):
     if name == "plot":
         import importlib
         return importlib.import_module("microslip.plot")
-    if name.startswith("_"):
+    if name.startswith("_") and name != "__version__":
         raise AttributeError(f"module 'microslip' has no attribute '{name}'")
     try:
         from microslip import _core
     except ImportError as error:
         raise AttributeError(f"microslip.{name} needs the compiled module, which is missing: {error}") from error
     names = [public for public in vars(_core) if not public.startswith("_")]
-    globals().update({public: getattr(_core, public) for public in names}, __all__=names)
-    if name not in names:
+    globals().update({public: getattr(_core, public) for public in names}, __all__=names, __version__=_core.__version__)
+    if name not in globals():
         raise AttributeError(f"module 'microslip' has no attribute '{name}'")
-    return getattr(_core, name)
+    return globals()[name]
 
 
 def __dir__():

@@ -3,6 +3,8 @@
 Creep curves for several spins by both theories, convergence with finer grids, stresses inside the bodies.
 """
 
+import copy
+
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
@@ -29,7 +31,7 @@ def case_of(result):
 
 def contact_of(result, case):
     """The case's contact with its creepages, as found where a force is given."""
-    contact = case.contact
+    contact = copy.copy(case.contact)
     if "exact" in result:
         contact.creepage = (result.number("/exact/creepage_longitudinal"), result.number("/exact/creepage_lateral"), contact.creepage.spin)
     return contact
@@ -55,7 +57,7 @@ def creep_curves_picture(result, spins=()):
     simplified = {"exact": "fastsim2"}.get(case.theory, case.theory)
     solvers = {"exact": case.exact_solver(cells=CURVE_GRID), simplified: case.simplified_solver(cells=CURVE_CELLS)}
     forces = {"exact": solvers["exact"].solve_batch(contact, creepages, 0, np.array(spins)[:, None]).forces,
-              simplified: solvers[simplified].solve_batch(contact, creepages, 0, np.array(spins)[:, None])}
+              simplified: solvers[simplified].solve_batch(contact, creepages, 0, np.array(spins)[:, None], dissimilarity=0)}
     figure = new_figure(11, 4.8)
     figure.suptitle(heading("Creep curves, no lateral creepage", result, forces))
     for axes, name, label in zip(figure.subplots(1, 2, sharex=True), ("fx", "fy"), ("$F_x$", "$F_y$")):

@@ -1,8 +1,10 @@
 """Case files: what they say, what they give, the result file that pictures are drawn from, errors with line and key."""
 
 import contextlib
+import copy
 import io
 import math
+import pickle
 import tempfile
 import unittest
 from pathlib import Path
@@ -77,8 +79,28 @@ class CaseFilesTest(unittest.TestCase):
     def test_errors_have_line_and_key(self):
         with self.assertRaisesRegex(microslip.Error, "ball.toml:13: load.normal_forse.*did you mean normal_force"):
             microslip.parse_case(CASE.replace("normal_force", "normal_forse"), "ball.toml")
-        with self.assertRaisesRegex(microslip.Error, "nowhere.toml"):
-            microslip.read_case("nowhere.toml")
+
+    def test_missing_files_and_folders_are_pythons_errors(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for read in (microslip.read_case, microslip.run_contact_input):
+                with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
+                    read(Path(folder) / "nowhere.toml")
+                with self.assertRaisesRegex(IsADirectoryError, Path(folder).name):
+                    read(folder)
+
+    def test_the_contact_of_a_case_is_not_changed_silently(self):
+        case = microslip.parse_case(CASE)
+        for change in ("case.contact.creepage = (0, 0, 1)", "case.contact.creepage.spin = 1.0", "case.contact.friction = 0.1",
+                       "case.contact.a = 1e-3", "case.contact.dissimilarity = 0.1"):
+            with self.subTest(change), self.assertRaisesRegex(microslip.Error, r"belongs to a case.*copy\.copy\(case\.contact\)"):
+                exec(change, {"case": case})
+        for made in (copy.copy(case.contact), copy.deepcopy(case.contact), pickle.loads(pickle.dumps(case.contact))):
+            self.assertIs(type(made), microslip.EllipticContact)
+            self.assertEqual(made, case.contact)
+            made.creepage = (0, 0, 1)
+            made.creepage.lateral = 0.5
+            self.assertEqual(tuple(made.creepage), (0, 0.5, 1))
+        self.assertEqual(tuple(case.contact.creepage), (0.001, 0, 0))
 
 
 load_tests = load_tests_if_compiled([CaseFilesTest])

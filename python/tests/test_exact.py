@@ -6,6 +6,7 @@ import numpy as np
 
 import microslip
 from tests.compiled import contact, load_tests_if_compiled
+from tests.test_case_files import CASE
 
 
 class EllipticContactSolverTest(unittest.TestCase):
@@ -15,7 +16,7 @@ class EllipticContactSolverTest(unittest.TestCase):
     def test_fields_add_up_to_the_forces(self):
         solved = self.solver.solve(contact())
         fields = solved.fields
-        self.assertEqual((fields.px.shape, fields.pressure.shape, fields.ux.shape), ((solved.my, solved.mx),) * 3)
+        self.assertEqual((fields.px.shape, fields.pressure.shape, fields.ux.shape), ((solved.grid.my, solved.grid.mx),) * 3)
         self.assertAlmostEqual((fields.area * fields.px).sum() / solved.forces.fx, 1, places=12)
         self.assertAlmostEqual((fields.area * fields.pressure).sum() / 80e3, 1, places=9)
         self.assertAlmostEqual(solved.frictional_power / solved.power_by_creepage, 1, delta=0.01)
@@ -71,7 +72,7 @@ class EllipticContactSolverTest(unittest.TestCase):
     def test_the_gap_has_the_grid_of_the_solution_whatever_the_options(self):
         falling = microslip.FrictionLaw.exponential(0.2, (0.1, 0.5))
         unlike = microslip.combine(microslip.Material.from_young(70e9, 0.33), microslip.Material.from_young(210e9, 0.28))
-        for options, made in (({}, contact(friction=falling)), ({"material": unlike}, contact()),
+        for options, made in (({}, contact(friction=falling)), ({"bodies": unlike}, contact()),
                               ({"direction": "backward"}, contact()), ({"elements": "bilinear", "discretisation": "classical"}, contact())):
             solver = microslip.EllipticContactSolver(12, 10, **options)
             self.assertEqual(solver.deformed_gap(made).shape, solver.solve(made).fields.x.shape, options)
@@ -92,15 +93,45 @@ class EllipticContactSolverTest(unittest.TestCase):
     def test_a_batch_of_dissimilar_bodies_has_their_constants(self):
         steel, aluminium = (microslip.Material.from_young(*constants) for constants in ((210e9, 0.28), (70e9, 0.33)))
         pair = microslip.combine(steel, aluminium)
-        solver = microslip.EllipticContactSolver(8, 8, material=pair)
+        solver = microslip.EllipticContactSolver(8, 8, bodies=pair)
         like = microslip.EllipticContact(0.006, 0.005, pair.shear_modulus, pair.poisson_ratio, 80e3, 0.3)
         batch = solver.solve_batch(like, [0, 1e-3])
         like.creepage.longitudinal = 1e-3
         self.assertEqual(batch.forces.fx[1], solver.solve(like).forces.fx)
         self.assertNotEqual(batch.forces.fx[0], 0)
         for constants in ({"shear_modulus": 80e9}, {"poisson_ratio": [0.2, 0.3]}):
-            with self.assertRaisesRegex(microslip.Error, "material has its own"):
+            with self.assertRaisesRegex(microslip.Error, "bodies have their own"):
                 solver.solve_batch(like, 1e-3, **constants)
+
+    def test_options_reach_the_case_files(self):
+        # A case with everything that the exact theory takes, and the same solver made by hand.
+        steel = microslip.Material.from_young(210e9, 0.28)
+        heat = ("bulk_temperature = 20.0\nconductivity = 50.0\ndensity = 7850.0\nheat_capacity = 450.0\n")
+        text = CASE.replace("[body2]", heat + "[body2]").replace("[load]", heat + "[load]").replace("grid", 'discretisation = "classical"\ngrid')
+        rubber = text.replace(heat, "creep_ratio = 0.5\ncreep_time = 1e-4\n", 1).replace(heat, "")
+        layer = text.replace(heat, "").replace("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n[load]")
+        effect = text.replace("coefficient = 0.3", "coefficient = 0.3\nthermal_change = -0.2\nthermal_begin = 20.0\nthermal_range = 300.0")
+        body = microslip.ThermalBody(20.0, 50.0, 7850.0, 450.0)
+        pair = microslip.combine(steel, steel)
+        options = {
+            text: {"thermal": (body, body)},
+            effect: {"thermal": (body, body), "temperature_effect": microslip.TemperatureEffect(-0.2, 20.0, 300.0)},
+            rubber: {"bodies": microslip.viscoelastic(steel, microslip.Creep(0.5, 1e-4), steel, microslip.Creep(0.0, 0.0), 2.0)},
+            layer: {"bodies": microslip.Bodies(pair, microslip.InterfaceLayer(1e-14))},
+        }
+        forces = set()
+        for case_text, keywords in options.items():
+            case = microslip.parse_case(case_text)
+            solved = microslip.EllipticContactSolver(8, 8, discretisation="classical", **keywords).solve(case.contact)
+            self.assertIs(solved.status, microslip.Status.ok, solved.reason)
+            self.assertEqual(solved.fx, case.exact_solver().solve(case.contact).fx)
+            self.assertEqual(solved.fields.temperature1 is None, "thermal" not in keywords)
+            forces.add(solved.fx)
+        self.assertEqual(len(forces), 4)
+        with self.assertRaisesRegex(microslip.Error, "temperature_effect: needs thermal bodies"):
+            microslip.EllipticContactSolver(temperature_effect=microslip.TemperatureEffect(-0.2, 20.0, 300.0))
+        with self.assertRaisesRegex(microslip.Error, "conductivity"):
+            microslip.ThermalBody(20.0, -50.0, 7850.0, 450.0)
 
     def test_options_out_of_range(self):
         with self.assertRaisesRegex(microslip.Error, "mx = 0"):
@@ -120,6 +151,12 @@ class AccurateContactSolverTest(unittest.TestCase):
         self.assertGreater(fine.elements, rough.elements)
         self.assertLess(abs(rough.forces.fx - fine.forces.fx) / 24e3, rough.error + fine.error)
         self.assertLess(rough.error, 1e-2)
+
+    def test_bodies_are_those_given(self):
+        pair = microslip.combine(microslip.Material.from_young(70e9, 0.33), microslip.Material.from_young(210e9, 0.28))
+        similar = microslip.AccurateContactSolver(0.05).solve(contact())
+        unlike = microslip.AccurateContactSolver(0.05, bodies=pair).solve(contact())
+        self.assertGreater(abs(unlike.forces.fx - similar.forces.fx), 50)
 
     def test_accuracy_out_of_range(self):
         with self.assertRaisesRegex(microslip.Error, "accuracy"):

@@ -5,7 +5,7 @@ import unittest
 import numpy as np
 
 import microslip
-from tests.compiled import load_tests_if_compiled
+from tests.compiled import contact, load_tests_if_compiled, wheel_on_rail
 
 
 class InteriorTest(unittest.TestCase):
@@ -46,6 +46,38 @@ class InteriorTest(unittest.TestCase):
         np.testing.assert_allclose(states.hydrostatic, principal.mean(axis=1))
         deviator = principal - principal.mean(axis=1, keepdims=True)
         np.testing.assert_allclose(states.von_mises, np.sqrt(1.5 * (deviator**2).sum(axis=1)))
+
+    def test_from_any_solution_in_one_call(self):
+        hertz, pair = wheel_on_rail()
+        steel = microslip.Material.from_young(210e9, 0.28)
+        grid = microslip.ElementGrid.across_ellipse(hertz.a, hertz.b, 24, 24, 4)
+        patch = microslip.PatchRolling(pair, grid, microslip.hertzian_gap(hertz.gap, grid), normal_force=80e3)
+        z = np.array([-3e-3, -1e-3, 1e-3, 3e-3])
+        found = [solution.interior_states(steel, steel, [-1e-3, 0, 1e-3], [0, 1e-3], z).von_mises for solution in (
+            microslip.EllipticContactSolver(24, 24).solve(contact()),
+            microslip.EllipticContactSolver(24, 24, discretisation="classical").solve(contact()),
+            patch.solve(0.3, (0.0018, 0.0006, 0.4)))]
+        self.assertEqual(found[0].shape, (4, 2, 3))
+        for other in found[1:]:
+            np.testing.assert_allclose(other, found[0], rtol=0.03)
+        along = microslip.EllipticContactSolver(24, 24).solve(contact()).interior_states(steel, steel, 0.0, 0.0, 0.0)
+        self.assertAlmostEqual(along.zz.item() / -hertz.peak_pressure, 1, delta=0.02)
+        with self.assertRaisesRegex(microslip.Error, "pressure"):
+            microslip.Fastsim2().fields(contact()).interior_states(steel, steel, 0.0, 0.0, 1e-3)
+        with self.assertRaisesRegex(microslip.Error, "z = "):
+            patch.solve(0.3, (0.001, 0, 0)).interior_states(steel, steel, 0.0, 0.0, np.nan)
+
+    def test_fields_on_any_grid(self):
+        solved = microslip.EllipticContactSolver(20, 20).solve(contact())
+        grid = microslip.ElementGrid(40, 30, -8e-3, -8e-3, 4e-4, 5e-4)
+        px = solved.sampled("px", grid)
+        self.assertEqual(px.shape, (30, 40))
+        self.assertAlmostEqual(px.sum() * grid.dx * grid.dy / solved.fx, 1, delta=0.03)
+        np.testing.assert_allclose(solved.sampled("px", solved.grid)[10, 5:10], solved.fields.px[10, 5:10])
+        with self.assertRaisesRegex(microslip.Error, "px"):
+            solved.sampled("pz", grid)
+        with self.assertRaisesRegex(microslip.Error, "temperature1.*does not have it"):
+            solved.sampled("temperature1", grid)
 
     def test_shapes_and_ranges_are_checked(self):
         with self.assertRaisesRegex(microslip.Error, r"pn has shape \(3,\): must be \(24, 24\)"):

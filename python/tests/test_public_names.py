@@ -99,6 +99,7 @@ class PublicNamesTest(unittest.TestCase):
 
     def test_the_build_is_known(self):
         self.assertEqual(sorted(microslip.build_info()), ["build_type", "commit", "compiler", "version"])
+        self.assertEqual(microslip.__version__, microslip.build_info()["version"])
 
 
 load_tests = load_tests_if_compiled([PublicNamesTest])

@@ -55,7 +55,7 @@ class SolverTest(unittest.TestCase):
     def test_fields_add_up_to_the_forces(self):
         solved = microslip.Fastsim2(12, 9).fields(contact())
         fields = solved.fields
-        self.assertEqual((fields.px.shape, solved.mx, solved.my), ((9, 12), 12, 9))
+        self.assertEqual((fields.px.shape, solved.grid.mx, solved.grid.my), ((9, 12), 12, 9))
         for p, force in ((fields.px, solved.fx), (fields.py, solved.fy)):
             self.assertAlmostEqual((fields.area * p).sum() / force, 1, places=12)
         self.assertTrue(np.all(np.hypot(fields.px, fields.py) <= fields.bound * (1 + 1e-12)))
