@@ -45,7 +45,8 @@ void bind_materials(py::module_& module) {
       .def_property_readonly("contact_modulus", &CombinedMaterial::contact_modulus, "E* = G/(1 - nu) [Pa].");
   add_value(combined, {"shear_modulus", "poisson_ratio", "dissimilarity"});
 
-  module.def("combine", py::overload_cast<const Material&, const Material&>(&combine), "body1"_a, "body2"_a,
+  module.def("combine", static_cast<CombinedMaterial (*)(const Material&, const Material&)>(&microslip::combine),
+             "body1"_a, "body2"_a,
              "Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa],\n"
              "K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or "
              "Poisson's ratio\n"

@@ -40,7 +40,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__name__") = "microslip"; // where users see its classes
   bind_error(module);
   bind_build(module);
-  module.attr("__version__") = std::string(build_info().version);
+  module.attr("__version__") = std::string(microslip::build_info().version);
   bind_elasticity(module);
   bind_friction(module);
   bind_contact(module);

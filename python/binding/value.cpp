@@ -58,7 +58,7 @@ void read_state(const py::handle& state, const std::string& name, FrictionLaw& l
 py::dict to_dict(const py::object& self) {
   py::dict out;
   const py::object property = py::module_::import("builtins").attr("property");
-  const py::list classes(py::reversed(py::type::of(self).attr("__mro__")));
+  const py::list classes(py::module_::import("builtins").attr("reversed")(py::type::of(self).attr("__mro__")));
   for (const auto& cls : classes) {
     const py::object members = cls.attr("__dict__").attr("items")();
     for (const auto& item : members) {
