@@ -121,8 +121,9 @@ template <class T> py::class_<ReadOnly<T>, T> bind_read_only(py::module_& module
           })
       .def("__copy__", [](const ReadOnly<T>& self) { return T(self); })
       .def("__deepcopy__", [](const ReadOnly<T>& self, const py::dict&) { return T(self); })
-      .def("__reduce_ex__",
-           [](const ReadOnly<T>& self, int protocol) { return py::cast(T(self)).attr("__reduce_ex__")(protocol); });
+      .def("__reduce_ex__", [](const ReadOnly<T>& self, int) {
+        return py::make_tuple(py::module_::import("copy").attr("copy"), py::make_tuple(T(self)));
+      });
   return cls;
 }
 

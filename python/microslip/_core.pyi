@@ -31,15 +31,38 @@ class AccurateContact:
     @property
     def products(self) -> int:
         """Products on all grids [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class AccurateContactSolver:
     """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and 32, ... elements across,
     extrapolated, until the limit's error is estimated below it."""
-    def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06) -> None:
-        """accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative residual [-]."""
+    def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
+        """accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative residual [-].
+        bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or 'alternating';
+        None: elastic ones with the contact's G, nu and K. Friction that falls with the slip (classical) follows it over memory_distance
+        [m] or at least with memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. thermal: two
+        ThermalBody, whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these add to the friction.
+        Those that are solved classically take far more elements for the same accuracy."""
     def solve(self, contact: EllipticContact, *, force_x: float | None = None, force_y: float | None = None) -> AccurateContact:
         """Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns AccurateContact; its status is
         not_converged if not even 512 x 512 elements are good enough."""
+
+class Bodies:
+    """Two bodies in contact, as the exact theory needs them: elastic ones, or those that viscoelastic() makes."""
+    def __init__(self, material: CombinedMaterial, layer: InterfaceLayer | None = None) -> None:
+        """Elastic bodies from their CombinedMaterial, with an InterfaceLayer between them or none [-]."""
+    @property
+    def material(self) -> CombinedMaterial:
+        """Of what deforms at once, as CombinedMaterial."""
+    @property
+    def layer(self) -> InterfaceLayer:
+        """The InterfaceLayer; its flexibility is 0 without one."""
+    @property
+    def are_elastic(self) -> bool:
+        """Whether no part of the deformation comes late."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class Body:
     """One of the two bodies of a case file."""
@@ -52,6 +75,23 @@ class Body:
     @property
     def material(self) -> Material:
         """Its Material."""
+    @property
+    def creep(self) -> Creep:
+        """Its Creep; the ratio is 0 for an elastic body."""
+    @property
+    def thermal(self) -> ThermalBody | None:
+        """Its ThermalBody, or None."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class CaseContact(EllipticContact):
+    """The EllipticContact of a case, to be read, not changed; copy.copy() gives one that can be changed."""
+    @property
+    def creepage(self) -> CaseCreepage:
+        """Creepages [-], [-] and spin [1/m]."""
+
+class CaseCreepage(Creepage):
+    """The Creepage of a case, to be read, not changed."""
 
 class CellState(enum.IntEnum):
     """What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays of codes compare with it."""
@@ -75,6 +115,8 @@ class CombinedMaterial:
     @property
     def contact_modulus(self) -> float:
         """E* = G/(1 - nu) [Pa]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ContactCase:
     """A case of a CONTACT input file and what became of it."""
@@ -108,6 +150,8 @@ class ContactCase:
     @property
     def tangential(self) -> TangentialSolution | None:
         """The TangentialSolution, SI units; None unless solved."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [CONTACT's units and SI units] as a dict; arrays are copies."""
 
 class ContactDerivatives:
     """Totals and their derivatives."""
@@ -118,6 +162,8 @@ class ContactDerivatives:
     def jacobian(self) -> NDArray[numpy.float64]:
         """Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-], phi [1/m] and Fn [N], shape (3, 4); that to Fn keeps the
         ellipse as it is."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ContactForces:
     """Totals, acting on body 1, the wheel. Positive creepage gives negative force."""
@@ -139,6 +185,8 @@ class ContactForces:
     @property
     def status(self) -> Status:
         """How the calculation ended, a Status [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ContactRun:
     """The cases of a CONTACT input file, solved one after the other as they are iterated over."""
@@ -157,8 +205,8 @@ class ContactSolution:
     def mz(self) -> object:
         """Spin moment on body 1, about the normal [N m]; None if the solution does not have it."""
     @property
-    def my(self) -> int:
-        """Rows [-]."""
+    def my(self) -> object:
+        """Moment of the pressure about y on body 1: rolling resistance [N m]; None if the solution does not have it."""
     @property
     def creepage_longitudinal(self) -> object:
         """Longitudinal creepage: as given, or as found where the force is prescribed [-], of a shift [m]; None if the solution does not have it."""
@@ -205,6 +253,9 @@ class ContactSolution:
     def products(self) -> object:
         """Products with the matrix of influence coefficients [-]; None if the solution does not have it."""
     @property
+    def estimated_error(self) -> object:
+        """Estimated error of forces in mu Fn, of the moment in mu Fn sqrt(a b) [-]; None if the solution does not have it."""
+    @property
     def friction_iterations(self) -> object:
         """Iterations between friction and slip [-]; None if the solution does not have it."""
     @property
@@ -214,11 +265,11 @@ class ContactSolution:
     def fields(self) -> SurfaceFields:
         """Tractions, slip and more, as SurfaceFields."""
     @property
-    def mx(self) -> int:
-        """Elements of a row [-]."""
-    @property
     def grid(self) -> ElementGrid:
-        """The ElementGrid that the elements belong to."""
+        """The ElementGrid that the elements belong to; fields have the shape (grid.my, grid.mx)."""
+    @property
+    def motion(self) -> str:
+        """'steady', 'transient' or 'shift'."""
     @property
     def forces(self) -> ContactForces:
         """Forces and areas, as ContactForces."""
@@ -234,6 +285,15 @@ class ContactSolution:
     @property
     def history(self) -> list[SolutionStep]:
         """Transient rolling: a list of SolutionStep, in their order."""
+    def sampled(self, field: str, grid: ElementGrid) -> NDArray[numpy.float64]:
+        """A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid, in the field's unit [SI]:
+        the value of the element that a centre lies in, zero where there is none. Error for a field that the solution does not have."""
+    def interior_states(self, body1: Material, body2: Material, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> InteriorStates:
+        """Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x, y, z [m], numbers or lists;
+        z >= 0 lies in body 1, z < 0 in body 2, whose Material are given. Returns InteriorStates of shape (len(z), len(y), len(x)).
+        Error for a solution without pressures, as those of the simplified theory."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ContactTotals:
     """The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1."""
@@ -288,6 +348,21 @@ class ContactTotals:
     @property
     def slip(self) -> int:
         """NSLIP, elements in slip [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class Creep:
+    """A standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau))."""
+    def __init__(self, ratio: float, time: float) -> None:
+        """From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0."""
+    @property
+    def ratio(self) -> float:
+        """f [-]."""
+    @property
+    def time(self) -> float:
+        """tau [s]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class CreepCurve:
     """Forces along one creepage while the other two are held."""
@@ -309,6 +384,8 @@ class CreepCurve:
     @property
     def mz(self) -> NDArray[numpy.float64]:
         """Shape (n) [N m]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class Creepage:
     """Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x)."""
@@ -330,6 +407,8 @@ class Creepage:
     @spin.setter
     def spin(self, value: float) -> None: ...
     def __iter__(self) -> Iterator[float]: ...
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class CreepageCoefficients:
     """Kalker's creepage coefficients: for vanishing creepages, with c = sqrt(a b), Fx = -G c^2 C11 xi,
@@ -346,6 +425,8 @@ class CreepageCoefficients:
     @property
     def c33(self) -> float:
         """C33 [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class DerivativeArrays:
     """Forces of many contacts and their derivatives."""
@@ -376,6 +457,12 @@ class ElementGrid:
     def my(self) -> int:
         """Rows [-]."""
     @property
+    def x0(self) -> float:
+        """Centre of the first element [m]."""
+    @property
+    def y0(self) -> float:
+        """Centre of the first element [m]."""
+    @property
     def dx(self) -> float:
         """Length of an element [m]."""
     @property
@@ -390,13 +477,19 @@ class ElementGrid:
     @property
     def y(self) -> NDArray[numpy.float64]:
         """Centres of the rows, shape (my) [m]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class EllipticContact:
     """A Hertzian ellipse with material, load, friction and creepages: what the solvers of either theory take. Fields may be
     changed between calls; solvers check them, and what is out of range gives Status.invalid_input and NaN."""
-    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> None:
+    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0, dissimilarity: float = 0.0) -> None:
         """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], the normal
-        force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), and the speed V [m/s]."""
+        force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), the speed V [m/s]
+        and the combined K [-] of bodies of different materials."""
+    @staticmethod
+    def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> EllipticContact:
+        """From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as above."""
     @property
     def a(self) -> float:
         """Semi-axis along the rolling direction [m], > 0."""
@@ -437,18 +530,28 @@ class EllipticContact:
         """V [m/s], > 0; matters for falling friction and for the frictional power."""
     @rolling_speed.setter
     def rolling_speed(self, value: float) -> None: ...
+    @property
+    def dissimilarity(self) -> float:
+        """Combined K [-], in [-0.5, 0.5], which couples pressure and tractions of bodies of different materials; the
+        simplified theory refuses it."""
+    @dissimilarity.setter
+    def dissimilarity(self, value: float) -> None: ...
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class EllipticContactSolver:
     """Hertzian contacts by the exact theory of half-spaces: normal and
     tangential problem on mx x my elements across the ellipse. Influence coefficients are kept for the next contact with the
     same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them."""
-    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, elements: Literal["constant", "bilinear"] = 'constant', material: CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below') -> None:
+    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, elements: Literal["constant", "bilinear"] = 'constant', bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
         """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or 'classical'
         (Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or 'backward'; tolerance of
-        the relative residual [-]. elements 'constant' or, classical, 'bilinear'. material: CombinedMaterial of bodies of different
-        materials (classical; coupling 'newton' or 'alternating'); None: similar ones, with the contact's G and nu. Friction that falls
-        with the slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of several solutions
-        slip_start picks that from 'below' or 'above'. Error if an option is out of range or the grid needs more memory than the machine has."""
+        the relative residual [-]. elements 'constant' or, classical, 'bilinear'.
+        bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or 'alternating';
+        None: elastic ones with the contact's G, nu and K. Friction that falls with the slip (classical) follows it over memory_distance
+        [m] or at least with memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. thermal: two
+        ThermalBody, whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these add to the friction.
+        Error if an option is out of range or the grid needs more memory than the machine has."""
     def solve(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, steps: int = 1) -> ContactSolution:
         """Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m] (0: the elements' length)
         from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on body 1 take the
@@ -459,10 +562,10 @@ class EllipticContactSolver:
         ExactDerivatives, by the implicit function theorem, right to 1e-5 away from kinks."""
     def deformed_gap(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady') -> NDArray[numpy.float64]:
         """Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in contact."""
-    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> ExactForceArrays:
+    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ExactForceArrays:
         """Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads as given. Arguments as
         in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], poisson_ratio [-],
-        normal_force [N], friction [-], rolling_speed [m/s], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the
         call. Returns ExactForceArrays; no contact stops the others."""
 
 class Error(ValueError):
@@ -479,6 +582,8 @@ class ExactDerivatives:
     @property
     def products(self) -> int:
         """Products that the derivatives took [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ExactForceArrays:
     """Forces of many contacts by the exact theory."""
@@ -509,6 +614,8 @@ class ExactResult:
     @property
     def curve(self) -> CreepCurve | None:
         """The CreepCurve through the case, None if it is not steady rolling."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class Fastsim(RowSolver):
     """FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length."""
@@ -584,6 +691,8 @@ class FrictionLaw:
         """Both terms as (drop [-], half_velocity [m/s])."""
     def coefficient(self, slip_velocity: ArrayLike) -> Any:
         """mu(v) [-] for v >= 0 [m/s], a number or an array, shape (...)."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class GapCurvatures:
     """Shape of the gap between two bodies in first contact: h(x, y) = A x^2 + B y^2."""
@@ -595,6 +704,8 @@ class GapCurvatures:
     @property
     def y(self) -> float:
         """B [1/m], lateral."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class GridError:
     """How far totals are from those on another grid."""
@@ -607,6 +718,8 @@ class GridError:
     @property
     def mz(self) -> float:
         """In units of mu Fn sqrt(a b) [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class HertzContact:
     """A Hertzian contact: what follows from shape, material and load."""
@@ -634,6 +747,26 @@ class HertzContact:
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Any:
         """p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or arrays that
         broadcast, shape (...)."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class InterfaceLayer:
+    """A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G; beyond the yield stress
+    tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms plastically."""
+    def __init__(self, flexibility: float, yield_stress: float = ..., hardening: float = 0.0) -> None:
+        """From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it gets softer. Error
+        for numbers out of range."""
+    @property
+    def flexibility(self) -> float:
+        """h/G [m/Pa]."""
+    @property
+    def yield_stress(self) -> float:
+        """tau_c0 [Pa]."""
+    @property
+    def hardening(self) -> float:
+        """k [Pa/m]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class InteriorField:
     """Displacements and stresses in a body from the tractions on its surface, as sums over the elements of a grid. Elastic
@@ -676,6 +809,8 @@ class InteriorPeak:
     @property
     def depth(self) -> float:
         """Below the surface [m]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class InteriorStates:
     """Displacements and stresses at points of a body: arrays with the points' shape (...)."""
@@ -718,6 +853,8 @@ class InteriorStates:
     @property
     def principal(self) -> NDArray[numpy.float64]:
         """sigma1 >= sigma2 >= sigma3, shape (..., 3) [Pa]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class LineContact:
     """Two cylinders with parallel axes, per unit length."""
@@ -735,6 +872,8 @@ class LineContact:
         """A = 1/(2R) of the gap h = A x^2 [1/m]."""
     def pressure(self, x: ArrayLike) -> Any:
         """p_n(x) = p0 sqrt(1 - (x/a)^2), 0 outside [Pa]; x [m] is a number or an array, shape (...)."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class Material:
     """A linearly elastic, isotropic body."""
@@ -751,10 +890,12 @@ class Material:
     @property
     def poisson_ratio(self) -> float:
         """Poisson's ratio nu [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class NormalProblem:
     """The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e = h - delta + u_n >= 0,
-    p_n e = 0, by conjugate gradients. Elastically similar bodies."""
+    p_n e = 0, by conjugate gradients, without friction: any K."""
     def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
         """Error for a grid that needs more memory than the machine has; some 190 bytes for an element."""
     def solve(self, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, tolerance: float = 1e-08) -> NormalSolution:
@@ -799,6 +940,8 @@ class NormalSolution:
     @property
     def status(self) -> Status:
         """How the calculation ended, a Status [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class PatchRolling:
     """Steady rolling of elastically similar bodies of any shape at second order: the normal problem on a regular grid, elements
@@ -835,8 +978,9 @@ class RollingCase:
     def hertz(self) -> HertzContact:
         """The HertzContact."""
     @property
-    def contact(self) -> EllipticContact:
-        """The EllipticContact for the solvers of either theory."""
+    def contact(self) -> CaseContact:
+        """The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be read, not changed:
+        copy.copy(case.contact) gives one that can be."""
     @property
     def text(self) -> str:
         """The text of the file."""
@@ -848,6 +992,8 @@ class RollingCase:
     def simplified_solver(self, *, cells: int | None = None) -> RowSolver:
         """The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with `cells` in each
         direction. Error for FaStrip, which has no such solver in Python."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict."""
 
 class RollingContactResult:
     """All that `microslip solve` computes of a case."""
@@ -875,6 +1021,8 @@ class RollingContactResult:
         in mm or a modulus in MPa."""
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot be written."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class RowSolver:
     """What Fastsim and Fastsim2 have in common: all memory is taken when one is made, then it is used again and again."""
@@ -905,16 +1053,16 @@ class RowSolver:
     @property
     def my(self) -> int:
         """Rows [-]."""
-    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
+    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
         """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; fields that
         are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], b [m],
-        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s]. Results have the broadcast
+        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the broadcast
         shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays
         that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns ForceArrays."""
-    def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
+    def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
         """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; fields that
         are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], b [m],
-        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s]. Results have the broadcast
+        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the broadcast
         shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays
         that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
@@ -932,6 +1080,8 @@ class SimplifiedResult:
     @property
     def curve(self) -> CreepCurve:
         """The CreepCurve through the case."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class SolutionStep:
     """One of the steps of transient rolling."""
@@ -950,6 +1100,8 @@ class SolutionStep:
     @property
     def products(self) -> int:
         """Products with the matrix [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class Status(enum.IntEnum):
     """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are NaN; not_converged, the
@@ -1015,12 +1167,15 @@ class SurfaceFields:
     @property
     def state(self) -> NDArray[numpy.uint8]:
         """Codes of CellState as uint8, shape (my, mx) [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class TangentialProblem:
     """The tangential contact problem of the exact theory on a grid of elements with constant tractions, classical
     discretisation, elastically similar bodies: shifts, steps of transient rolling, steady rolling."""
     def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
-        """Error for a grid that needs more memory than the machine has; some 5,900 bytes for an element at most."""
+        """Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some 5,900 bytes for an element
+        at most."""
     def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
         """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact; creepages [-], [-], [1/m], for
         a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in the place of the creepage in that direction; step dq [m], 0 the
@@ -1075,6 +1230,45 @@ class TangentialSolution:
     @property
     def products(self) -> int:
         """Products with the matrix [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class TemperatureEffect:
+    """What the temperature T of the surfaces adds to a friction coefficient: change min(1, max(0, (T - begin)/range))."""
+    def __init__(self, change: float, begin: float, range: float) -> None:
+        """From the whole change [-], the temperature [deg C] up to which there is none, and the range [K] > 0 over which it grows.
+        Error for numbers out of range."""
+    @property
+    def change(self) -> float:
+        """The whole change [-]."""
+    @property
+    def begin(self) -> float:
+        """Up to this temperature there is none [deg C]."""
+    @property
+    def range(self) -> float:
+        """Over which it grows [K]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class ThermalBody:
+    """What a body is for heat."""
+    def __init__(self, bulk_temperature: float, conductivity: float, density: float, heat_capacity: float) -> None:
+        """From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3] and c [J/(kg K)], all three
+        > 0. Error for numbers out of range."""
+    @property
+    def bulk_temperature(self) -> float:
+        """Where it enters the contact [deg C]."""
+    @property
+    def conductivity(self) -> float:
+        """lambda [W/(m K)]."""
+    @property
+    def density(self) -> float:
+        """rho [kg/m^3]."""
+    @property
+    def heat_capacity(self) -> float:
+        """c [J/(kg K)]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 def build_info() -> dict[str, str]:
     """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
@@ -1133,3 +1327,8 @@ def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, 
     """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside the ellipse. 'parabolic':
     mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3 Fn/(2 pi a b) times the root of the same. Both integrate to
     mu Fn. x, y [m] are numbers or arrays that broadcast, shape (...)."""
+
+def viscoelastic(body1: Material, creep1: Creep, body2: Material, creep2: Creep, rolling_velocity: float, layer: InterfaceLayer | None = None) -> Bodies:
+    """Two standard linear solids that roll steadily, as Bodies: their Material, of quick loads, and Creep, the velocity V [m/s],
+    positive along +x, negative with direction 'backward', and an InterfaceLayer between them or none. Error for constants out
+    of range."""

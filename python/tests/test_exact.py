@@ -124,11 +124,11 @@ class EllipticContactSolverTest(unittest.TestCase):
             case = microslip.parse_case(case_text)
             solved = microslip.EllipticContactSolver(8, 8, discretisation="classical", **keywords).solve(case.contact)
             self.assertIs(solved.status, microslip.Status.ok, solved.reason)
-            self.assertEqual(solved.fx, case.exact_solver().solve(case.contact).fx)
+            self.assertAlmostEqual(solved.fx / case.exact_solver().solve(case.contact).fx, 1, places=10)
             self.assertEqual(solved.fields.temperature1 is None, "thermal" not in keywords)
             forces.add(solved.fx)
         self.assertEqual(len(forces), 4)
-        with self.assertRaisesRegex(microslip.Error, "temperature_effect: needs thermal bodies"):
+        with self.assertRaisesRegex(microslip.Error, "friction.thermal_change: needs the thermal data of both bodies"):
             microslip.EllipticContactSolver(temperature_effect=microslip.TemperatureEffect(-0.2, 20.0, 300.0))
         with self.assertRaisesRegex(microslip.Error, "conductivity"):
             microslip.ThermalBody(20.0, -50.0, 7850.0, 450.0)

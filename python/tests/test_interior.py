@@ -69,9 +69,9 @@ class InteriorTest(unittest.TestCase):
 
     def test_fields_on_any_grid(self):
         solved = microslip.EllipticContactSolver(20, 20).solve(contact())
-        grid = microslip.ElementGrid(40, 30, -8e-3, -8e-3, 4e-4, 5e-4)
+        grid = microslip.ElementGrid(160, 120, -8e-3, -7.5e-3, 1e-4, 1.25e-4)
         px = solved.sampled("px", grid)
-        self.assertEqual(px.shape, (30, 40))
+        self.assertEqual(px.shape, (120, 160))
         self.assertAlmostEqual(px.sum() * grid.dx * grid.dy / solved.fx, 1, delta=0.03)
         np.testing.assert_allclose(solved.sampled("px", solved.grid)[10, 5:10], solved.fields.px[10, 5:10])
         with self.assertRaisesRegex(microslip.Error, "px"):

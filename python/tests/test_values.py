@@ -124,7 +124,7 @@ class ValuesTest(unittest.TestCase):
         hertz, _ = wheel_on_rail()
         self.assertIn(f"{hertz.peak_pressure:.6g}", hertz._repr_html_())
         failed = microslip.EllipticContactSolver(6, 6).solve(microslip.EllipticContact(-1, 1, 1e9, 0.3, 1, 0.3))
-        self.assertIn("a = -1 [m]: must be &gt; 0", failed._repr_html_())
+        self.assertIn("a = -1 [m]: must be positive and finite", failed._repr_html_())
 
 
 class DissimilarityTest(unittest.TestCase):
