@@ -86,9 +86,10 @@ pressure = 1e-6 * rolling.normal.pressure
 x, y = 1e3 * grid.x, 1e3 * grid.y
 shown = left.pcolormesh(x, y, np.where(pressure > 0, pressure, np.nan), cmap="viridis", shading="nearest")
 figure.colorbar(shown, ax=left, label="pressure [MPa]")
-inside = np.asarray(patch.bound) > 0
-share = np.hypot(patch.px, patch.py)[inside] / np.asarray(patch.bound)[inside]
-shown = right.scatter(1e3 * np.asarray(patch.x)[inside], 1e3 * np.asarray(patch.y)[inside], c=share,
+fields = patch.fields
+inside = fields.bound > 0
+share = np.hypot(fields.px, fields.py)[inside] / fields.bound[inside]
+shown = right.scatter(1e3 * fields.x[inside], 1e3 * fields.y[inside], c=share,
                       s=9, marker="s", cmap="cividis", vmin=0, vmax=1)
 figure.colorbar(shown, ax=right, label="traction / bound: 1 is slip")
 for axes in (left, right):
