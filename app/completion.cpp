@@ -272,6 +272,7 @@ constexpr std::array<Shell, 3> shells = {{{"bash", bash_script}, {"zsh", zsh_scr
 
 void print_completion(const CLI::App& program, const std::string& word) {
   std::vector<std::string_view> names;
+  names.reserve(shells.size());
   for (const auto& shell : shells) names.push_back(shell.name);
   require_word("SHELL", word, names);
   const auto shell = std::find_if(shells.begin(), shells.end(), [&](const Shell& s) { return s.name == word; });

@@ -10,6 +10,7 @@ as well. Each has a seed of its own: `--seed S --call I` makes call I again and 
 import argparse
 import math
 import random
+import signal
 import subprocess
 import sys
 import tempfile
@@ -275,18 +276,34 @@ def look_at(result):
         assert array.dtype.kind in "iub" or np.all(np.isfinite(array)), f"{name} is not finite"
 
 
+LONGEST = 2.0  # s that a call may take; what does not converge is ended as by Ctrl-C
+
+
+class TooLong(Exception):
+    """A call that is ended."""
+
+
+def end_call(*_):
+    raise TooLong
+
+
 def run(seed, calls, said):
     """Makes calls; `said` tells before each one which it is, in case that it never comes back."""
+    signal.signal(signal.SIGALRM, end_call)
     for i in calls:
         draw = Draw(f"{seed}/{i}")
         call = draw.choice(CALLS)
         said.write_text(f"call {i}, {call.__name__}")
+        signal.setitimer(signal.ITIMER_REAL, LONGEST)
         try:
             result = call(draw)
+            signal.setitimer(signal.ITIMER_REAL, 0)
             if not draw.out_of_range:
                 look_at(result)
-        except (microslip.Error, TypeError):
+        except (microslip.Error, TypeError, TooLong):
             pass
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def main():
