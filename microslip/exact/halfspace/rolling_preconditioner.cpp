@@ -86,7 +86,7 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   /// (1 - zero z)/(1 - pole z) for the waves `begin` to `end`, where z takes what is in column i - step.
   void filter(int begin, int end, int first, int step) {
     const Real *zeros = &filters.zero[2 * begin], *poles = &filters.pole[2 * begin];
-    std::array<Real, std::size_t{2} * block> before = {}; // what came into the last column
+    std::array<Real, static_cast<std::size_t>(2 * block)> before = {}; // what came into the last column
     for (int i = first; i >= 0 && i < mx; i += step) {
       Real* now = column(i, begin);
       const Real* last = i == first ? before.data() : column(i - step, begin);
