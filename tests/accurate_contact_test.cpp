@@ -70,6 +70,10 @@ TEST(AccurateContact, RefusesWhatItCannotDo) {
   AccurateContactSolver solver(0.01);
   EXPECT_THROW(solver.solve(test_case(1), {.kind = ContactMotion::shift}), Error);
   EXPECT_THROW(solver.solve(test_case(1), {.step = 1e-3}), Error);
+  EllipticContact unlike = test_case(1), falling = test_case(1); // classical, and so of first order
+  unlike.dissimilarity = 0.2;
+  falling.friction = FrictionLaw::polach(0.3, 0.5, 1);
+  for (const EllipticContact& contact : {unlike, falling}) EXPECT_THROW(solver.solve(contact), Error);
   EllipticContact bad = test_case(1);
   bad.a = -1;
   EXPECT_EQ(solver.solve(bad).forces.status, Status::invalid_input);

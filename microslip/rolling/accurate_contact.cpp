@@ -1,6 +1,7 @@
 #include "microslip/rolling/accurate_contact.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/rolling/method.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 
 #include <algorithm>
@@ -63,8 +64,7 @@ ContactSolution AccurateContactSolver::solve_on(int elements, const EllipticCont
 
 AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
                                              const Progress& progress) {
-  if (motion.kind != ContactMotion::steady || motion.step != 0)
-    throw Error("motion: must be steady rolling without a step of its own to be extrapolated");
+  require_compatible(options_, contact, motion, accuracy_);
   AccurateContact out;
   out.forces = {nan, nan, nan, nan, nan, Status::not_converged};
   double done = 0;

@@ -35,7 +35,8 @@ public:
 
   /// Steady rolling with creepages or forces given. If not even the finest grid of 512 x 512 elements is good enough
   /// the status is not_converged and the result is the one from there. `progress` may end the work: with the same
-  /// status and the result from the grids before, NaN if there are none.
+  /// status and the result from the grids before, NaN if there are none. Throws Error for what is solved classically,
+  /// whose errors are of first order.
   AccurateContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
 private:

@@ -153,14 +153,18 @@ void require_compatible(const ExactOptions& options) {
   require_compatible(problem_of(options), method_of(options));
 }
 
-void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion) {
+void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion,
+                        std::optional<double> accuracy) {
   RollingProblem problem = problem_of(options);
+  if (!options.bodies) problem.bodies.material.dissimilarity = contact.dissimilarity;
   problem.friction.law = contact.friction;
   problem.motion.kind = motion.kind;
   problem.motion.force_x = motion.force_x;
   problem.motion.force_y = motion.force_y;
   problem.motion.step = motion.step;
-  require_compatible(problem, method_of(options));
+  Method method = method_of(options);
+  method.accuracy = accuracy;
+  require_compatible(problem, method);
 }
 
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction) {

@@ -48,7 +48,8 @@ void require_compatible(const RollingProblem& problem, const Method& method);
 
 /// The same for what EllipticContactSolver is given: options alone, or with a contact and its motion.
 void require_compatible(const ExactOptions& options);
-void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion);
+void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion,
+                        std::optional<double> accuracy = {});
 
 /// Whether the exact theory needs its classical discretisation: for shifts and transient rolling, dissimilar or
 /// viscoelastic bodies, layers, friction that depends on slip, temperatures.
