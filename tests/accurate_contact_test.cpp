@@ -74,6 +74,7 @@ TEST(AccurateContact, RefusesWhatItCannotDo) {
   unlike.dissimilarity = 0.2;
   falling.friction = FrictionLaw::polach(0.3, 0.5, 1);
   for (const EllipticContact& contact : {unlike, falling}) EXPECT_THROW(solver.solve(contact), Error);
+  EXPECT_THROW(AccurateContactSolver(0.01, {.discretisation = Discretisation::classical}).solve(test_case(1)), Error);
   EllipticContact bad = test_case(1);
   bad.a = -1;
   EXPECT_EQ(solver.solve(bad).forces.status, Status::invalid_input);

@@ -51,7 +51,6 @@ double limit_of_second_order(double coarse, double fine) {
 
 AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions& options)
     : accuracy_(require_between("accuracy", accuracy, "-", 1e-5, 0.1)), options_(options) {
-  options_.discretisation = Discretisation::second_order;
   options_.tolerance = std::min(options_.tolerance, accuracy / 100);
 }
 
