@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -276,6 +277,44 @@ TEST(EllipticContact, InputOutOfRangeIsAStatus) {
     }
     EXPECT_EQ(solver.solve(mixed()).report.status, Status::ok);
   }
+}
+
+/// Of a K that rounding of the constants makes, the solution is that of similar bodies, at second order.
+TEST(EllipticContact, RoundingOfTheDissimilarityDoesNotCouple) {
+  EllipticContact rounded = mixed();
+  rounded.dissimilarity = 1e-9;
+  expect_same(solve(options(8), rounded), solve(options(8), mixed()));
+  EXPECT_EQ(EllipticContactSolver(options(8)).differentiate(rounded).solution.report.status, Status::ok);
+}
+
+/// Bodies of the options and K of the contact must not contradict each other.
+TEST(EllipticContact, RefusesAnotherDissimilarityThanThatOfTheBodies) {
+  EllipticContact contact = mixed();
+  ExactOptions with_bodies = options(6);
+  with_bodies.bodies = CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0.125};
+  EllipticContactSolver solver(with_bodies);
+  const ContactSolution of_bodies = solver.solve(contact);
+  EXPECT_EQ(of_bodies.report.status, Status::ok);
+  contact.dissimilarity = 0.125;
+  expect_same(solver.solve(contact), of_bodies);
+  expect_same(solve(options(6), contact), of_bodies);
+  const std::string wanted = "dissimilarity = 0.25 [-]: must be that of the solver's bodies, 0.125000, or 0";
+  contact.dissimilarity = 0.25;
+  EXPECT_EQ(solver.solve(contact).report.status, Status::invalid_input);
+  EXPECT_EQ(solver.solve(contact).report.reason, wanted);
+  EXPECT_EQ(solver.differentiate(contact).solution.report.reason, wanted);
+  EXPECT_THROW(solver.deformed_gap(contact), Error);
+  with_bodies.bodies = CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0};
+  EXPECT_EQ(solve(with_bodies, contact).report.status, Status::invalid_input);
+}
+
+/// The gap is that of a solution, so it is refused where the solution is.
+TEST(EllipticContact, DeformedGapIsRefusedAsTheSolutionIs) {
+  ExactOptions viscoelastic_bodies = options(6, Discretisation::classical);
+  viscoelastic_bodies.bodies = viscoelastic({1e6, 0.5}, {1, 0.01}, {1e6, 0.5}, {1, 0.01}, 1);
+  EllipticContactSolver solver(viscoelastic_bodies);
+  EXPECT_EQ(solver.solve(mixed(), {.kind = ContactMotion::transient}).report.status, Status::invalid_input);
+  EXPECT_THROW(solver.deformed_gap(mixed(), {.kind = ContactMotion::transient}), Error);
 }
 
 TEST(EllipticContact, RefusesOptionsOutOfRange) {

@@ -59,16 +59,21 @@ void EllipticContactSolver::require_memory_for(ContactProblem problem) const {
   require_memory(problem, ElementGrid::across_ellipse(1, 1, options_.mx, options_.my, contact_margin));
 }
 
-/// Whether normal and tangential problem, or friction and slip, depend on each other, or there are temperatures.
-bool EllipticContactSolver::needs_sequence(const EllipticContact& contact) const {
-  return contact.friction.kind() != FrictionLaw::Kind::coulomb || contact.dissimilarity != 0 || options_.thermal ||
-         (options_.bodies && (options_.bodies->are_coupled() || !options_.bodies->are_elastic() ||
-                              options_.bodies->layer.flexibility > 0));
+void EllipticContactSolver::check_input(const EllipticContact& contact, const ExactMotion& motion) const {
+  check(contact);
+  check(motion);
+  require_compatible(options_, contact, motion);
 }
 
-bool EllipticContactSolver::is_second_order(const EllipticContact& contact, const ExactMotion& motion) const {
-  return options_.discretisation == Discretisation::second_order && motion.kind == ContactMotion::steady &&
-         motion.step == 0 && !needs_sequence(contact);
+/// How the contact is solved; asks for memory where the constructor could not know.
+ContactProblem EllipticContactSolver::problem_of(const EllipticContact& contact, const ExactMotion& motion) const {
+  const bool sequence = needs_sequence(options_, contact);
+  if (!sequence && options_.discretisation == Discretisation::second_order && motion.kind == ContactMotion::steady &&
+      motion.step == 0)
+    return ContactProblem::second_order;
+  const ContactProblem problem = sequence ? ContactProblem::coupled : ContactProblem::tangential;
+  require_memory_for(problem);
+  return problem;
 }
 
 /// Whether what depends on ellipse and material only is there for this contact; if not, room is made for it.
@@ -158,9 +163,8 @@ ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& co
 /// The potential contact is the ellipse and a margin; that of viscoelastic bodies grows with the relaxed modulus.
 ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact, const ExactMotion& motion) const {
   double softest = 1;
-  const Bodies elastic(CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, contact.dissimilarity});
   ContactStep step;
-  step.bodies = options_.bodies.value_or(elastic);
+  step.bodies = bodies_of(options_, contact);
   for (const RetardedPart& part : step.bodies.retarded) softest = std::max(softest, 1 + part.retardation.ratio);
   const double growth = std::cbrt(softest) - 1;
   const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
@@ -225,8 +229,8 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
   SecondOrderSolution solution;
   SecondOrderRolling::Derivatives derivatives;
   try {
-    check(contact);
-    if (needs_sequence(contact))
+    check_input(contact, {});
+    if (needs_sequence(options_, contact))
       throw Error("the exact theory has derivatives for Coulomb friction and similar elastic bodies only");
     prepare_second_order(contact, progress);
     solution = second_order_->solve(forward, {}, {}, options_.tolerance, essential_part(progress, 0, 0.7));
@@ -258,19 +262,16 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
 ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
                                              const Progress& progress) {
   try {
-    check(contact);
-    check(motion);
-    require_compatible(options_, contact, motion);
+    check_input(contact, motion);
   } catch (const Error& refusal) {
     return solution_without_result(Status::invalid_input, refusal.what());
   }
-  const bool second_order = is_second_order(contact, motion), sequence = needs_sequence(contact);
-  if (!second_order) require_memory_for(sequence ? ContactProblem::coupled : ContactProblem::tangential);
+  const ContactProblem problem = problem_of(contact, motion);
   ContactSolution out;
   try {
-    out = second_order ? solve_second_order(contact, motion, progress)
-          : sequence   ? solve_sequence(contact, motion, progress)
-                       : solve_classical(contact, motion, progress);
+    out = problem == ContactProblem::second_order ? solve_second_order(contact, motion, progress)
+          : problem == ContactProblem::coupled    ? solve_sequence(contact, motion, progress)
+                                                  : solve_classical(contact, motion, progress);
   } catch (const Error& refusal) { // of what is found out on the way: combinations, numbers that overflow
     out = solution_without_result(Status::invalid_input, refusal.what());
   } catch (const Stopped&) {
@@ -282,14 +283,14 @@ ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, con
 
 DeformedGap EllipticContactSolver::deformed_gap(const EllipticContact& contact, const ExactMotion& motion,
                                                 const Progress& progress) {
-  check(contact);
-  check(motion);
-  if (needs_sequence(contact)) {
+  check_input(contact, motion);
+  const ContactProblem problem = problem_of(contact, motion);
+  if (problem == ContactProblem::coupled) {
     ContactSolution solution = solve_sequence(contact, motion, progress);
     return {solution.elements.grid, std::move(solution.fields.gap)};
   }
   DeformedGap out;
-  if (is_second_order(contact, motion)) {
+  if (problem == ContactProblem::second_order) {
     prepare_second_order(contact, progress);
     out.grid = second_order_->contact().grid;
     out.gap = unit_load(contact, out.grid, progress).gap;

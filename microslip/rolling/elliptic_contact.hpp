@@ -90,13 +90,13 @@ public:
   ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
 
   /// Deformed distance of the bodies h - delta + u_n [m] at the elements of the solution, zero in contact: the normal
-  /// problem on their grid. Throws Error for a contact out of range, and Stopped if `progress` returns false.
+  /// problem on their grid. Throws Error for what `solve` refuses, and Stopped if `progress` returns false.
   DeformedGap deformed_gap(const EllipticContact& contact, const ExactMotion& motion = {},
                            const Progress& progress = {});
 
 private:
-  bool is_second_order(const EllipticContact& contact, const ExactMotion& motion) const;
-  bool needs_sequence(const EllipticContact& contact) const;
+  void check_input(const EllipticContact& contact, const ExactMotion& motion) const;
+  ContactProblem problem_of(const EllipticContact& contact, const ExactMotion& motion) const;
   void require_memory_for(ContactProblem problem) const;
   void prepare_classical(const EllipticContact& contact, const Progress& progress);
   void prepare_second_order(const EllipticContact& contact, const Progress& progress);

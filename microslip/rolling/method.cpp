@@ -34,7 +34,7 @@ struct Rule {
 
 constexpr std::string_view needs_exact = "needs solution.theory = \"exact\"";
 
-/// What does not go together. Every door reads it from here, in this order.
+/// What cannot be combined. Every door reads it from here, in this order.
 constexpr Rule rules[] = {
     // Heat
     {"friction.thermal_change",
@@ -51,16 +51,13 @@ constexpr Rule rules[] = {
      "must be classical for bodies of different materials, viscoelastic ones, a layer, falling friction and "
      "temperatures",
      [](Problem p, How m) {
-       RollingProblem steady = p; // shifts and transient rolling are classical without being asked
-       steady.motion.kind = ContactMotion::steady;
-       return is_exact(m) && m.discretisation == Discretisation::second_order && needs_classical(steady);
+       // Shifts and transient rolling are classical without being asked.
+       return is_exact(m) && m.discretisation == Discretisation::second_order && needs_sequence(p);
      }},
     {"solution.elements", "bilinear ones need solution.discretisation = \"classical\"",
      [](Problem p, How m) {
-       RollingProblem steady = p;
-       steady.motion.kind = ContactMotion::steady;
-       return is_exact(m) && m.elements == ElementShape::bilinear &&
-              discretisation_of(steady, m) != Discretisation::classical;
+       return is_exact(m) && elements_of(p, m) == ElementShape::bilinear && !needs_sequence(p) &&
+              m.discretisation != Discretisation::classical;
      }},
     {"solution.accuracy", "needs steady rolling without motion.step, of second order",
      [](Problem p, How m) {
@@ -107,14 +104,25 @@ constexpr Rule rules[] = {
 
 } // namespace
 
-bool needs_classical(const RollingProblem& p) {
-  return !is_steady(p) || !is_coulomb(p) || p.friction.temperature_effect || p.thermal || p.bodies.are_coupled() ||
+bool needs_sequence(const RollingProblem& p) {
+  return !is_coulomb(p) || p.friction.temperature_effect || p.thermal || p.bodies.are_coupled() ||
          !p.bodies.are_elastic() || p.bodies.layer.flexibility > 0;
+}
+
+bool needs_classical(const RollingProblem& p) {
+  return !is_steady(p) || needs_sequence(p);
 }
 
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method) {
   if (needs_classical(problem)) return Discretisation::classical;
   return method.discretisation.value_or(Discretisation::second_order);
+}
+
+ElementShape elements_of(const RollingProblem& problem, const Method& method) {
+  ElementShape of_grid = ElementShape::constant;
+  if (const auto* formula = std::get_if<GapFormula>(&problem.geometry)) of_grid = formula->grid.shape;
+  if (const auto* values = std::get_if<GapValues>(&problem.geometry)) of_grid = values->grid.shape;
+  return method.elements.value_or(of_grid);
 }
 
 std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, const Method& method) {
@@ -131,9 +139,10 @@ void require_compatible(const RollingProblem& problem, const Method& method) {
 
 namespace {
 
-RollingProblem problem_of(const ExactOptions& options) {
+RollingProblem problem_of(const ExactOptions& options, const EllipticContact& contact) {
   RollingProblem problem;
-  if (options.bodies) problem.bodies = *options.bodies;
+  problem.bodies = bodies_of(options, contact);
+  problem.friction.law = contact.friction;
   problem.friction.memory = options.friction_memory;
   problem.friction.temperature_effect = options.temperature_effect;
   problem.thermal = options.thermal;
@@ -149,15 +158,26 @@ Method method_of(const ExactOptions& options) {
 
 } // namespace
 
+Bodies bodies_of(const ExactOptions& options, const EllipticContact& contact) {
+  if (options.bodies) return *options.bodies;
+  return CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, contact.dissimilarity};
+}
+
+bool needs_sequence(const ExactOptions& options, const EllipticContact& contact) {
+  return needs_sequence(problem_of(options, contact));
+}
+
 void require_compatible(const ExactOptions& options) {
-  require_compatible(problem_of(options), method_of(options));
+  require_compatible(problem_of(options, {}), method_of(options));
 }
 
 void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion,
                         std::optional<double> accuracy) {
-  RollingProblem problem = problem_of(options);
-  if (!options.bodies) problem.bodies.material.dissimilarity = contact.dissimilarity;
-  problem.friction.law = contact.friction;
+  RollingProblem problem = problem_of(options, contact);
+  const double dissimilarity = problem.bodies.material.dissimilarity;
+  if (contact.dissimilarity != 0 && contact.dissimilarity != dissimilarity)
+    throw Error("dissimilarity", contact.dissimilarity, "-",
+                "that of the solver's bodies, " + std::to_string(dissimilarity) + ", or 0");
   problem.motion.kind = motion.kind;
   problem.motion.force_x = motion.force_x;
   problem.motion.force_y = motion.force_y;
@@ -182,7 +202,7 @@ ExactOptions exact_options(const RollingProblem& problem, const Method& method) 
   return {.mx = method.mx,
           .my = method.my,
           .discretisation = discretisation_of(problem, method),
-          .elements = method.elements.value_or(ElementShape::constant),
+          .elements = elements_of(problem, method),
           .direction = problem.motion.direction,
           .tolerance = method.tolerance,
           .bodies = problem.bodies,

@@ -18,7 +18,7 @@ struct Method {
   int my = 24; ///< and along y
   // Of the exact theory:
   std::optional<Discretisation> discretisation = {}; ///< none: second order where it is possible
-  std::optional<ElementShape> elements = {};         ///< none: constant
+  std::optional<ElementShape> elements = {};         ///< none: constant, or the gap's grid's
   std::optional<double> accuracy = {};      ///< of the forces in mu Fn, in [1e-5, .1], on grids that this picks
   double tolerance = 1e-6;                  ///< of the relative residual, in [1e-14, 1]
   std::optional<Coupling> coupling = {};    ///< of the problems of dissimilar bodies; none: Newton's method
@@ -46,17 +46,26 @@ std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, co
 /// Throws Error with the first of them.
 void require_compatible(const RollingProblem& problem, const Method& method);
 
-/// The same for what EllipticContactSolver is given: options alone, or with a contact and its motion.
+/// The same for what EllipticContactSolver is given: options alone, or with a contact and its motion. A contact's
+/// dissimilarity must be that of the bodies, if the options have some, or 0.
 void require_compatible(const ExactOptions& options);
 void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion,
                         std::optional<double> accuracy = {});
 
-/// Whether the exact theory needs its classical discretisation: for shifts and transient rolling, dissimilar or
-/// viscoelastic bodies, layers, friction that depends on slip, temperatures.
+/// The bodies of a contact that EllipticContactSolver is given: those of the options, else similar or dissimilar
+/// elastic ones with the contact's constants.
+Bodies bodies_of(const ExactOptions& options, const EllipticContact& contact);
+
+/// Whether the exact theory needs a ContactSequence: for dissimilar or viscoelastic bodies, layers, friction that
+/// depends on slip, temperatures.
+bool needs_sequence(const RollingProblem& problem);
+bool needs_sequence(const ExactOptions& options, const EllipticContact& contact);
+/// Whether it needs its classical discretisation: for those, shifts and transient rolling.
 bool needs_classical(const RollingProblem& problem);
 
 /// What the method comes to for this problem.
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method);
+ElementShape elements_of(const RollingProblem& problem, const Method& method);
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);
 ExactOptions exact_options(const RollingProblem& problem, const Method& method);
 

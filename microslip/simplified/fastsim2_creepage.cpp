@@ -41,6 +41,7 @@ std::optional<Creepage> creepage_from_fastsim2(const EllipticContact& contact, s
   options.flexibility = FlexibilityModel::blended;
   Fastsim2 solver(options);
   GivenForces given{contact, force_x, force_y};
+  given.contact.dissimilarity = 0;
   Creepage& c = given.contact.creepage;
   if (force_x) c.longitudinal = 0;
   if (force_y) c.lateral = 0;

@@ -40,7 +40,9 @@ VectorField start_from_fastsim2(const EllipticContact& contact, const ElementGri
   options.bound = TractionBound::elliptic;
   options.flexibility = FlexibilityModel::blended;
   options.direction = direction;
-  const ContactSolution simplified = Fastsim2(options).fields(contact);
+  EllipticContact similar = contact;
+  similar.dissimilarity = 0;
+  const ContactSolution simplified = Fastsim2(options).fields(similar);
   const int rows = simplified.elements.my();
 
   VectorField start(grid.count());
