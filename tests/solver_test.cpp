@@ -124,6 +124,35 @@ TEST(Solver, CanBeUsedForOneProblemAfterTheOther) {
     expect_same(solver.solve(p), Solver({.mx = 10, .my = 10}).solve(p));
 }
 
+/// A solve that progress has ended leaves nothing half done behind.
+TEST(Solver, GoesOnAfterProgressHasEndedASolve) {
+  for (const int calls : {0, 1, 3, 30}) {
+    const RollingProblem problem = on_grid(contact(), 12, 5);
+    Solver solver;
+    int told = 0;
+    const ContactSolution ended = solver.solve(problem, [&](double) { return ++told <= calls; });
+    EXPECT_EQ(ended.report.status, Status::not_converged) << calls;
+    EXPECT_FALSE(ended.report.reason.empty()) << calls;
+    expect_same(solver.solve(problem), Solver().solve(problem));
+  }
+}
+
+/// The grid of a gap tells the shape of its elements, the method may tell another.
+TEST(Solver, HonoursTheShapeOfAGridsElements) {
+  RollingProblem constant = on_grid(contact(), 12, 5), bilinear = constant;
+  auto& grid = std::get<GapValues>(bilinear.geometry).grid;
+  grid.shape = ElementShape::bilinear;
+  const Method classical{.discretisation = Discretisation::classical};
+  Method as_bilinear = classical, as_constant = classical;
+  as_bilinear.elements = ElementShape::bilinear;
+  as_constant.elements = ElementShape::constant;
+  expect_same(Solver(classical).solve(bilinear), Solver(as_bilinear).solve(constant));
+  expect_same(Solver(as_constant).solve(bilinear), Solver(classical).solve(constant));
+  EXPECT_NE(Solver(classical).solve(bilinear).totals.fx, Solver(classical).solve(constant).totals.fx);
+  EXPECT_THROW(Solver({.discretisation = Discretisation::second_order}).solve(bilinear), Error);
+  expect_same(Solver({.elements = ElementShape::constant}).solve(bilinear), Solver().solve(constant));
+}
+
 TEST(Solver, FieldsOfAnyGapGoStraightToOtherGrids) {
   const ContactSolution s = Solver().solve(on_grid(contact(), 16, 5));
   const std::vector<double> same = sampled(s.elements, s.fields.pressure, s.elements.grid);

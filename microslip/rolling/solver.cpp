@@ -14,12 +14,17 @@
 namespace microslip {
 namespace {
 
-/// A gap as values at the elements' centres.
-GapValues gap_values(const RollingProblem& problem) {
-  if (const auto* values = std::get_if<GapValues>(&problem.geometry)) return *values;
-  const auto& [grid, gap] = std::get<GapFormula>(problem.geometry);
+/// A gap as values at the centres of the elements that the method takes.
+GapValues gap_values(const RollingProblem& problem, const Method& method) {
+  GapValues out;
+  if (const auto* values = std::get_if<GapValues>(&problem.geometry)) out = *values;
+  const auto* formula = std::get_if<GapFormula>(&problem.geometry);
+  if (formula != nullptr) out.grid = formula->grid;
+  out.grid.shape = elements_of(problem, method);
+  if (formula == nullptr) return out;
+  const auto& [grid, gap] = *formula;
   check(grid);
-  GapValues out{grid, std::vector<double>(grid.count())};
+  out.gap.resize(grid.count());
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) out.gap[static_cast<std::size_t>(j) * grid.mx + i] = gap(grid.x(i), grid.y(j));
   return out;
@@ -52,7 +57,6 @@ ContactSolution with_limit(AccurateContact found) {
 ContactStep contact_step(const RollingProblem& p, const Method& method, GapValues shape) {
   ContactStep step;
   step.grid = shape.grid;
-  step.grid.shape = method.elements.value_or(ElementShape::constant);
   step.bodies = p.bodies;
   step.gap = std::move(shape.gap);
   step.load = p.load;
@@ -80,9 +84,11 @@ struct KeptPatch {
   PatchRolling rolling;
 };
 
+/// A normal problem that was ended on its way is solved anew.
 bool is_of(const KeptPatch& kept, const GapValues& shape, const RollingProblem& p) {
-  return kept.shape.grid == shape.grid && kept.shape.gap == shape.gap && kept.material == p.bodies.material &&
-         kept.load.given == p.load.given && kept.load.value == p.load.value && kept.direction == p.motion.direction;
+  return kept.rolling.normal().status == Status::ok && kept.shape.grid == shape.grid && kept.shape.gap == shape.gap &&
+         kept.material == p.bodies.material && kept.load.given == p.load.given && kept.load.value == p.load.value &&
+         kept.direction == p.motion.direction;
 }
 
 } // namespace
@@ -131,9 +137,8 @@ struct Solver::Kept {
   }
 
   ContactSolution solve_on_grid(const RollingProblem& p, const Progress& progress) {
-    GapValues shape = gap_values(p);
-    const bool fitted = discretisation_of(p, method) == Discretisation::second_order && p.motion.step == 0 &&
-                        shape.grid.shape == ElementShape::constant;
+    GapValues shape = gap_values(p, method);
+    const bool fitted = discretisation_of(p, method) == Discretisation::second_order && p.motion.step == 0;
     return fitted ? solve_patch(p, std::move(shape), progress) : solve_classical(p, std::move(shape), progress);
   }
 
