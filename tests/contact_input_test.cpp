@@ -169,6 +169,40 @@ TEST(ContactInput, WhatMakesNoSenseIsMarkedAndGivesNoNumbers) {
     }
 }
 
+/// What a hot call marks is what `check` refuses, field by field, in both theories.
+TEST(ContactInput, IsInvalidWhereItIsRefused) {
+  using Check = void (*)(const EllipticContact&);
+  const auto is_refused = [](Check refuse, const EllipticContact& contact) {
+    try {
+      refuse(contact);
+      return false;
+    } catch (const Error&) {
+      return true;
+    }
+  };
+  std::vector<EllipticContact> contacts = senseless_contacts();
+  for (const double k : {-0.51, 0.51, infinity, nan}) {
+    contacts.push_back(good_contact());
+    contacts.back().dissimilarity = k;
+  }
+  for (const EllipticContact& contact : contacts) {
+    EXPECT_FALSE(is_valid(contact));
+    EXPECT_FALSE(is_valid_simplified(contact));
+    EXPECT_TRUE(is_refused(check, contact));
+    EXPECT_TRUE(is_refused(check_simplified, contact));
+  }
+  EllipticContact good = good_contact();
+  EXPECT_TRUE(is_valid_simplified(good));
+  EXPECT_FALSE(is_refused(check_simplified, good));
+  for (const double k : {-0.5, 1e-300, 0.5}) { // for the exact theory alone
+    good.dissimilarity = k;
+    EXPECT_TRUE(is_valid(good));
+    EXPECT_FALSE(is_refused(check, good));
+    EXPECT_FALSE(is_valid_simplified(good));
+    EXPECT_TRUE(is_refused(check_simplified, good));
+  }
+}
+
 TEST(ContactInput, EndsOfTheRangesAreValid) {
   Fastsim2 solver;
   for (const double nu : {0.0, 0.5}) {

@@ -7,30 +7,50 @@
 namespace microslip {
 namespace {
 
-bool is_positive(double value) {
-  return value > 0 && std::isfinite(value);
+/// The ranges of all numbers, told to `range`, which has a function for each kind of range.
+template <class Range> void check_ranges(const EllipticContact& c, Range&& range) {
+  range.positive("a", c.a, "m");
+  range.positive("b", c.b, "m");
+  range.positive("shear_modulus", c.shear_modulus, "Pa");
+  range.between("poisson_ratio", c.poisson_ratio, "-", 0, 0.5);
+  range.positive("normal_force", c.normal_force, "N");
+  range.positive("rolling_speed", c.rolling_speed, "m/s");
+  range.finite("creepage.longitudinal", c.creepage.longitudinal, "-");
+  range.finite("creepage.lateral", c.creepage.lateral, "-");
+  range.finite("creepage.spin", c.creepage.spin, "1/m");
+  range.between("dissimilarity", c.dissimilarity, "-", -largest_dissimilarity, largest_dissimilarity);
 }
+
+/// Throws at the first number out of range.
+struct Refusal {
+  void finite(const char* field, double value, const char* unit) { require_finite(field, value, unit); }
+  void positive(const char* field, double value, const char* unit) { require_positive(field, value, unit); }
+  void between(const char* field, double value, const char* unit, double low, double high) {
+    require_between(field, value, unit, low, high);
+  }
+};
+
+/// Only tells whether all are in range, at the cost of the comparisons: for calls that must not throw.
+struct Verdict {
+  bool valid = true;
+
+  void finite(const char*, double value, const char*) { valid &= std::isfinite(value); }
+  void positive(const char*, double value, const char*) { valid &= value > 0 && std::isfinite(value); }
+  void between(const char*, double value, const char*, double low, double high) {
+    valid &= value >= low && value <= high;
+  }
+};
 
 } // namespace
 
-bool is_valid(const EllipticContact& c) noexcept {
-  return is_positive(c.a) && is_positive(c.b) && is_positive(c.shear_modulus) && is_positive(c.normal_force) &&
-         is_positive(c.rolling_speed) && c.poisson_ratio >= 0 && c.poisson_ratio <= 0.5 &&
-         std::isfinite(c.creepage.longitudinal) && std::isfinite(c.creepage.lateral) &&
-         std::isfinite(c.creepage.spin) && std::abs(c.dissimilarity) <= largest_dissimilarity;
+bool is_valid(const EllipticContact& contact) noexcept {
+  Verdict verdict;
+  check_ranges(contact, verdict);
+  return verdict.valid;
 }
 
-void check(const EllipticContact& c) {
-  require_positive("a", c.a, "m");
-  require_positive("b", c.b, "m");
-  require_positive("shear_modulus", c.shear_modulus, "Pa");
-  require_between("poisson_ratio", c.poisson_ratio, "-", 0, 0.5);
-  require_positive("normal_force", c.normal_force, "N");
-  require_positive("rolling_speed", c.rolling_speed, "m/s");
-  require_finite("creepage.longitudinal", c.creepage.longitudinal, "-");
-  require_finite("creepage.lateral", c.creepage.lateral, "-");
-  require_finite("creepage.spin", c.creepage.spin, "1/m");
-  require_between("dissimilarity", c.dissimilarity, "-", -largest_dissimilarity, largest_dissimilarity);
+void check(const EllipticContact& contact) {
+  check_ranges(contact, Refusal());
 }
 
 bool is_valid_simplified(const EllipticContact& c) noexcept {
