@@ -31,11 +31,11 @@ int row_at(const Elements& elements, double y) {
 /// fitted, end beside the next centre.
 double value_in_row(const Elements& elements, const std::vector<double>& field, int j, double x) {
   const auto first = elements.x.begin() + static_cast<std::ptrdiff_t>(elements.index(0, j));
-  const auto next = std::lower_bound(first, first + elements.mx(), x);
-  for (const auto at : {next, next - 1}) {
-    if (at < first || at >= first + elements.mx()) continue;
-    const auto k = static_cast<std::size_t>(at - elements.x.begin());
-    if (std::abs(x - *at) <= elements.width[k] / 2) return field[k];
+  const int next = static_cast<int>(std::lower_bound(first, first + elements.mx(), x) - first);
+  for (const int i : {next, next - 1}) {
+    if (i < 0 || i >= elements.mx()) continue;
+    const std::size_t k = elements.index(i, j);
+    if (std::abs(x - elements.x[k]) <= elements.width[k] / 2) return field[k];
   }
   return 0;
 }

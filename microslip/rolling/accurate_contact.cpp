@@ -1,5 +1,6 @@
 #include "microslip/rolling/accurate_contact.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/method.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
@@ -50,7 +51,7 @@ double limit_of_second_order(double coarse, double fine) {
 }
 
 AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions& options)
-    : accuracy_(require_between("accuracy", accuracy, "-", 1e-5, 0.1)), options_(options) {
+    : accuracy_(require_between("accuracy", accuracy, "-", smallest_accuracy, largest_accuracy)), options_(options) {
   options_.tolerance = std::min(options_.tolerance, accuracy / 100);
 }
 

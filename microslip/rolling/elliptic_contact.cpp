@@ -47,7 +47,7 @@ void mirror(DeformedGap& of) {
 EllipticContactSolver::EllipticContactSolver(const ExactOptions& options) : options_(options) {
   require_count("mx", options.mx, 1, most_elements);
   require_count("my", options.my, 1, most_elements);
-  require_between("tolerance", options.tolerance, "-", 1e-14, 1);
+  require_between("tolerance", options.tolerance, "-", smallest_tolerance, largest_tolerance);
   require_compatible(options);
   if (options.thermal) check(*options.thermal);
   if (options.temperature_effect) check(*options.temperature_effect);

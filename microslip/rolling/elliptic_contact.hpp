@@ -49,8 +49,8 @@ struct ExactOptions {
 struct ExactMotion {
   ContactMotion kind = ContactMotion::steady;
   std::optional<double> force_x = {}, force_y = {}; ///< [N] on body 1, in place of the creepage in that direction
-  double step = 0;                                  ///< dq [m], the way rolled in a step, >= 0; 0: the elements' length
-  int steps = 1; ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
+  double step = 0; ///< dq [m], the distance rolled in a step, >= 0; 0: the elements' length
+  int steps = 1;   ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
 };
 
 /// Distance of the deformed bodies at the elements of a grid [m].

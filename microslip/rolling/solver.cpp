@@ -179,8 +179,8 @@ struct Solver::Kept {
 Solver::Solver(const Method& method) : kept_(std::make_unique<Kept>()) {
   require_count("solution.grid", method.mx, 1, most_elements);
   require_count("solution.grid", method.my, 1, most_elements);
-  require_between("solution.tolerance", method.tolerance, "-", 1e-14, 1);
-  if (method.accuracy) require_between("solution.accuracy", *method.accuracy, "-", 1e-5, 0.1);
+  require_between("solution.tolerance", method.tolerance, "-", smallest_tolerance, largest_tolerance);
+  if (method.accuracy) require_between("solution.accuracy", *method.accuracy, "-", smallest_accuracy, largest_accuracy);
   kept_->method = method;
 }
 Solver::Solver(Solver&&) noexcept = default;

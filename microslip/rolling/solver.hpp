@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// The ellipse of a Hertzian problem with its load, friction and creepages: what the solvers of one theory take.
+/// A Hertzian problem as the solvers of either theory take it.
 EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz);
 
 /// Solves any rolling problem by one method: an ellipse by either theory, to an accuracy if one is asked for; a gap on
@@ -27,10 +27,10 @@ public:
   const Method& method() const;
 
   /// Throws Error for a problem that the method cannot honour (incompatibilities), whose geometry makes no sense, or
-  /// which needs more memory than the machine has. Other input out of range, not converging, no contact and a force
-  /// beyond friction are statuses, with their reason. `progress` is told of the fraction done; false ends the work,
-  /// with status not_converged. Cost: of an ellipse with N elements O(N log N), some ms at 24 x 24; of the simplified
-  /// theory O(N).
+  /// which needs more memory than the machine has; of a gap on a grid for any input out of range. Other input out of
+  /// range, not converging, no contact and a force beyond friction are statuses, with their reason. `progress` is told
+  /// of the fraction done; false ends the work, with status not_converged. Cost: of an ellipse with N elements
+  /// O(N log N), some ms at 24 x 24; of the simplified theory O(N).
   ContactSolution solve(const RollingProblem& problem, const Progress& progress = {});
 
 private:

@@ -84,14 +84,14 @@ StripTheory::StripTheory(const EllipticContact& contact, double friction, Rollin
   const double stiffness = contact.shear_modulus / (2 * peak_);
   const double translation = -4 * one_less_nu_ * stiffness / (pi * pi),
                rotation = -3 * stiffness * std::sqrt(area) / pi;
-  creep_x_ = mirror_ * translation * c.c11 * contact.creepage.longitudinal;
-  creep_y_ = translation * c.c22 * contact.creepage.lateral;
-  creep_y_per_metre_ = translation * c.c22 * contact.creepage.spin;
+  longitudinal_ = mirror_ * translation * c.c11 * contact.creepage.longitudinal;
+  lateral_ = translation * c.c22 * contact.creepage.lateral;
+  lateral_per_metre_ = translation * c.c22 * contact.creepage.spin;
   spin_ = mirror_ * rotation * c.c23 * contact.creepage.spin;
 }
 
 StripTheory::Strip StripTheory::strip(const StripRow& row) const {
-  const double q = creep_x_ - spin_ * row.y / a_, across = creep_y_ + creep_y_per_metre_ * row.middle;
+  const double q = longitudinal_ - spin_ * row.y / a_, across = lateral_ + lateral_per_metre_ * row.middle;
   const double rest = 1 - spin_ * spin_, size2 = square(across) + rest * square(q);
   Strip s = {row.half_length, 0, 0, 0};
   if (std::abs(rest) > 1e-6 && size2 >= 0) {

@@ -41,7 +41,7 @@ private:
 
   double a_, one_less_nu_, peak_; ///< peak of the bound [Pa]
   double mirror_;                 ///< 1 rolling along +x, -1 along -x: the contact is solved in the mirror then
-  double creep_x_, creep_y_, creep_y_per_metre_, spin_; ///< scaled, in the mirror
+  double longitudinal_, lateral_, lateral_per_metre_, spin_; ///< scaled, in the mirror
 };
 
 /// FaStrip as CONTACT modifies it: FASTSIM on the ellipse's grid with the elliptic bound, then strip theory in its
