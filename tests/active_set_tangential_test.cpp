@@ -35,7 +35,9 @@ TEST(ActiveSetTangential, LeadingEdgeCorrected) {
   c.input.step = 2.5 * c.grid.dx;
   c.input.leading_edge = LeadingEdge{};
   const auto entering = entering_elements(c.grid, c.bound, c.input.step, *c.input.leading_edge);
-  LeadingEdgeOperator response(c.material, c.grid, c.input.step, entering);
+  TangentialOperator difference = TangentialOperator::difference(c.material, c.grid, c.input.step);
+  TangentialOperator displacement = TangentialOperator::displacement(c.material, c.grid);
+  LeadingEdgeOperator response(difference, displacement, c.input.step, entering);
   PlaneFields free = c.free_slip();
   for (const EnteringElement& e : entering) free.x[e.element] *= e.share, free.y[e.element] *= e.share;
   const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});

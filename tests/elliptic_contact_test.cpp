@@ -163,8 +163,13 @@ TEST(EllipticContact, TransientRollingKeepsItsSteps) {
   const ContactSolution s = solve(options(10), mixed(), motion);
   ASSERT_EQ(s.history.size(), 5U);
   EXPECT_EQ(s.history.back().totals.fx, s.totals.fx);
+  EXPECT_GT(s.totals.peak_pressure, 0);
   int steps = 0;
-  for (const SolutionStep& step : s.history) steps += step.report.newton_steps;
+  for (const SolutionStep& step : s.history) {
+    steps += step.report.newton_steps;
+    EXPECT_EQ(step.totals.peak_pressure, s.totals.peak_pressure);
+    EXPECT_EQ(step.totals.my, s.totals.my);
+  }
   EXPECT_EQ(s.report.newton_steps, steps);
   EXPECT_LT(std::abs(s.history[0].totals.fx), std::abs(s.history[4].totals.fx));
   const ContactSolution ended =

@@ -100,6 +100,10 @@ TEST(Progress, TransientRollingWithFallingFriction) {
   EllipticContactSolver solver(options);
   const ExactMotion motion{.kind = ContactMotion::transient, .steps = 4};
   expect_heard([&](const Progress& progress) { return solver.solve(falling, motion, progress).report.status; });
+  const auto solution = solver.solve(falling, motion);
+  ASSERT_EQ(solution.history.size(), 4u);
+  EXPECT_EQ(solution.history[3].totals.fx, solution.totals.fx);
+  EXPECT_EQ(solution.history[3].totals.peak_pressure, solution.totals.peak_pressure);
 }
 
 TEST(Progress, OfDerivatives) {

@@ -30,6 +30,35 @@ TEST(TangentialProblem, NoCreepageNoTraction) {
   }
 }
 
+/// A step of an element's length onto an edge at the next centre is in contact all the way: nothing to correct,
+/// whatever lies between the bodies.
+TEST(TangentialProblem, TheLeadingEdgesCorrectionKnowsTheLayer) {
+  const EllipticContact contact = steel_contact(1);
+  const Problem p = elliptic(contact, 12, 12, 2);
+  Bodies bodies = p.material;
+  bodies.layer.flexibility = 0.2 * contact.a / contact.shear_modulus;
+  TangentialInput input;
+  input.creepage = scaled_creepage(contact, 0.6, 0.2, 0.3);
+  TangentialProblem problem(bodies, p.grid);
+  const TangentialSolution plain = problem.solve(p.bound, input);
+  input.leading_edge = LeadingEdge{.theta = 1};
+  const TangentialSolution same = problem.solve(p.bound, input);
+  ASSERT_EQ(same.forces.status, Status::ok);
+  EXPECT_EQ(same.tractions.px, plain.tractions.px);
+  EXPECT_EQ(same.tractions.py, plain.tractions.py);
+}
+
+/// The coefficients of the slip's operator are computed on the first call.
+TEST(TangentialProblem, TheLeadingEdgesCorrectionCanBeStopped) {
+  const Problem p = elliptic(steel_contact(1), 12, 12, 2);
+  TangentialInput input;
+  input.creepage = {1e-3, 0, 0};
+  input.leading_edge = LeadingEdge{};
+  input.progress = [](double) { return false; };
+  TangentialProblem problem(p.material, p.grid);
+  EXPECT_THROW(problem.solve(p.bound, input), Stopped);
+}
+
 /// Far beyond saturation p = -g w/|w|, and the force is mu Fn.
 TEST(TangentialProblem, FullSliding) {
   const EllipticContact contact = steel_contact(2);

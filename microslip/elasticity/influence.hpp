@@ -26,15 +26,15 @@ Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& 
 /// Rectangle of sides dx, dy centred at the origin, point (x, y): Boussinesq's and Cerruti's solutions integrated in
 /// closed form (Kalker 1990, appendix C; (E7) to (E9)). With J1 = y ln(x + r), J2 = x ln(y + r) and [[f]] the
 /// difference over the corners, pi G Axx = [[J1 + (1 - nu) J2]], pi G Ayy = [[J2 + (1 - nu) J1]], pi G Axy = -nu [[r]],
-/// pi G Azz = (1 - nu)
-/// [[J1 + J2]], pi G Axz = -K [[y ln r + x atan(y/x)]], pi G Ayz = -K [[x ln r + y atan(x/y)]]. Finite on edges and
-/// corners too.
+/// pi G Azz = (1 - nu) [[J1 + J2]], pi G Axz = -K [[y ln r + x atan(y/x)]],
+/// pi G Ayz = -K [[x ln r + y atan(x/y)]].
+/// Finite on edges and corners too.
 Influence influence(const CombinedMaterial& material, double dx, double dy, double x, double y);
 
 /// The same for a strip of width dx, endless in y, at the distance x: plane strain for x and z, anti-plane shear for y
 /// (E10), (E11). The displacement of an endless strip is known up to a constant; here it is 0 at the distance `far` [m]
-/// from its middle. With L the integral of ln|x/far| over the strip, pi G Axx = pi G Azz = -2 (1 - nu) L, pi G Ayy = -2
-/// L, and G Axz = -K [[|x|]].
+/// from its middle. With L the integral of ln|x/far| over the strip, pi G Axx = pi G Azz = -2 (1 - nu) L,
+/// pi G Ayy = -2 L, and G Axz = -K [[|x|]].
 Influence line_influence(const CombinedMaterial& material, double dx, double x, double far);
 
 } // namespace microslip

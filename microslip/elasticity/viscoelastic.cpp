@@ -38,16 +38,17 @@ Retardation retardation_of(const Creep& creep, double speed) {
 
 Bodies viscoelastic(const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
                     double speed) {
-  const Retardation delay1 = retardation_of("creep1", creep1, speed), delay2 = retardation_of("creep2", creep2, speed);
+  const Retardation retardation1 = retardation_of("creep1", creep1, speed),
+                    retardation2 = retardation_of("creep2", creep2, speed);
   Bodies bodies = combine(body1, body2);
   if (creep1.ratio == creep2.ratio && creep1.time == creep2.time) {
-    if (creep1.ratio > 0) bodies.retarded.push_back({bodies.material, delay1});
+    if (creep1.ratio > 0) bodies.retarded.push_back({bodies.material, retardation1});
     return bodies;
   }
   // A body's own deformation is that of its contact with a rigid one.
   const Material rigid = {std::numeric_limits<double>::infinity(), 0};
-  if (creep1.ratio > 0) bodies.retarded.push_back({combine(body1, rigid), delay1});
-  if (creep2.ratio > 0) bodies.retarded.push_back({combine(rigid, body2), delay2});
+  if (creep1.ratio > 0) bodies.retarded.push_back({combine(body1, rigid), retardation1});
+  if (creep2.ratio > 0) bodies.retarded.push_back({combine(rigid, body2), retardation2});
   return bodies;
 }
 

@@ -66,7 +66,7 @@ std::vector<double> copy_of(const char* name, std::span<const double> p, std::si
 }
 
 /// What InteriorLayers needs for a point, at most [bytes].
-constexpr double memory_for_point = 700, memory_for_late_point = 1200;
+constexpr double memory_for_point = 700, memory_for_retarded_point = 1200;
 
 ElementGrid with_margin(const InteriorField& field, int margin) {
   ElementGrid grid = field.grid();
@@ -78,7 +78,7 @@ ElementGrid with_margin(const InteriorField& field, int margin) {
     grid.y0 -= margin * grid.dy;
   }
   const auto points = static_cast<double>(grid.count());
-  const double bytes = field.has_retardation() ? memory_for_late_point : memory_for_point;
+  const double bytes = field.has_retardation() ? memory_for_retarded_point : memory_for_point;
   if (points * bytes > physical_memory())
     throw Error("points of a plane", points, "-",
                 "no more than this machine has memory for, " + std::to_string(std::lround(bytes)) + " bytes each");

@@ -128,7 +128,8 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   TangentialSolution s = tangential_->solve(bound, input);
   if (motion.kind != ContactMotion::transient) return s;
   const auto remember = [&] {
-    history.push_back(solution_step(s));
+    history.push_back(
+        solution_step(contact_solution(grid_, s, normal_, contact.normal_force, motion.kind, contact.rolling_speed)));
     return !progress || progress(double(history.size()) / motion.steps);
   };
   input.previous = &state;

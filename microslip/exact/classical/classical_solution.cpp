@@ -35,22 +35,10 @@ ContactSolution contact_solution(const ElementGrid& grid, TangentialSolution tan
   return out;
 }
 
-SolutionStep solution_step(const TangentialSolution& s) {
-  const ContactForces& f = s.forces;
-  SolverReport report{
-      .status = f.status, .residual = s.residual, .newton_steps = s.newton_steps, .products = s.products};
-  add_reason(report);
-  return {s.creepage,
-          {.fx = f.fx,
-           .fy = f.fy,
-           .mz = f.mz,
-           .adhesion_area = f.adhesion_area,
-           .slip_area = f.slip_area,
-           .frictional_power = s.frictional_power,
-           .power_by_creepage = s.power_by_creepage,
-           .elastic_energy = s.elastic_energy,
-           .peak_traction = s.peak_traction},
-          report};
+SolutionStep solution_step(const ContactSolution& step) {
+  SolutionStep out{step.creepage, step.totals, step.report};
+  add_reason(out.report);
+  return out;
 }
 
 bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status) {
@@ -66,13 +54,15 @@ Progress within_step(int steps, const std::vector<SolutionStep>& history, const 
 }
 
 ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int steps, const Progress& progress) {
-  const bool transient = step.motion.motion == ContactMotion::transient;
+  const ContactMotion motion = step.motion.motion;
+  const double speed = step.motion.rolling_speed;
+  const bool transient = motion == ContactMotion::transient;
   std::vector<SolutionStep> history;
   step.motion.progress = transient ? within_step(steps, history, progress) : progress;
   ContactStepSolution s = sequence.solve(step);
   if (transient) {
     const auto remember = [&] {
-      history.push_back(solution_step(s.tangential));
+      history.push_back(solution_step(contact_solution(step.grid, s.tangential, s.normal, 1, motion, speed)));
       return !progress || progress(static_cast<double>(history.size()) / steps);
     };
     step.start = StepStart::previous;
@@ -83,8 +73,7 @@ ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int ste
     if (is_cut_short(history, steps, s.status)) s.status = Status::not_converged;
   }
   auto temperature = temperatures_of(step, s);
-  ContactSolution out =
-      contact_solution(step.grid, std::move(s.tangential), s.normal, 1, step.motion.motion, step.motion.rolling_speed);
+  ContactSolution out = contact_solution(step.grid, std::move(s.tangential), s.normal, 1, motion, speed);
   if (s.friction_iterations > 0) out.fields.friction = std::move(s.friction);
   if (temperature) {
     out.fields.temperature1 = std::move(temperature->body1);

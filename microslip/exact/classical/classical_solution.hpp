@@ -15,8 +15,8 @@ namespace microslip {
 ContactSolution contact_solution(const ElementGrid& grid, TangentialSolution tangential, const NormalSolution& normal,
                                  double load, ContactMotion motion, double speed);
 
-/// One step of transient rolling, for a solution's history.
-SolutionStep solution_step(const TangentialSolution& step);
+/// What history keeps of a step of transient rolling.
+SolutionStep solution_step(const ContactSolution& step);
 
 /// Whether transient rolling was ended before its last step, and nothing else was wrong.
 bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status);

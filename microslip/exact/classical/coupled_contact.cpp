@@ -1,5 +1,6 @@
 #include "microslip/exact/classical/coupled_contact.hpp"
 
+#include "microslip/contact/totals.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
@@ -25,9 +26,12 @@ Field gap_within(const ContactStep& step) {
 
 /// Of the tractions, sum of p.u dx dy/2 [J].
 double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
-  double sum = 0;
-  for (std::size_t k = 0; k < t.ux.size(); ++k) sum += t.tractions.px[k] * t.ux[k] + t.tractions.py[k] * t.uy[k];
-  return sum * grid.element_area() / 2;
+  Totals totals;
+  for (std::size_t k = 0; k < t.ux.size(); ++k)
+    add(totals, {.area = grid.element_area(),
+                 .traction = {t.tractions.px[k], t.tractions.py[k]},
+                 .displacement = {t.ux[k], t.uy[k]}});
+  return totals.elastic_energy;
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -63,20 +64,15 @@ TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& gr
     : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)),
       displacement_(TangentialOperator::displacement(bodies, grid, {}, 1, progress)) {}
 
-SlipOperator& TangentialProblem::slip_operator(const TangentialInput& input, double step,
-                                               const std::vector<EnteringElement>& entering) {
+TangentialOperator& TangentialProblem::slip_operator(const TangentialInput& input, double step) {
   if (input.motion == ContactMotion::shift) return displacement_;
-  if (input.motion == ContactMotion::steady && input.leading_edge) {
-    slip_operator_ = std::make_unique<LeadingEdgeOperator>(bodies_.material, grid_, step, entering);
-    step_ = 0; // not for the next problem: the elements that are entered change with the contact
-  } else if (motion_ != input.motion || step_ != step) {
-    slip_operator_ = std::make_unique<TangentialOperator>(
-        input.motion == ContactMotion::steady
-            ? TangentialOperator::difference(bodies_, grid_, step, input.progress)
-            : TangentialOperator::displacement(bodies_, grid_, {}, std::abs(step), input.progress));
+  if (!slip_operator_ || motion_ != input.motion || step_ != step) {
+    slip_operator_ = input.motion == ContactMotion::steady
+                         ? TangentialOperator::difference(bodies_, grid_, step, input.progress)
+                         : TangentialOperator::displacement(bodies_, grid_, {}, std::abs(step), input.progress);
+    motion_ = input.motion;
     step_ = step;
   }
-  motion_ = input.motion;
   return *slip_operator_;
 }
 
@@ -148,7 +144,9 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     const TractionsView start = input.start ? tractions_of(input.start) : before;
     FrictionNewton::Options options{.tolerance = input.tolerance, .progress = input.progress};
     if (!steady) options.before = before;
-    SlipOperator* slip = &slip_operator(input, step, entering);
+    SlipOperator* slip = &slip_operator(input, step);
+    std::optional<LeadingEdgeOperator> corrected;
+    if (steady && input.leading_edge) slip = &corrected.emplace(*slip, displacement_, step, std::move(entering));
     std::optional<RollingOperator> preconditioned;
     if (steady) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
     s = newton_.solve({*slip, bound, cx, cy, area, input.force_x, input.force_y, share}, options,

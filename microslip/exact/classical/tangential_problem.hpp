@@ -4,10 +4,10 @@
 #include "microslip/contact/motion.hpp"
 #include "microslip/contact/surface_fields.hpp"
 #include "microslip/exact/halfspace/leading_edge.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 #include "microslip/simplified/options.hpp"
 
-#include <memory>
 #include <optional>
 
 namespace microslip {
@@ -86,7 +86,7 @@ public:
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
 private:
-  SlipOperator& slip_operator(const TangentialInput& input, double step, const std::vector<EnteringElement>& entering);
+  TangentialOperator& slip_operator(const TangentialInput& input, double step);
 
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
@@ -94,7 +94,7 @@ private:
   Bodies bodies_;
   ElementGrid grid_;
   TangentialOperator displacement_;
-  std::unique_ptr<SlipOperator> slip_operator_; ///< kept for the next problem of the same motion and step
+  std::optional<TangentialOperator> slip_operator_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   double step_ = 0; ///< with its sign
   FrictionNewton newton_;

@@ -1,14 +1,11 @@
 #include "microslip/exact/fitted/fitted_solution.hpp"
 
 namespace microslip {
-namespace {
 
 ElementGrid mirrored(ElementGrid grid) {
   grid.x0 = -grid.x(grid.mx - 1);
   return grid;
 }
-
-} // namespace
 
 ContactSolution contact_solution(const FittedContact& fitted, const SecondOrderSolution& found,
                                  const FittedLoad& load) {

@@ -7,6 +7,9 @@
 
 namespace microslip {
 
+/// The mirror image in x of a grid's coordinates.
+ElementGrid mirrored(ElementGrid grid);
+
 /// What is known of a contact besides its elements and what SecondOrderRolling has found on them.
 struct FittedLoad {
   std::span<const double> bound; ///< g of the elements [Pa]

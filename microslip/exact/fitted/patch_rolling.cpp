@@ -12,11 +12,6 @@ namespace {
 constexpr double normal_tolerance = 1e-8;
 
 /// The mirror image in x.
-ElementGrid mirrored(ElementGrid grid) {
-  grid.x0 = -grid.x(grid.mx - 1);
-  return grid;
-}
-
 std::vector<double> mirrored(const ElementGrid& grid, const std::vector<double>& field) {
   std::vector<double> image(field.size());
   for (std::size_t k = 0; k < field.size(); ++k) image[k + grid.mx - 1 - 2 * (k % grid.mx)] = field[k];

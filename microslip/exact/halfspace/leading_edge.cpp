@@ -48,14 +48,13 @@ std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::spa
   return entering;
 }
 
-LeadingEdgeOperator::LeadingEdgeOperator(const CombinedMaterial& material, const ElementGrid& grid, double step,
+LeadingEdgeOperator::LeadingEdgeOperator(SlipOperator& difference, SlipOperator& displacement, double step,
                                          std::vector<EnteringElement> entering)
-    : length_(std::abs(step)), difference_(TangentialOperator::difference(material, grid, step)),
-      displacement_(TangentialOperator::displacement(material, grid)), entering_(std::move(entering)),
-      ux_(grid.count()), uy_(grid.count()) {}
+    : difference_(difference), displacement_(displacement), length_(std::abs(step)), entering_(std::move(entering)) {}
 
 void LeadingEdgeOperator::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
                                 std::span<double> sy) {
+  ux_.resize(px.size()), uy_.resize(py.size());
   difference_.apply(px, py, sx, sy);
   displacement_.apply(px, py, ux_, uy_);
   for (const EnteringElement& e : entering_) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "microslip/exact/halfspace/surface_operator.hpp"
+#include "microslip/contact/element_grid.hpp"
+#include "microslip/exact/halfspace/slip_operator.hpp"
 
 #include <optional>
 #include <span>
@@ -34,10 +35,11 @@ std::vector<EnteringElement> entering_elements(const ElementGrid& grid, std::spa
                                                const LeadingEdge& edge);
 
 /// Steady rolling with the leading edge's correction: D p = (u(x) - u(x + step))/|step|, and (u(x) - u0)/|step| for the
-/// elements that particles have just entered. Two products with half-space matrices each.
+/// elements that particles have just entered. Refers to the operators of this difference and of the displacement u, of
+/// each of which it takes a product.
 class LeadingEdgeOperator : public SlipOperator {
 public:
-  LeadingEdgeOperator(const CombinedMaterial& material, const ElementGrid& grid, double step,
+  LeadingEdgeOperator(SlipOperator& difference, SlipOperator& displacement, double step,
                       std::vector<EnteringElement> entering);
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
@@ -46,8 +48,8 @@ public:
   long products() const override { return difference_.products() + displacement_.products(); }
 
 private:
+  SlipOperator &difference_, &displacement_;
   double length_;
-  TangentialOperator difference_, displacement_;
   std::vector<EnteringElement> entering_;
   std::vector<double> ux_, uy_;
 };

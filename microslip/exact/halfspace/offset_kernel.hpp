@@ -70,7 +70,7 @@ struct CoupledKernel {
   OffsetTable xz, yz;     ///< slip from the pressure
   OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
 
-  /// As CoupledOperator::displacement and CoupledOperator::growth.
+  /// As CoupledOperator::displacement and CoupledOperator::difference.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
                                     const Progress& progress = {});
   static CoupledKernel difference(const Bodies& bodies, const ElementGrid& grid, double step,

@@ -30,9 +30,9 @@ void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
 }
 
 /// Integrals of exp(-q/l)/l A(x + way q) over q (B4), (B5), way = +-1, l > 0.
-template <class Value> class DelayIntegral {
+template <class Value> class RetardedIntegral {
 public:
-  DelayIntegral(const RowInfluence<Value>& influence, double dx, double length, double way)
+  RetardedIntegral(const RowInfluence<Value>& influence, double dx, double length, double way)
       : influence_(influence), dx_(dx), length_(length), way_(way) {}
 
   /// From 0 to `end`.
@@ -74,7 +74,7 @@ std::vector<Value> retarded_row(const Retardation& retardation, const RowInfluen
   std::vector<Value> row(static_cast<std::size_t>(count));
   const bool forward = retardation.distance >= 0;
   const double length = std::abs(retardation.distance), decay = std::exp(-dx / length);
-  const DelayIntegral<Value> integral(influence, dx, length, forward ? 1 : -1);
+  const RetardedIntegral<Value> integral(influence, dx, length, forward ? 1 : -1);
   for (int k = 0; k < count; ++k) { // from where the particles come from
     const int i = forward ? count - 1 - k : k;
     const double x = x_first + i * dx;

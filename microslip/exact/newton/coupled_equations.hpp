@@ -11,10 +11,10 @@ namespace microslip {
 
 /// The equations F(x) = 0 of a CoupledFrictionProblem as take_newton_steps has them, for all n elements:
 /// p - P_g(p - rho s) = 0 with g = mu p_n (B3), p_n - max(0, p_n - r e) = 0 (B2) and those of the prescribed forces,
-/// where rho and r
-/// are one over the operator's diagonal entries. Unknowns x are px and py in units of the mean friction, p_n, and then
-/// what forces determine, in units of their own: delta and the constants of cx, cy. The response of x is the slip and
-/// the deformed gap: sx, sy, e. A residual in tractions counts in units of the mean friction.
+/// where rho and r are one over the operator's diagonal entries.
+/// Unknowns x are px and py in units of the mean friction, p_n, and then what forces determine, in units of their own:
+/// delta and the constants of cx, cy. The response of x is the slip and the deformed gap: sx, sy, e. A residual in
+/// tractions counts in units of the mean friction.
 class CoupledEquations {
 public:
   using Real = double;
