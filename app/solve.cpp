@@ -266,7 +266,7 @@ int solve(SolveArguments arguments) {
     for (const auto& picture : pictures) print_file(picture);
   print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
-  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), reason_of(input, result));
+  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), result.reason);
   return ExitCode::not_met;
 }
 
