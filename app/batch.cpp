@@ -13,12 +13,14 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/method.hpp"
 #include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -70,38 +72,39 @@ void refuse(std::initializer_list<Given> options, const char* reason) {
     if (is_given) throw Error(std::string(name) + ": " + reason);
 }
 
-SimplifiedOptions simplified_options(const BatchArguments& arguments, Theory theory) {
-  refuse({{"--discretisation", !arguments.discretisation.empty()},
-          {"--elements", !arguments.elements.empty()},
-          {"--tolerance", arguments.tolerance.has_value()}},
-         "needs --theory exact");
-  SimplifiedOptions options;
-  parse_grid(arguments.grid, most_cells, options.mx, options.my);
-  set_defaults(theory, options);
-  if (!arguments.bound.empty()) options.bound = from_word<TractionBound>("--bound", arguments.bound);
-  if (!arguments.flexibility.empty())
-    options.flexibility = from_word<FlexibilityModel>("--flexibility", arguments.flexibility);
-  if (!arguments.coefficients.empty())
-    options.creepage_table = from_word<CreepageTable>("--coefficients", arguments.coefficients);
-  options.direction = from_word<RollingDirection>("--direction", arguments.direction);
-  return options;
+template <class Option> void read(const char* name, const std::string& word, std::optional<Option>& option) {
+  if (!word.empty()) option = from_word<Option>(name, word);
 }
 
-ExactOptions exact_options(const BatchArguments& arguments) {
-  refuse({{"--bound", !arguments.bound.empty()},
-          {"--flexibility", !arguments.flexibility.empty()},
-          {"--coefficients", !arguments.coefficients.empty()}},
-         "needs the simplified theory, e.g. --theory fastsim2");
-  ExactOptions options;
-  parse_grid(arguments.grid, most_elements, options.mx, options.my);
-  if (!arguments.discretisation.empty())
-    options.discretisation = from_word<Discretisation>("--discretisation", arguments.discretisation);
-  if (!arguments.elements.empty()) options.elements = from_word<ElementShape>("--elements", arguments.elements);
-  if (options.elements == ElementShape::bilinear && options.discretisation != Discretisation::classical)
-    throw Error("--elements: bilinear ones need --discretisation classical");
-  if (arguments.tolerance) options.tolerance = require_between("--tolerance", *arguments.tolerance, "-", 1e-14, 0.1);
-  options.direction = from_word<RollingDirection>("--direction", arguments.direction);
-  return options;
+/// The method with what is given only.
+Method method_of(const BatchArguments& arguments) {
+  Method method{.theory = from_word<Theory>("--theory", arguments.theory)};
+  const bool exact = method.theory == Theory::exact;
+  if (exact)
+    refuse({{"--bound", !arguments.bound.empty()},
+            {"--flexibility", !arguments.flexibility.empty()},
+            {"--coefficients", !arguments.coefficients.empty()}},
+           "needs the simplified theory, e.g. --theory fastsim2");
+  else
+    refuse({{"--tolerance", arguments.tolerance.has_value()}}, "needs --theory exact");
+  parse_grid(arguments.grid, exact ? most_elements : most_cells, method.mx, method.my);
+  read("--bound", arguments.bound, method.bound);
+  read("--flexibility", arguments.flexibility, method.flexibility);
+  read("--discretisation", arguments.discretisation, method.discretisation);
+  read("--elements", arguments.elements, method.elements);
+  if (!arguments.coefficients.empty())
+    method.coefficients = from_word<CreepageTable>("--coefficients", arguments.coefficients);
+  if (arguments.tolerance) method.tolerance = require_between("--tolerance", *arguments.tolerance, "-", 1e-14, 0.1);
+  return method;
+}
+
+/// The words of the table of incompatibilities for options of the command line: `--elements` for `solution.elements`,
+/// `--theory exact` for `solution.theory = "exact"`.
+std::string in_options(std::string text) {
+  for (const auto& [key, option] : {std::pair("solution.", "--"), {" = \"", " "}, {"\"", ""}})
+    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key))
+      text.replace(at, std::strlen(key), option);
+  return text;
 }
 
 std::ifstream open_input(const fs::path& path) {
@@ -228,12 +231,22 @@ private:
 };
 
 std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
-  const auto theory = from_word<Theory>("--theory", arguments.theory);
+  const Method method = method_of(arguments);
+  RollingProblem any; // like every row of the table, but for what its columns say
+  any.motion.direction = from_word<RollingDirection>("--direction", arguments.direction);
+  const auto found = incompatibilities(any, method);
+  if (!found.empty()) throw Error(in_options(found.front().message()));
   const int threads = arguments.threads;
-  if (theory == Theory::exact) return std::make_unique<ExactTableSolver>(threads, exact_options(arguments));
-  const auto options = simplified_options(arguments, theory);
-  if (theory == Theory::fastrip) return std::make_unique<SimplifiedTableSolver<Fastrip>>(threads, Fastrip(options));
-  return std::make_unique<SimplifiedTableSolver<RowSolver>>(threads, RowSolver(marching_scheme(theory), options));
+  if (method.theory == Theory::exact) {
+    ExactOptions options = exact_options(any, method);
+    options.bodies.reset(); // each row's
+    return std::make_unique<ExactTableSolver>(threads, options);
+  }
+  const auto options = simplified_options(method, any.motion.direction);
+  if (method.theory == Theory::fastrip)
+    return std::make_unique<SimplifiedTableSolver<Fastrip>>(threads, Fastrip(options));
+  return std::make_unique<SimplifiedTableSolver<RowSolver>>(threads,
+                                                            RowSolver(marching_scheme(method.theory), options));
 }
 
 /// Reads, solves and writes a table, a group of chunks at a time.
@@ -343,16 +356,13 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   add_json_flag(*command, arguments->json);
   command->footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
-      "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have "
-      "dissimilarity [-], the\n"
-      "combined K of bodies of different materials, which needs --theory exact, and rolling_speed [m/s], which forces\n"
-      "under a constant coefficient of friction do not depend on. OUT.csv repeats them and adds fx [N], fy [N], mz [N "
-      "m],\n"
-      "adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-] and iterations. Forces act "
-      "on\n"
-      "body 1. A bad row is named by line and column, and OUT.csv appears only when it is\n"
-      "complete. With --json the numbers of contacts and of those not solved. Exit code 1: some contacts have another\n"
-      "status than ok.\n\n"
+      "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have\n"
+      "dissimilarity [-], the combined K of bodies of different materials, which needs --theory exact, and\n"
+      "rolling_speed [m/s], which forces under a constant coefficient of friction do not depend on. OUT.csv repeats\n"
+      "them and adds fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact\n"
+      "residual [-] and iterations. Forces act on body 1. A bad row is named by line and column, and OUT.csv appears\n"
+      "only when it is complete. With --json the numbers of contacts and of those not solved. Exit code 1: some\n"
+      "contacts have another status than ok.\n\n"
       "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");
   command->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }

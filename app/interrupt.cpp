@@ -49,9 +49,10 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
-  ::alarm(0);
+  // A signal until here may set the alarm, which must not outlive its handler: SIGALRM would end the process.
   sigaction(SIGINT, &old_interrupt, nullptr);
   sigaction(SIGTERM, &old_termination, nullptr);
+  ::alarm(0);
   sigaction(SIGALRM, &old_alarm, nullptr);
 }
 

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -66,21 +67,22 @@ std::string describe_exact(const RollingCase& input, int mx, int my) {
 
 void print_simplified(const RollingCase& input, const RollingContactResult& result) {
   const auto& simplified = *result.simplified;
-  const ContactForces forces = simplified.solution.forces();
+  const ContactSolution& solution = simplified.solution;
+  const Totals& t = solution.totals;
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
-  const auto area = forces.adhesion_area + forces.slip_area;
+  const auto area = t.adhesion_area + t.slip_area;
   QuantityTable table(describe_simplified(input));
-  table.add("longitudinal force fx", forces.fx, "N", in_units_of(forces.fx, limit, "mu Fn"));
-  table.add("lateral force fy", forces.fy, "N", in_units_of(forces.fy, limit, "mu Fn"));
-  table.add("spin moment mz", forces.mz, "N m", in_units_of(forces.mz, moment, "mu Fn sqrt(a b)"));
-  table.add("adhesion area", forces.adhesion_area * 1e6, "mm^2", percent(forces.adhesion_area, area));
-  table.add("slip area", forces.slip_area * 1e6, "mm^2", percent(forces.slip_area, area));
-  table.add("frictional power", simplified.solution.totals.frictional_power, "W");
+  table.add_quantity("fx", solution, in_units_of(t.fx, limit, "mu Fn"));
+  table.add_quantity("fy", solution, in_units_of(t.fy, limit, "mu Fn"));
+  table.add_quantity("mz", solution, in_units_of(t.mz, moment, "mu Fn sqrt(a b)"));
+  table.add_quantity("adhesion_area", solution, percent(t.adhesion_area, area));
+  table.add_quantity("slip_area", solution, percent(t.slip_area, area));
+  table.add_quantity("frictional_power", solution);
   table.add("discretisation error of fx", simplified.grid_error.fx, "mu Fn");
   table.add("discretisation error of fy", simplified.grid_error.fy, "mu Fn");
   table.add("discretisation error of mz", simplified.grid_error.mz, "mu Fn sqrt(a b)");
-  table.add("status", {std::string(to_string(forces.status))});
+  table.add("status", {std::string(to_string(solution.report.status))});
   if (const auto assumption = simplified_assumption(input); !assumption.empty()) table.add("assumes", {assumption});
   table.print();
 }
@@ -90,11 +92,18 @@ class SideBySide {
 public:
   SideBySide(QuantityTable& table, const RollingContactResult& result) : table_(table), result_(result) {}
 
-  /// `value` takes a quantity from the fields of a theory.
-  template <class Value> void add(const std::string& name, const std::string& unit, const Value& value) {
+  /// A quantity of the table by its name.
+  void add(std::string_view name) {
+    std::vector<const ContactSolution*> solutions = {&result_.exact->contact};
+    if (const auto& simplified = result_.simplified) solutions.push_back(&simplified->solution);
+    table_.add_quantity(name, solutions);
+  }
+
+  /// A number that `value` takes from the totals of a theory.
+  template <class Value> void add(const std::string& label, const std::string& unit, const Value& value) {
     std::vector<double> values = {value(result_.exact->contact.totals)};
     if (const auto& simplified = result_.simplified) values.push_back(value(simplified->solution.totals));
-    table_.add(name, values, unit);
+    table_.add(label, values, unit);
   }
 
   /// An error that `value` takes from the grid errors; none where there was nothing to compare with.
@@ -111,23 +120,17 @@ private:
   const RollingContactResult& result_;
 };
 
-void add_totals(QuantityTable& table, const RollingContactResult& result, bool shift) {
+void add_totals(QuantityTable& table, const RollingContactResult& result) {
   const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   SideBySide rows(table, result);
-  using Fields = const Totals&;
-  rows.add("longitudinal force fx", "N", [](Fields f) { return f.fx; });
-  rows.add("lateral force fy", "N", [](Fields f) { return f.fy; });
-  rows.add("spin moment mz", "N m", [](Fields f) { return f.mz; });
+  for (const auto* name : {"fx", "fy", "mz"}) rows.add(name);
   if (limit > 0) {
-    rows.add("fx", "mu Fn", [&](Fields f) { return f.fx / limit; });
-    rows.add("fy", "mu Fn", [&](Fields f) { return f.fy / limit; });
-    rows.add("mz", "mu Fn sqrt(a b)", [&](Fields f) { return f.mz / moment; });
+    rows.add("fx", "mu Fn", [&](const Totals& t) { return t.fx / limit; });
+    rows.add("fy", "mu Fn", [&](const Totals& t) { return t.fy / limit; });
+    rows.add("mz", "mu Fn sqrt(a b)", [&](const Totals& t) { return t.mz / moment; });
   }
-  rows.add("adhesion area", "mm^2", [](Fields f) { return 1e6 * f.adhesion_area; });
-  rows.add("slip area", "mm^2", [](Fields f) { return 1e6 * f.slip_area; });
-  rows.add(shift ? "frictional work" : "frictional power", shift ? "J" : "W",
-           [](Fields f) { return f.frictional_power; });
+  for (const auto* name : {"adhesion_area", "slip_area", "frictional_power"}) rows.add(name);
   rows.add_error("discretisation error of fx", "mu Fn", &GridError::fx);
   rows.add_error("discretisation error of fy", "mu Fn", &GridError::fy);
   rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &GridError::mz);
@@ -144,7 +147,6 @@ void add_limit(QuantityTable& table, const AccurateContact& limit, const Rolling
 
 void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto& contact = result.exact->contact;
-  const bool shift = input.motion.kind == ContactMotion::shift;
   std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.report.status))};
   if (result.simplified) {
     heads.push_back(simplified_name(input));
@@ -154,25 +156,26 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto [mx, my] =
       limit ? std::pair(limit->elements, limit->elements) : std::pair(input.options.mx, input.options.my);
   QuantityTable table(describe_exact(input, mx, my), heads);
-  add_totals(table, result, shift);
+  add_totals(table, result);
   if (limit) add_limit(table, *limit, input);
-  if (input.motion.force_x)
-    table.add(shift ? "longitudinal shift, found" : "longitudinal creepage, found", contact.creepage.longitudinal,
-              shift ? "m" : "-");
-  if (input.motion.force_y)
-    table.add(shift ? "lateral shift, found" : "lateral creepage, found", contact.creepage.lateral, shift ? "m" : "-");
-  table.add("frictional power by creepages", contact.totals.power_by_creepage, shift ? "J" : "W");
-  table.add("elastic energy of the tractions", contact.totals.elastic_energy, "J");
-  if (!bodies_of(input).are_elastic()) table.add("rolling resistance moment my", contact.totals.my, "N m");
-  table.add("peak pressure", 1e-6 * contact.totals.peak_pressure, "MPa");
-  table.add("peak traction", 1e-6 * contact.totals.peak_traction, "MPa");
-  if (!contact.fields.temperature1.empty()) table.add("highest temperature", contact.highest_temperature, "deg C");
-  table.add("residual", contact.report.residual, "-",
-            fmt::format("{} Newton steps, {} products", contact.report.newton_steps, contact.report.products));
+  const auto add_found = [&](std::string_view name) {
+    const Quantity& q = quantity(name);
+    table.add(label_of(q, contact) + ", found", q.value(contact), std::string(q.unit_of(contact)));
+  };
+  if (input.motion.force_x) add_found("creepage_longitudinal");
+  if (input.motion.force_y) add_found("creepage_lateral");
+  table.add_quantity("power_by_creepage", contact);
+  table.add_quantity("elastic_energy", contact);
+  if (!bodies_of(input).are_elastic()) table.add_quantity("my", contact);
+  table.add_quantity("peak_pressure", contact);
+  table.add_quantity("peak_traction", contact);
+  if (!contact.fields.temperature1.empty()) table.add_quantity("highest_temperature", contact);
+  table.add_quantity("residual", contact,
+                     fmt::format("{} Newton steps, {} products", contact.report.newton_steps, contact.report.products));
   if (contact.report.friction_iterations > 0)
-    table.add("relative change of slip", contact.report.friction_residual, "-",
-              fmt::format("{} friction-slip iterations, from {}", contact.report.friction_iterations,
-                          input.slip_start == SlipStart::above ? "full sliding" : "rest"));
+    table.add_quantity("friction_residual", contact,
+                       fmt::format("{} friction-slip iterations, from {}", contact.report.friction_iterations,
+                                   input.slip_start == SlipStart::above ? "full sliding" : "rest"));
   table.add("status", status);
   const auto assumption = simplified_assumption(input);
   if (result.simplified && !assumption.empty()) table.add(fmt::format("{} assumes", heads.back()), {assumption});
@@ -266,7 +269,7 @@ int solve(SolveArguments arguments) {
     for (const auto& picture : pictures) print_file(picture);
   print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
-  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), reason_of(input, result));
+  fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), result.reason);
   return ExitCode::not_met;
 }
 

@@ -135,10 +135,9 @@ void derivative_errors(int n) {
     errors.push_back(worst);
   }
   std::sort(errors.begin(), errors.end());
-  std::printf(
-      "%zu cases at %d x %d: derivatives less differences of forces, of a column's size: median %.1e, 90 %% %.1e "
-      "(wanted: <= 1e-5)\n",
-      errors.size(), n, n, errors[errors.size() / 2], errors[errors.size() * 9 / 10]);
+  std::printf("%zu cases at %d x %d: derivatives less differences of forces, of a column's size:\n"
+              "  median %.1e, 90 %% %.1e (wanted: <= 1e-5)\n",
+              errors.size(), n, n, errors[errors.size() / 2], errors[errors.size() * 9 / 10]);
 }
 
 /// Every so many-th case that adheres and slides: forces given for creepages given, derivatives for forces.
@@ -166,11 +165,11 @@ void forces_and_derivatives(int n, std::size_t stride) {
     derivatives += (processor_time() - start);
     ++count;
   }
-  std::printf(
-      "%d cases at %d x %d: creepages given %.2f ms and %.1f products; forces given / creepages given %.2f (wanted: "
-      "<= 1.5); forces with derivatives / forces %.2f (wanted: <= 2), the three systems %.1f products\n",
-      count, n, n, 1e3 * by_creepage / count, double(products) / count, by_force / by_creepage,
-      derivatives / by_creepage, double(more_products) / count);
+  std::printf("%d cases at %d x %d: creepages given %.2f ms and %.1f products\n"
+              "  forces given / creepages given %.2f (wanted: <= 1.5)\n"
+              "  forces with derivatives / forces %.2f (wanted: <= 2), the three systems %.1f products\n",
+              count, n, n, 1e3 * by_creepage / count, double(products) / count, by_force / by_creepage,
+              derivatives / by_creepage, double(more_products) / count);
 }
 
 } // namespace

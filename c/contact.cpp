@@ -4,6 +4,9 @@
 #include "microslip/elasticity/hertz.hpp"
 
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace microslip::c {
 namespace {
@@ -47,6 +50,31 @@ bool has_valid_friction(const microslip_contact& contact) {
          is_coefficient(contact.friction + first.drop + second.drop);
 }
 
+EllipticContact without_friction(const microslip_contact& c) noexcept {
+  return {.a = c.a,
+          .b = c.b,
+          .shear_modulus = c.shear_modulus,
+          .poisson_ratio = c.poisson_ratio,
+          .normal_force = c.normal_force,
+          .friction = {},
+          .creepage = {c.creepage_longitudinal, c.creepage_lateral, c.spin},
+          .rolling_speed = c.rolling_speed};
+}
+
+/// The text of an Error with the C struct's name of the field where the library's is another.
+std::string by_names_in_c(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> renamed[] = {
+      {"creepage.longitudinal", "creepage_longitudinal"},
+      {"creepage.lateral", "creepage_lateral"},
+      {"creepage.spin", "spin"},
+      {"coefficient", "friction"},
+      {"kinetic", "friction"}};
+  const std::string_view field = text.substr(0, text.find(' '));
+  for (const auto& [in_library, in_c] : renamed)
+    if (field == in_library) return std::string(in_c).append(text.substr(field.size()));
+  return std::string(text);
+}
+
 PrincipalRadii radii_of(const microslip_bodies& b) {
   return {b.rolling_radius[0], b.rolling_radius[1], b.transverse_radius[0], b.transverse_radius[1]};
 }
@@ -54,29 +82,21 @@ PrincipalRadii radii_of(const microslip_bodies& b) {
 } // namespace
 
 EllipticContact contact_of(const microslip_contact& c) noexcept {
-  const bool valid = has_valid_friction(c);
-  return {.a = valid ? c.a : std::numeric_limits<double>::quiet_NaN(),
-          .b = c.b,
-          .shear_modulus = c.shear_modulus,
-          .poisson_ratio = c.poisson_ratio,
-          .normal_force = c.normal_force,
-          .friction = valid ? friction_of(c) : FrictionLaw(),
-          .creepage = {c.creepage_longitudinal, c.creepage_lateral, c.spin},
-          .rolling_speed = c.rolling_speed};
+  EllipticContact contact = without_friction(c);
+  if (has_valid_friction(c))
+    contact.friction = friction_of(c);
+  else
+    contact.a = std::numeric_limits<double>::quiet_NaN();
+  return contact;
 }
 
 void check_contact(const microslip_contact& c) {
-  require_positive("a", c.a, "m");
-  require_positive("b", c.b, "m");
-  require_positive("shear_modulus", c.shear_modulus, "Pa");
-  require_between("poisson_ratio", c.poisson_ratio, "-", 0, 0.5);
-  require_positive("normal_force", c.normal_force, "N");
-  require_positive("rolling_speed", c.rolling_speed, "m/s");
-  require_finite("creepage_longitudinal", c.creepage_longitudinal, "-");
-  require_finite("creepage_lateral", c.creepage_lateral, "-");
-  require_finite("spin", c.spin, "1/m");
-  require_between("friction", c.friction, "-", 0, FrictionLaw::largest_coefficient);
-  friction_of(c);
+  try {
+    check(without_friction(c));
+    friction_of(c);
+  } catch (const Error& refusal) {
+    throw Error(by_names_in_c(refusal.what()));
+  }
 }
 
 microslip_forces forces_of(const ContactForces& f) noexcept {

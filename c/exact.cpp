@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <string>
@@ -134,12 +133,6 @@ microslip_exact_result solve_with(EllipticContactSolver& solver, microslip_exact
   return result_of(*handle.solution);
 }
 
-std::string accuracy_missed(double error) {
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "accuracy not reached: estimated error %.2g mu Fn", error);
-  return text.data();
-}
-
 microslip_exact_result solve_with(AccurateContactSolver& solver, microslip_exact& handle) {
   AccurateContact found = solver.solve(handle.contact, handle.motion, progress_of(handle));
   microslip_exact_result out = result_of(found.finest);
@@ -149,8 +142,10 @@ microslip_exact_result solve_with(AccurateContactSolver& solver, microslip_exact
   out.error = found.error;
   out.products = found.products;
   handle.finest = found.elements;
-  std::string& reason = found.finest.report.reason;
-  if (reason.empty() && found.forces.status == Status::not_converged) reason = accuracy_missed(found.error);
+  SolverReport& report = found.finest.report;
+  report.status = found.forces.status;
+  report.estimated_error = found.error;
+  add_reason(report);
   handle.solution = std::move(found.finest);
   return out;
 }

@@ -14,6 +14,6 @@ microslip_code microslip_solve_case(const char* text, const char* name, char** j
     const Provenance provenance{
         .kind = "rolling_contact", .title = input.title, .case_file = file, .case_text = case_text};
     *json = text_copy(json_text(case_document(input, result, provenance)));
-    return report(error, code_of(result.status), reason_of(input, result));
+    return report(error, code_of(result.status), result.reason);
   });
 }

@@ -5,10 +5,8 @@
 #include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,12 +17,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
-
-std::string rounded(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", value);
-  return text.data();
-}
 
 GridError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
@@ -117,6 +109,15 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
     result.curve = exact_curve(options, contact, part(progress, 0.9, 1));
   go_on(progress, 1);
   return result;
+}
+
+/// Of the contact's solution or, where an accuracy is asked for, of its limit.
+SolverReport report_of(const ExactResult& exact) {
+  SolverReport report = exact.contact.report;
+  if (!exact.limit) return report;
+  report.status = exact.limit->forces.status;
+  report.estimated_error = exact.limit->error;
+  return report;
 }
 
 void write(ResultWriter& file, const std::vector<StoredNumber>& quantities) {
@@ -391,29 +392,14 @@ RollingContactResult solve_case(const RollingCase& input, const Progress& progre
   result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
-  if (const auto& exact = result.exact)
-    result.status = exact->limit ? exact->limit->forces.status : exact->contact.report.status;
-  if (input.motion.kind == ContactMotion::steady && result.status == Status::ok) {
+  if (result.exact) result.status = report_of(*result.exact).status;
+  if (input.motion.kind == ContactMotion::steady && result.status == Status::ok)
     result.simplified = solve_simplified(input, result.contact);
-    if (!result.exact) result.status = result.simplified->solution.report.status;
-  }
+  SolverReport report = result.exact ? report_of(*result.exact) : result.simplified->solution.report;
+  add_reason(report);
+  result.status = report.status;
+  result.reason = report.reason;
   return result;
-}
-
-std::string reason_of(const RollingCase& input, const RollingContactResult& result) {
-  if (result.status == Status::ok) return "";
-  if (result.status == Status::no_solution) return "prescribed force exceeds mu Fn; the result shown is full sliding";
-  if (result.status == Status::not_converged && result.exact) {
-    const SolverReport& report = result.exact->contact.report;
-    if (result.exact->limit)
-      return "accuracy not reached: estimated error " + rounded(result.exact->limit->error) + " mu Fn";
-    if (report.friction_residual > friction_tolerance)
-      return "friction-slip iteration not converged after " + std::to_string(report.friction_iterations) +
-             " iterations: relative change of slip " + rounded(report.friction_residual);
-    if (std::isfinite(report.residual))
-      return "not converged: residual " + rounded(report.residual) + ", wanted " + rounded(input.tolerance);
-  }
-  return "overflow or underflow in the computation: check units and magnitudes";
 }
 
 void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file) {

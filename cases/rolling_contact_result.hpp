@@ -41,6 +41,7 @@ struct RollingContactResult {
   std::optional<ExactResult> exact;
   std::optional<SimplifiedResult> simplified; ///< beside the exact theory if that converges for steady rolling
   Status status = Status::ok;                 ///< of the theory that the case asks for
+  std::string reason;                         ///< why it is not ok; empty if it is
   std::vector<std::string> warnings;          ///< of an implausible contact; see implausibilities
 };
 
@@ -68,9 +69,6 @@ std::string simplified_assumption(const RollingCase& input);
 /// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
 /// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
-
-/// Why its status is not ok; empty if it is.
-std::string reason_of(const RollingCase& input, const RollingContactResult& result);
 
 /// Writes inputs, solutions and their tolerances.
 void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file);

@@ -313,8 +313,7 @@ EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& h
 RollingProblem rolling_problem(const RollingCase& input) {
   const auto &body1 = input.body1, &body2 = input.body2;
   RollingProblem problem;
-  problem.geometry =
-      gap_curvatures({body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius});
+  problem.geometry = gap_curvatures(principal_radii(body1, body2));
   problem.bodies = bodies_of(input);
   problem.load = input.normal_force ? NormalLoad{NormalLoad::Given::force, *input.normal_force}
                                     : NormalLoad{NormalLoad::Given::approach, *input.approach};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <type_traits>
 
 namespace microslip {
 namespace {
@@ -12,14 +11,20 @@ Json::json_pointer pointer_to(const std::string& path) {
   return path == "/" ? Json::json_pointer() : Json::json_pointer("/" + path);
 }
 
+Json to_json(double value) {
+  return json_number(value);
+}
+Json to_json(int value) {
+  return value;
+}
+
 } // namespace
 
 bool is_field(const std::string& path) {
   constexpr std::array<std::string_view, 3> groups = {"fields", "elements", "interior"};
   const std::string bounded = "/" + path;
   return std::any_of(groups.begin(), groups.end(), [&](std::string_view group) {
-    const std::size_t at = bounded.find("/" + std::string(group) + "/");
-    return at != std::string::npos;
+    return bounded.find("/" + std::string(group) + "/") != std::string::npos;
   });
 }
 
@@ -37,32 +42,16 @@ void JsonResult::text(const std::string& path, const std::string& value, const s
   if (!is_field(path)) members_[pointer_to(path)] = value;
 }
 
-template <class Value>
-void JsonResult::numbers(const std::string& path, std::span<const Value> values, const std::string& unit,
-                         const Shape& shape) {
+void JsonResult::array(const std::string& path, const Values& values, const std::string& unit, const std::string&,
+                       const Shape& shape) {
   if (is_field(path) || shape.size() > 1) return;
   Json all = Json::array();
-  for (const Value value : values) {
-    if constexpr (std::is_integral_v<Value>)
-      all.push_back(value);
-    else
-      all.push_back(json_number(value));
-  }
+  const auto add = [&](auto numbers) {
+    for (const auto number : numbers) all.push_back(to_json(number));
+  };
+  std::visit(add, values);
   members_[pointer_to(path)] = std::move(all);
   units_[path] = unit;
-}
-
-void JsonResult::array(const std::string& path, std::span<const double> values, const std::string& unit,
-                       const std::string&, const Shape& shape) {
-  numbers(path, values, unit, shape);
-}
-void JsonResult::array(const std::string& path, std::span<const int> values, const std::string& unit,
-                       const std::string&, const Shape& shape) {
-  numbers(path, values, unit, shape);
-}
-void JsonResult::array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
-                       const std::string&, const Shape& shape) {
-  numbers(path, values, unit, shape);
 }
 
 void JsonResult::attribute(const std::string& path, const std::string& name, const std::string& value) {

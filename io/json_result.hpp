@@ -12,21 +12,14 @@ public:
 
   void scalar(const std::string& path, double value, const std::string& unit, const std::string& description) override;
   void text(const std::string& path, const std::string& value, const std::string& description) override;
-  void array(const std::string& path, std::span<const double> values, const std::string& unit,
-             const std::string& description, const Shape& shape = {}) override;
-  void array(const std::string& path, std::span<const int> values, const std::string& unit,
-             const std::string& description, const Shape& shape = {}) override;
-  void array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
-             const std::string& description, const Shape& shape = {}) override;
+  void array(const std::string& path, const Values& values, const std::string& unit, const std::string& description,
+             const Shape& shape = {}) override;
   void attribute(const std::string& path, const std::string& name, const std::string& value) override;
 
   /// All of it, `units` last.
   Json document() const;
 
 private:
-  template <class Value>
-  void numbers(const std::string& path, std::span<const Value> values, const std::string& unit, const Shape& shape);
-
   Json members_ = Json::object(), units_ = Json::object();
 };
 

@@ -9,7 +9,7 @@ namespace microslip {
 /// Without commit() nothing is left and an older file of that name stays as it was. Symbolic links are followed. What
 /// is no regular file (a pipe, a terminal, /dev/null) and what a name such as /dev/stdout stands for is written
 /// directly. Failures throw an Error with the path and the system's reason. Temporary names end with the computer's
-/// name and the process number; what processes that were killed have left for the same file is removed.
+/// name and the process number; what killed processes of this computer have left in the folder is removed.
 class OutputFile {
 public:
   explicit OutputFile(const std::filesystem::path& path);

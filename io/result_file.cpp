@@ -28,6 +28,18 @@ hid_t with_parent_groups() {
   return properties;
 }
 
+/// HDF5's type of the numbers of an array.
+template <class Value> hid_t type_of();
+template <> hid_t type_of<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <> hid_t type_of<int>() {
+  return H5T_NATIVE_INT;
+}
+template <> hid_t type_of<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+
 hid_t utf8_text() {
   const auto type = H5Tcopy(H5T_C_S1);
   H5Tset_size(type, H5T_VARIABLE);
@@ -73,14 +85,14 @@ struct ResultFile::Contents {
   }
 
   template <class Value>
-  void array(const std::string& path, hid_t type, std::span<const Value> values, const std::string& unit,
+  void array(const std::string& path, std::span<const Value> values, const std::string& unit,
              const std::string& description, const Shape& shape) {
     const std::vector<hsize_t> extents =
         shape.empty() ? std::vector<hsize_t>{values.size()} : std::vector<hsize_t>(shape.begin(), shape.end());
     if (std::accumulate(extents.begin(), extents.end(), hsize_t{1}, std::multiplies<>()) != values.size())
       throw Error(name + ": the shape of " + path + " does not fit its values");
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
-    dataset(path, type, space, values.data(), unit, description);
+    dataset(path, type_of<Value>(), space, values.data(), unit, description);
   }
 
   /// An array that can grow.
@@ -106,16 +118,16 @@ struct ResultFile::Contents {
   }
 
   template <class Value>
-  void append(const std::string& path, hid_t type, std::span<const Value> values, const std::string& unit,
+  void append(const std::string& path, std::span<const Value> values, const std::string& unit,
               const std::string& description) {
-    Growing& array = growing(path, type, unit, description);
+    Growing& array = growing(path, type_of<Value>(), unit, description);
     if (values.empty()) return;
     const hsize_t begin = array.length, count = values.size(), end = begin + count;
     check(H5Dset_extent(array.dataset.get(), &end), path);
     const Hdf5Handle all(H5Dget_space(array.dataset.get()), H5Sclose),
         part(H5Screate_simple(1, &count, nullptr), H5Sclose);
     check(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr), path);
-    check(H5Dwrite(array.dataset.get(), type, part.get(), all.get(), H5P_DEFAULT, values.data()), path);
+    check(H5Dwrite(array.dataset.get(), type_of<Value>(), part.get(), all.get(), H5P_DEFAULT, values.data()), path);
     array.length = end;
   }
 
@@ -149,7 +161,7 @@ ResultFile::~ResultFile() = default;
 void ResultFile::scalar(const std::string& path, double value, const std::string& unit,
                         const std::string& description) {
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  contents_->dataset(path, H5T_NATIVE_DOUBLE, space, &value, unit, description);
+  contents_->dataset(path, type_of<double>(), space, &value, unit, description);
 }
 
 void ResultFile::text(const std::string& path, const std::string& value, const std::string& description) {
@@ -158,29 +170,14 @@ void ResultFile::text(const std::string& path, const std::string& value, const s
   contents_->dataset(path, contents_->text.get(), space, static_cast<const void*>(&pointer), "-", description);
 }
 
-void ResultFile::array(const std::string& path, std::span<const double> values, const std::string& unit,
+void ResultFile::array(const std::string& path, const Values& values, const std::string& unit,
                        const std::string& description, const Shape& shape) {
-  contents_->array(path, H5T_NATIVE_DOUBLE, values, unit, description, shape);
+  std::visit([&](auto numbers) { contents_->array(path, numbers, unit, description, shape); }, values);
 }
 
-void ResultFile::array(const std::string& path, std::span<const int> values, const std::string& unit,
-                       const std::string& description, const Shape& shape) {
-  contents_->array(path, H5T_NATIVE_INT, values, unit, description, shape);
-}
-
-void ResultFile::array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
-                       const std::string& description, const Shape& shape) {
-  contents_->array(path, H5T_NATIVE_UINT8, values, unit, description, shape);
-}
-
-void ResultFile::append(const std::string& path, std::span<const double> values, const std::string& unit,
+void ResultFile::append(const std::string& path, const Values& values, const std::string& unit,
                         const std::string& description) {
-  contents_->append(path, H5T_NATIVE_DOUBLE, values, unit, description);
-}
-
-void ResultFile::append(const std::string& path, std::span<const int> values, const std::string& unit,
-                        const std::string& description) {
-  contents_->append(path, H5T_NATIVE_INT, values, unit, description);
+  std::visit([&](auto numbers) { contents_->append(path, numbers, unit, description); }, values);
 }
 
 void ResultFile::attribute(const std::string& path, const std::string& name, const std::string& value) {

@@ -2,10 +2,8 @@
 
 #include "io/result_writer.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 
 namespace microslip {
@@ -27,19 +25,12 @@ public:
 
   void scalar(const std::string& path, double value, const std::string& unit, const std::string& description) override;
   void text(const std::string& path, const std::string& value, const std::string& description) override;
-  void array(const std::string& path, std::span<const double> values, const std::string& unit,
-             const std::string& description, const Shape& shape = {}) override;
-  void array(const std::string& path, std::span<const int> values, const std::string& unit,
-             const std::string& description, const Shape& shape = {}) override;
-  void array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
-             const std::string& description, const Shape& shape = {}) override;
+  void array(const std::string& path, const Values& values, const std::string& unit, const std::string& description,
+             const Shape& shape = {}) override;
   void attribute(const std::string& path, const std::string& name, const std::string& value) override;
 
   /// Adds values at the end of an array of one dimension, which the first call creates with unit and description.
-  void append(const std::string& path, std::span<const double> values, const std::string& unit,
-              const std::string& description);
-  void append(const std::string& path, std::span<const int> values, const std::string& unit,
-              const std::string& description);
+  void append(const std::string& path, const Values& values, const std::string& unit, const std::string& description);
 
   /// Writes the file to its final name. Once.
   void commit();

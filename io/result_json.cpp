@@ -1,18 +1,15 @@
 #include "io/result_json.hpp"
 
 #include "io/hdf5_handle.hpp"
+#include "io/json_result.hpp"
 #include "microslip/error.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace microslip {
 namespace {
-
-constexpr std::array<std::string_view, 3> fields = {"fields", "elements", "interior"};
 
 /// Without what HDF5 prints of every error by itself.
 hid_t open_quietly(const std::string& name) {
@@ -52,10 +49,11 @@ private:
     for (hsize_t i = 0; i < info.nlinks; ++i) {
       std::array<char, 256> name{};
       check(H5Lget_name_by_idx(id, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT), path);
-      if (std::find(fields.begin(), fields.end(), name.data()) != fields.end()) continue;
       const auto member_path = path + name.data();
       const Hdf5Handle member(check(H5Oopen(id, name.data(), H5P_DEFAULT), member_path), H5Oclose);
-      if (H5Iget_type(member.get()) == H5I_GROUP)
+      const bool is_group = H5Iget_type(member.get()) == H5I_GROUP;
+      if (is_group && is_field(member_path + "/")) continue;
+      if (is_group)
         result[name.data()] = group(member.get(), member_path + "/");
       else
         dataset(member.get(), member_path, result[name.data()]);

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace microslip {
@@ -35,12 +36,9 @@ public:
   virtual void text(const std::string& path, const std::string& value, const std::string& description) = 0;
 
   /// Arrays, the last index fastest; `shape` empty means one dimension. Error if it does not fit the values.
+  using Values = std::variant<std::span<const double>, std::span<const int>, std::span<const std::uint8_t>>;
   using Shape = std::vector<std::size_t>;
-  virtual void array(const std::string& path, std::span<const double> values, const std::string& unit,
-                     const std::string& description, const Shape& shape = {}) = 0;
-  virtual void array(const std::string& path, std::span<const int> values, const std::string& unit,
-                     const std::string& description, const Shape& shape = {}) = 0;
-  virtual void array(const std::string& path, std::span<const std::uint8_t> values, const std::string& unit,
+  virtual void array(const std::string& path, const Values& values, const std::string& unit,
                      const std::string& description, const Shape& shape = {}) = 0;
 
   /// A text attribute of a group or dataset that is there; "/" is the root.

@@ -518,6 +518,7 @@ TEST(Program, BatchTakesTheOptionsOfTheExactTheory) {
   refused("--theory exact --flexibility one", "--flexibility: needs the simplified theory");
   refused("--theory exact --coefficients computed", "--coefficients: needs the simplified theory");
   refused("--theory exact --elements bilinear", "--elements: bilinear ones need --discretisation classical");
+  refused("--theory fastrip --bound parabolic", "--bound: must be elliptic with --theory fastrip");
   refused("--theory exact --tolerance 1", "--tolerance = 1 [-]: must be in [1e-14, 0.1]");
 }
 

@@ -1,5 +1,6 @@
 #include "io/result_json.hpp"
 
+#include "io/json_result.hpp"
 #include "io/result_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
@@ -58,6 +59,36 @@ TEST(ResultJson, LeavesFieldsOut) {
   EXPECT_EQ(json.at("exact"), Json::parse(R"({"fx": 1.0})"));
   for (const auto* name : {"elements", "interior", "table"}) EXPECT_FALSE(json.contains(name)) << name;
   EXPECT_EQ(json.at("units"), Json::parse(R"({"exact/fx": "N"})"));
+}
+
+void write_all_kinds(ResultWriter& result) {
+  result.scalar("exact/fx", -1.25, "N", "force");
+  result.scalar("exact/limit/elements", 32, "-", "a number of that name is no field");
+  result.text("inputs/elements", "bilinear", "nor a text");
+  result.array("exact/fields/px", std::vector<double>{1, 2, 3, 4}, "Pa", "traction", {2, 2});
+  result.array("elements/px", std::vector<double>{1, 2}, "Pa", "traction");
+  result.array("interior/z", std::vector<double>{1, 2}, "m", "depth");
+  result.array("table", std::vector<std::uint8_t>{1, 2, 3, 4}, "-", "of two dimensions", {2, 2});
+  result.array("curve/fx", std::vector<double>{0, infinity}, "N", "forces");
+  result.array("curve/count", std::vector<int>{3, -4}, "-", "counts");
+  result.array("curve/state", std::vector<std::uint8_t>{1, 2}, "-", "states");
+  result.attribute("curve", "variable", "spin");
+}
+
+TEST(ResultJson, IsWhatJsonResultMakesWithoutAFile) {
+  const TemporaryFolder folder;
+  const Provenance provenance = {.kind = "test", .title = "T"};
+  ResultFile file(folder / "r.h5", provenance);
+  write_all_kinds(file);
+  file.commit();
+  JsonResult direct(provenance);
+  write_all_kinds(direct);
+  // In no order: that of HDF5 is the alphabet's.
+  nlohmann::json read = result_json(folder / "r.h5"), made = direct.document();
+  for (auto* document : {&read, &made}) document->erase("created");
+  EXPECT_EQ(read, made);
+  EXPECT_EQ(read.at("exact").at("limit").at("elements"), 32);
+  EXPECT_EQ(read.at("inputs").at("elements"), "bilinear");
 }
 
 TEST(ResultJson, RefusesWhatIsNoResultFile) {

@@ -12,6 +12,7 @@ namespace microslip {
 /// of the table in quantities.cpp.
 struct Quantity {
   std::string_view name;        ///< in every door
+  std::string_view label;       ///< in printed tables
   std::string_view symbol;      ///< in formulas
   std::string_view unit;        ///< SI; "-" without one
   std::string_view shift_unit;  ///< the same for a shift, whose creepages are lengths and whose power is work

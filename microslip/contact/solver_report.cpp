@@ -1,6 +1,7 @@
 #include "microslip/contact/solver_report.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace microslip {
@@ -12,13 +13,18 @@ std::string shortest(double value) {
   return text.data();
 }
 
+constexpr const char* overflow = "overflow or underflow in the computation: check units and magnitudes";
+
 std::string reason_of(const SolverReport& report) {
   switch (report.status) {
   case Status::ok:
     return "";
   case Status::invalid_input:
-    return "overflow or underflow in the computation: check units and magnitudes";
+    return overflow;
   case Status::not_converged:
+    if (!std::isfinite(report.residual)) return overflow;
+    if (report.estimated_error)
+      return "accuracy not reached: estimated error " + shortest(*report.estimated_error) + " mu Fn";
     return "not converged: residual " + shortest(report.residual) + " after " + std::to_string(report.newton_steps) +
            " Newton steps";
   case Status::no_contact:

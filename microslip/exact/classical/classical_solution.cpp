@@ -1,5 +1,8 @@
 #include "microslip/exact/classical/classical_solution.hpp"
 
+#include <array>
+#include <cstdio>
+#include <string>
 #include <utility>
 
 namespace microslip {
@@ -8,6 +11,15 @@ namespace {
 std::vector<double> scaled(std::vector<double> field, double factor) {
   for (double& value : field) value *= factor;
   return field;
+}
+
+/// Why a step whose friction has not settled is not converged.
+std::string friction_reason(const ContactStepSolution& s) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(),
+                "friction-slip iteration not converged after %d iterations: relative change of slip %.2g",
+                s.friction_iterations, s.friction_residual);
+  return text.data();
 }
 
 } // namespace
@@ -84,6 +96,8 @@ ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int ste
   out.report.friction_iterations = s.friction_iterations;
   out.report.friction_residual = s.friction_residual;
   out.report.status = s.status;
+  if (s.status == Status::not_converged && s.friction_residual > friction_tolerance)
+    out.report.reason = friction_reason(s);
   return out;
 }
 

@@ -1,0 +1,43 @@
+#include "microslip/contact/solver_report.hpp"
+
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+std::string reason_of(SolverReport report) {
+  add_reason(report);
+  return report.reason;
+}
+
+TEST(SolverReport, HasAReasonUnlessItIsOk) {
+  EXPECT_EQ(reason_of({}), "");
+  EXPECT_EQ(reason_of({.status = Status::no_contact}), "the bodies do not touch");
+  EXPECT_EQ(reason_of({.status = Status::no_solution}),
+            "prescribed force exceeds mu Fn; the result shown is full sliding");
+  EXPECT_EQ(reason_of({.status = Status::not_converged, .residual = 2e-3, .newton_steps = 40}),
+            "not converged: residual 0.002 after 40 Newton steps");
+}
+
+TEST(SolverReport, WithoutAResidualSpeaksOfOverflow) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::string overflow = "overflow or underflow in the computation: check units and magnitudes";
+  EXPECT_EQ(reason_of({.status = Status::not_converged, .residual = nan}), overflow);
+  EXPECT_EQ(reason_of({.status = Status::invalid_input}), overflow);
+}
+
+TEST(SolverReport, OfAnAccuracyNotReachedNamesTheError) {
+  EXPECT_EQ(reason_of({.status = Status::not_converged, .residual = 1e-7, .estimated_error = 2.5e-5}),
+            "accuracy not reached: estimated error 2.5e-05 mu Fn");
+}
+
+TEST(SolverReport, KeepsAReasonThatItHas) {
+  EXPECT_EQ(reason_of({.status = Status::invalid_input, .reason = "a = 0 [m]: must be positive"}),
+            "a = 0 [m]: must be positive");
+}
+
+} // namespace
+} // namespace microslip
