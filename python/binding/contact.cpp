@@ -163,7 +163,6 @@ void bind_contact(py::module_& module) {
   bind_creepage(module);
   bind_elliptic_contact(module);
   bind_forces(module);
-  bind_solution(module);
   bind_contact_batch(module);
 }
 

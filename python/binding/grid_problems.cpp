@@ -20,18 +20,13 @@ Shape shape_of(const ElementGrid& grid) {
 
 namespace {
 
-using Force = std::optional<double>;
-
-NormalLoad load_from(Force force, Force approach) {
-  if (force.has_value() == approach.has_value()) throw Error("load: needs either normal_force or approach");
-  return force ? NormalLoad{NormalLoad::Given::force, *force} : NormalLoad{NormalLoad::Given::approach, *approach};
-}
-
 RealArray centres(int count, double first, double apart) {
   RealArray out(count);
   for (int i = 0; i < count; ++i) out.mutable_data()[i] = first + i * apart;
   return out;
 }
+
+} // namespace
 
 void bind_grid(py::module_& module) {
   auto grid = py::class_<ElementGrid>(
@@ -78,6 +73,15 @@ void bind_grid(py::module_& module) {
         return out;
       },
       "gap"_a, "grid"_a, "The undeformed distance h = A x^2 + B y^2 at the elements' centres, shape (my, mx) [m].");
+}
+
+namespace {
+
+using Force = std::optional<double>;
+
+NormalLoad load_from(Force force, Force approach) {
+  if (force.has_value() == approach.has_value()) throw Error("load: needs either normal_force or approach");
+  return force ? NormalLoad{NormalLoad::Given::force, *force} : NormalLoad{NormalLoad::Given::approach, *approach};
 }
 
 template <class T> auto normal_field(std::vector<T> NormalSolution::*member) {
@@ -305,7 +309,6 @@ void bind_patch(py::module_& module) {
 } // namespace
 
 void bind_grid_problems(py::module_& module) {
-  bind_grid(module);
   bind_normal(module);
   bind_tangential_solution(module);
   bind_tangential(module);

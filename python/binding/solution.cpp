@@ -1,5 +1,5 @@
+#include "binding/bindings.hpp"
 #include "binding/codes.hpp"
-#include "binding/contact.hpp"
 #include "binding/interior.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"

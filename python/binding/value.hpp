@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -132,6 +133,22 @@ pybind11::dict to_dict(const pybind11::object& self);
 
 /// Takes a pickled state apart. Throws Error for one of another version.
 pybind11::object checked_state(const std::string& name, const pybind11::tuple& state);
+
+/// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`.
+template <class Class> void add_text(Class& of, std::initializer_list<const char*> fields) {
+  const std::vector<std::string> names(fields.begin(), fields.end());
+  of.def("__repr__", [names](const pybind11::object& self) {
+    auto text = self.attr("__class__").attr("__name__").template cast<std::string>() + "(";
+    for (const auto& name : names) {
+      const pybind11::object value = self.attr(name.c_str());
+      const bool is_code = pybind11::hasattr(value, "name") && pybind11::hasattr(value, "_member_map_");
+      text += (text.back() == '(' ? "" : ", ") + name + "=" +
+              (is_code ? value.attr("name").template cast<std::string>()
+                       : pybind11::repr(value).template cast<std::string>());
+    }
+    return text + ")";
+  });
+}
 
 /// Makes a class one of values: a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, ==, copies, pickles
 /// that tell their version, to_dict(). All fields that make up its value are listed in `fields`.
