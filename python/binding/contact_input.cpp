@@ -154,9 +154,8 @@ void bind_case(py::module_& module) {
             if (!is_solved(self)) return std::nullopt;
             return TangentialResult{self.outcome.solution.tangential, shape_of(self.outcome.step.grid)};
           },
-          "The TangentialSolution, SI units; None unless solved.")
-      .def("to_dict", &to_dict, "All fields [CONTACT's units and SI units] as a dict; arrays are copies.");
-  add_text(run_case, {"number", "line", "outcome", "status", "totals"});
+          "The TangentialSolution, SI units; None unless solved.");
+  add_description(run_case, {"number", "line", "outcome", "status", "totals"});
 }
 
 } // namespace

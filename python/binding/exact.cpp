@@ -6,20 +6,8 @@
 #include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/rolling/accurate_contact.hpp"
 
 namespace microslip::python {
-
-template <>
-inline constexpr auto fields<ExactDerivatives> =
-    std::tuple{Field{"solution", &ExactDerivatives::solution}, Field{"jacobian", &ExactDerivatives::jacobian},
-               Field{"products", &ExactDerivatives::products}};
-template <>
-inline constexpr auto fields<AccurateContact> =
-    std::tuple{Field{"finest", &AccurateContact::finest},    Field{"coarser", &AccurateContact::coarser},
-               Field{"forces", &AccurateContact::forces},    Field{"creepage", &AccurateContact::creepage},
-               Field{"error", &AccurateContact::error},      Field{"elements", &AccurateContact::elements},
-               Field{"products", &AccurateContact::products}};
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include "binding/value.hpp"
 #include "io/option_words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/interior/interior_peak.hpp"
 
 #include <algorithm>
 #include <map>
@@ -13,20 +12,6 @@
 
 namespace microslip::python {
 
-template <>
-inline constexpr auto fields<Stress> =
-    std::tuple{Field{"xx", &Stress::xx}, Field{"yy", &Stress::yy}, Field{"zz", &Stress::zz},
-               Field{"xy", &Stress::xy}, Field{"xz", &Stress::xz}, Field{"yz", &Stress::yz}};
-template <>
-inline constexpr auto fields<InteriorState> =
-    std::tuple{Field{"ux", &InteriorState::ux}, Field{"uy", &InteriorState::uy}, Field{"uz", &InteriorState::uz},
-               Field{"stress", &InteriorState::stress}};
-template <>
-inline constexpr auto fields<InteriorPoint> =
-    std::tuple{Field{"x", &InteriorPoint::x}, Field{"y", &InteriorPoint::y}, Field{"depth", &InteriorPoint::depth}};
-template <>
-inline constexpr auto fields<InteriorPeak> = std::tuple{
-    Field{"value", &InteriorPeak::value}, Field{"point", &InteriorPeak::point}, Field{"state", &InteriorPeak::state}};
 template <>
 inline constexpr auto fields<States> = std::tuple{Field{"shape", &States::shape}, Field{"states", &States::states}};
 

@@ -31,7 +31,8 @@ template <class T> constexpr bool is_vector<std::vector<T>> = true;
 template <class T> constexpr bool is_shared = false;
 template <class T> constexpr bool is_shared<std::shared_ptr<T>> = true;
 template <class T> constexpr bool is_codes = false;
-template <class T> constexpr bool is_codes<std::vector<T>> = std::is_enum_v<T> && sizeof(T) == 1;
+template <class T>
+constexpr bool is_codes<std::vector<T>> = (std::is_enum_v<T> && sizeof(T) == 1) || std::is_same_v<T, unsigned char>;
 
 template <class T, class Visit> void for_each_field(const Visit& visit) {
   std::apply([&](const auto&... field) { (visit(field.name, field.member), ...); }, fields<T>);
@@ -134,8 +135,8 @@ pybind11::dict to_dict(const pybind11::object& self);
 /// Takes a pickled state apart. Throws Error for one of another version.
 pybind11::object checked_state(const std::string& name, const pybind11::tuple& state);
 
-/// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`.
-template <class Class> void add_text(Class& of, std::initializer_list<const char*> fields) {
+/// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, and to_dict().
+template <class Class> void add_description(Class& of, std::initializer_list<const char*> fields) {
   const std::vector<std::string> names(fields.begin(), fields.end());
   of.def("__repr__", [names](const pybind11::object& self) {
     auto text = self.attr("__class__").attr("__name__").template cast<std::string>() + "(";
@@ -148,6 +149,7 @@ template <class Class> void add_text(Class& of, std::initializer_list<const char
     }
     return text + ")";
   });
+  of.def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
 }
 
 /// Makes a class one of values: a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, ==, copies, pickles
@@ -155,7 +157,7 @@ template <class Class> void add_text(Class& of, std::initializer_list<const char
 template <class T, class... Options>
 void add_value(pybind11::class_<T, Options...>& of, std::initializer_list<const char*> shown) {
   namespace py = pybind11;
-  add_text(of, shown);
+  add_description(of, shown);
   const auto name = of.attr("__name__").template cast<std::string>();
   of.def(
         "__eq__",
@@ -171,8 +173,7 @@ void add_value(pybind11::class_<T, Options...>& of, std::initializer_list<const 
                         auto made = std::make_unique<T>();
                         read_state(checked_state(name, state), name, *made);
                         return made;
-                      }))
-      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
+                      }));
 }
 
 /// A line of a table in a notebook.
