@@ -196,24 +196,20 @@ void bind_case(py::module_& module) {
           [](const Case& self) {
             return ReadOnly<EllipticContact>{elliptic_contact(self.input, hertz_contact(self.input))};
           },
-          "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be read, not "
-          "changed:\n"
-          "copy.copy(case.contact) gives one that can be.")
+          "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be\n"
+          "read, not changed: copy.copy(case.contact) gives one that can be.")
       .def_property_readonly(
           "text", [](const Case& self) { return self.text; }, "The text of the file.");
   rolling_case
       .def("exact_solver", &exact_solver, py::kw_only(), "cells"_a = py::none(), "discretisation"_a = py::none(),
-           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-], on its "
-           "grid "
-           "or with\n"
-           "`cells` elements across the ellipse in each direction. Error if it cannot have that discretisation.")
+           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-],\n"
+           "on its grid or with `cells` elements across the ellipse in each direction. Error if it cannot\n"
+           "have that discretisation.")
       .def("accurate_solver", &accurate_solver, "accuracy"_a,
            "An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation.")
       .def("simplified_solver", &simplified_solver, py::kw_only(), "cells"_a = py::none(),
-           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with "
-           "`cells` "
-           "in each\n"
-           "direction. Error for FaStrip, which has no such solver in Python.");
+           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or\n"
+           "with `cells` in each direction. Error for FaStrip, which has no such solver in Python.");
   add_value(rolling_case, {"title", "theory", "contact"});
 
   module.def(
@@ -223,9 +219,9 @@ void bind_case(py::module_& module) {
         return parse(read_case_text(name), name);
       },
       "path"_a,
-      "Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with file, line, key, "
-      "value and\n"
-      "allowed range for what is wrong, and with the nearest key for unknown ones [-].");
+      "Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with\n"
+      "file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown\n"
+      "ones [-].");
   module.def("parse_case", &parse, "text"_a, "name"_a = "case",
              "The same from TOML text, SI units; `name` is the file's name for messages [-].");
 }
@@ -298,7 +294,7 @@ void bind_case_files(py::module_& module) {
           "case", [](const SolvedCase& self) { return std::const_pointer_cast<Case>(self.of); }, "The RollingCase.")
       .def_property_readonly("hertz", result(&RollingContactResult::hertz), "The HertzContact.")
       .def_property_readonly("contact", result(&RollingContactResult::contact),
-                             "The EllipticContact, with creepages as found where a force is given.")
+                             "The EllipticContact, with creepages as found where a force is prescribed.")
       .def_property_readonly("exact", result(&RollingContactResult::exact),
                              "ExactResult, None if the case does not ask for it.")
       .def_property_readonly("simplified", result(&RollingContactResult::simplified),
@@ -309,17 +305,15 @@ void bind_case_files(py::module_& module) {
                              "Of the theory that the case asks for, a Status [-].")
       .def_property_readonly(
           "warnings", result(&RollingContactResult::warnings),
-          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often "
-          "a length\n"
-          "in mm or a modulus in MPa.")
+          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a\n"
+          "length in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
            "be written.");
   add_value(solved, {"status", "exact", "simplified", "warnings"});
   module.def("solve_case", &solve, "case"_a,
-             "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI units [-]. "
-             "Ctrl-C ends it.\n"
-             "Returns RollingContactResult; not converging is a status.");
+             "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI\n"
+             "units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status.");
 }
 
 } // namespace microslip::python

@@ -121,9 +121,9 @@ void bind_contact_batch(py::module_& module) {
             shape.insert(shape.end(), {3, 4});
             return view(derivatives.jacobian, shape, self);
           },
-          "Derivatives of fx [N], fy [N], mz [N m] to longitudinal and lateral creepage [-], spin [1/m] and normal "
-          "force [N],\n"
-          "shape (..., 3, 4); that to the normal force keeps the ellipse as it is.");
+          "Derivatives of fx [N], fy [N], mz [N m] with respect to longitudinal and lateral creepage [-],\n"
+          "spin [1/m] and normal force [N], shape (..., 3, 4); that with respect to the normal force keeps\n"
+          "the ellipse as it is.");
   add_value(derivative_arrays, {"forces", "jacobian"});
 
   py::class_<ExactForceArrays> exact_arrays(module, "ExactForceArrays", "Forces of many contacts by the exact theory.");
