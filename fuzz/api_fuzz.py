@@ -3,8 +3,9 @@
     api_fuzz.py [--seed S] [--calls N] [--call I]
 
 Every call gives finite results whose forces keep within friction, or says in its status that it does not, or raises
-microslip.Error (TypeError for an argument of a wrong kind). After numbers out of all range it may also give NaN. Calls run in a process of their own, so that a crash is told
-as well. Each has a seed of its own: `--seed S --call I` makes call I again and nothing else.
+microslip.Error (TypeError for an argument of a wrong kind). After numbers out of all range it may also give NaN. Calls
+run in a process of their own, so that a crash is told as well. Each has a seed of its own: `--seed S --call I` makes
+call I again and nothing else.
 """
 
 import argparse
@@ -110,6 +111,25 @@ def material(draw):
     return microslip.combine(body(), body())
 
 
+def bodies(draw):
+    """What a solver of the exact theory takes for bodies: combined constants, with a layer, viscoelastic."""
+    layer = lambda: microslip.InterfaceLayer(draw.scale(1e-16, 1e-12), **draw.some(
+        yield_stress=lambda: draw.scale(1e6, 1e9), hardening=lambda: draw.number(-1e12, 1e12)))
+    body = lambda: microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5))
+    creep = lambda: microslip.Creep(draw.choice((0.0, draw.number(0, 3))), draw.scale(1e-5, 1e-1))
+    return draw.choice((
+        lambda: material(draw), lambda: microslip.Bodies(material(draw), layer()),
+        lambda: microslip.viscoelastic(body(), creep(), body(), creep(), draw.scale(0.1, 100), **draw.some(layer=layer)),
+    ))()
+
+
+def heat(draw):
+    """Two bodies for heat, and what their temperature takes from friction."""
+    body = lambda: microslip.ThermalBody(draw.number(-20, 100), draw.scale(1, 100), draw.scale(1e3, 1e4), draw.scale(100, 1e3))
+    return draw.some(thermal=lambda: (body(), body()), temperature_effect=lambda: microslip.TemperatureEffect(
+        draw.number(-0.2, 0), draw.number(-50, 200), draw.scale(10, 1e3)))
+
+
 def contact(draw):
     a = draw.scale(1e-4, 1e-2)
     return microslip.EllipticContact(a, a * draw.scale(0.1, 10), draw.scale(1e9, 1e11), draw.number(0, 0.5), draw.scale(1, 1e5),
@@ -160,10 +180,10 @@ def columns(draw, like):
 def elliptic_contact(draw):
     solver = microslip.EllipticContactSolver(draw.count(1, 12), draw.count(1, 12), **draw.some(
         discretisation=lambda: draw.word("second_order", "classical"), direction=lambda: draw.word("forward", "backward"),
-        elements=lambda: draw.word("constant", "bilinear"), bodies=lambda: material(draw),
+        elements=lambda: draw.word("constant", "bilinear"), bodies=lambda: bodies(draw),
         coupling=lambda: draw.word("newton", "alternating"), slip_start=lambda: draw.word("below", "above"),
         memory_distance=lambda: draw.scale(1e-5, 1e-2), memory_speed=lambda: draw.scale(1e-3, 10),
-        tolerance=lambda: draw.scale(1e-8, 1e-3)))
+        tolerance=lambda: draw.scale(1e-8, 1e-3)), **heat(draw))
     case = contact(draw)
     call = draw.choice(("solve", "solve", "deformed_gap", "differentiate", "solve_batch"))
     if call == "solve":
@@ -172,6 +192,26 @@ def elliptic_contact(draw):
     if call == "deformed_gap":
         return solver.deformed_gap(case, **draw.some(motion=lambda: draw.word("steady", "transient", "shift")))
     return solver.differentiate(case) if call == "differentiate" else solver.solve_batch(case, **columns(draw, case))
+
+
+def accurate_contact(draw):
+    solver = microslip.AccurateContactSolver(draw.choice((0.1, draw.scale(1e-2, 0.1))), **draw.some(
+        direction=lambda: draw.word("forward", "backward"), bodies=lambda: bodies(draw)))
+    case = contact(draw)
+    if draw.random() < 0.7:
+        case.friction = draw.number(0.05, 0.6)  # others are refused
+    return solver.solve(case, **forces(draw, case.normal_force))
+
+
+def from_solution(draw):
+    """What a solution gives besides: fields on another grid, stresses inside."""
+    solver = draw.choice((microslip.Fastsim2(6, 5).fields, microslip.EllipticContactSolver(draw.randint(1, 8), draw.randint(1, 8)).solve))
+    solution = solver(contact(draw))
+    if draw.random() < 0.5:
+        return solution.sampled(draw.word("px", "pressure", "sx", "gap", "temperature1"), grid(draw)[0])
+    body = lambda: microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5))
+    points = lambda: draw.array([draw.number(-0.01, 0.01) for _ in range(draw.randint(1, 3))])
+    return solution.interior_states(body(), body(), points(), points(), points())
 
 
 def simplified(draw):
@@ -236,8 +276,8 @@ def hertz(draw):
     return microslip.hertz_from_load(microslip.gap_curvatures(*(radius() for _ in range(4))), material(draw), draw.scale(1, 1e6))
 
 
-CALLS = (elliptic_contact, elliptic_contact, elliptic_contact, simplified, patch_fields, normal_problem, patch_rolling,
-         tangential_problem, interior, hertz)
+CALLS = (elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
+         normal_problem, patch_rolling, tangential_problem, interior, hertz)
 
 
 # What is asked of the results.

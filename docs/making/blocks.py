@@ -4,7 +4,7 @@ A mark is a comment, `<!-- ... -->`, on the line before a fence:
 
     not run: WHY          the block is not run, for the reason given
     output                what the block before prints; whole numbers are equal, others may
-                          differ by .1 % or a unit of their last digit
+                          differ by 1e-5 of themselves or a unit of their last digit
     output of: COMMAND    the same, of a command
     printed by: COMMAND   an excerpt of what a longer command prints; tools/figures renews it
 """

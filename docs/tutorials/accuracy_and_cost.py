@@ -1,8 +1,9 @@
 # %% [markdown]
 # # Accuracy and cost
 #
-# How long may a contact take, and how wrong may it be? The answer decides between the two theories, and between grids. This tutorial draws one picture from which both can be read, and shows how to ask the exact theory
-# for an accuracy instead of a grid.
+# How long may a contact take, and how wrong may it be? The answer decides between the two theories, and between grids.
+# This tutorial draws one picture from which both can be read, and shows how to ask the exact theory for an accuracy
+# instead of a grid.
 
 # %%
 import time
@@ -19,7 +20,8 @@ limit = 0.3 * contact.normal_force
 # %% [markdown]
 # ## An answer with its error
 #
-# `AccurateContactSolver` takes the error that is wanted, in units of $\mu F_n$, refines its grid until it is reached, and says how large it thinks the error is. With a small one we have a reference for all that follows.
+# `AccurateContactSolver` takes the error that is wanted, in units of $\mu F_n$, refines its grid until it is reached,
+# and says how large it thinks the error is. With a small one we have a reference for all that follows.
 
 # %%
 best = microslip.AccurateContactSolver(1e-4).solve(contact)
@@ -31,7 +33,8 @@ for wanted in (1e-2, 1e-3):
     print(f"wanted {wanted:g}: estimated {found.error:.1e}, true {true:.1e}, {found.elements} elements across")
 
 # %% [markdown]
-# The estimate is meant to be on the safe side, and is; over many cases see [the study](../accuracy-exact.md#second-order).
+# The estimate is meant to be on the safe side, and is; over many cases see
+# [the study](../accuracy-exact.md#second-order).
 #
 # ## Error over time
 #
@@ -76,8 +79,12 @@ axes.legend(loc="lower left")
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Better is down and to the left. The simplified theory, on the left, soon stops getting better: beyond some 10 x 10 cells of FASTSIM2 what remains is the error of the model itself, the distance between a bed of springs and an elastic
-# body. It is a few per cent of $\mu F_n$ here, and finer cells only cost time. (FASTSIM's curve even rises: on coarse cells its two errors happen to have opposite signs here and cancel. One cannot count on that.) The exact theory is a thousand times dearer and goes down as far as one likes; elements of second order get there on far coarser grids than classical ones.
+# **How to read it.** Better is down and to the left. The simplified theory, on the left, soon stops getting better:
+# beyond some 10 x 10 cells of FASTSIM2 what remains is the error of the model itself, the distance between a bed of
+# springs and an elastic body. It is a few per cent of $\mu F_n$ here, and finer cells only cost time. (FASTSIM's curve
+# even rises: on coarse cells its two errors happen to have opposite signs here and cancel. One cannot count on that.)
+# The exact theory is a thousand times dearer and goes down as far as one likes; elements of second order get there on
+# far coarser grids than classical ones.
 #
 # Numbers beside the points are the cells or elements in each direction.
 #

@@ -1,7 +1,8 @@
 # %% [markdown]
 # # Coming from CONTACT
 #
-# Who has input files of the program CONTACT can run them as they are. This tutorial runs one, shows where its numbers are in Python, and builds one of its cases anew without the file.
+# Who has input files of the program CONTACT can run them as they are. This tutorial runs one, shows where its numbers
+# are in Python, and builds one of its cases anew without the file.
 #
 # From the command line it is `microslip run FILE.inp`; [CONTACT's input files](../contact-input.md) says what is read.
 
@@ -18,11 +19,13 @@ with open("examples/sphere_on_plane.inp") as file:
     print("".join(file.readlines()[4:15]))
 
 # %% [markdown]
-# That is its first case: a ball pressed on a plane. Then follow a shift by 7/8 of the friction limit, one step of rolling, and steady rolling, each from the tractions of the case before.
+# That is its first case: a ball pressed on a plane. Then follow a shift by 7/8 of the friction limit, one step of
+# rolling, and steady rolling, each from the tractions of the case before.
 #
 # ## Run
 #
-# Cases come one after the other as they are solved, so that a file of ten thousand needs no more memory than one of ten. `totals` are in CONTACT's units and under its names, fields are in SI units.
+# Cases come one after the other as they are solved, so that a file of ten thousand needs no more memory than one of
+# ten. `totals` are in CONTACT's units and under its names, fields are in SI units.
 
 # %%
 cases = list(microslip.run_contact_input("examples/sphere_on_plane.inp"))
@@ -33,7 +36,8 @@ for case in cases:
           f"{totals.adhesion:8} {totals.slip:5}   {totals.approach:.5f}")
 
 # %% [markdown]
-# A case that asks for something that is not supported is no error: its `outcome` says refused, `reasons` say why, and the others run.
+# A case that asks for something that is not supported is no error: its `outcome` says refused, `reasons` say why, and
+# the others run.
 #
 # ## Look
 #
@@ -56,7 +60,8 @@ panels[0].set_ylabel("y [mm]")
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Shifted: slip in a ring, adhesion in the middle, as Cattaneo and Mindlin found. Rolled a little: particles that entered on the right adhere. Steady: slip is only at the rear, on the left, as Carter found.
+# **How to read it.** Shifted: slip in a ring, adhesion in the middle, as Cattaneo and Mindlin found. Rolled a little:
+# particles that entered on the right adhere. Steady: slip is only at the rear, on the left, as Carter found.
 #
 # ## The same without the file
 #
@@ -73,7 +78,8 @@ plt.show()
 #
 # In module 3 signs are the same. In module 1 some are not: see the [table](../conventions.md#contact).
 #
-# The steady rolling of the fourth case, once with CONTACT's discretisation, then with elements of second order. The grid of the file reaches beyond the ellipse by a factor of 1.4, so its 21 elements are 15 across the ellipse:
+# The steady rolling of the fourth case, once with CONTACT's discretisation, then with elements of second order. The
+# grid of the file reaches beyond the ellipse by a factor of 1.4, so its 21 elements are 15 across the ellipse:
 
 # %%
 rubbery = microslip.Material(200e6, 0.42)  # 200 N/mm^2
@@ -85,5 +91,7 @@ for discretisation, n in (("classical", 15), ("second_order", 15), ("second_orde
     print(f"{discretisation:12} {n:3} x {n:<3} xi = {solved.creepage.longitudinal:.6f}")
 
 # %% [markdown]
-# The classical elements repeat CONTACT's number. Those of second order, on the same grid, are much nearer to the limit. So differences from CONTACT are mostly CONTACT's discretisation error; where digits matter, compare with `discretisation="classical"`.
-# [Accuracy of the exact theory](../accuracy-exact.md) has all printed results of CONTACT's own examples beside ours.
+# The classical elements repeat CONTACT's number. Those of second order, on the same grid, are much nearer to the limit.
+# So differences from CONTACT are mostly CONTACT's discretisation error; where digits matter, compare with
+# `discretisation="classical"`. [Accuracy of the exact theory](../accuracy-exact.md) has all printed results of
+# CONTACT's own examples beside ours.

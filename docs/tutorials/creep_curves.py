@@ -1,8 +1,9 @@
 # %% [markdown]
 # # Creep curves
 #
-# The force over the creepage is the characteristic curve of a rolling contact. Traction control, hunting and wear depend on its slope at the origin, on where it bends, and on whether it falls
-# again. This tutorial computes such curves in single calls, and says what bends them.
+# The force over the creepage is the characteristic curve of a rolling contact. Traction control, hunting and wear
+# depend on its slope at the origin, on where it bends, and on whether it falls again. This tutorial computes such
+# curves in single calls, and says what bends them.
 
 # %%
 import copy
@@ -20,7 +21,8 @@ limit = 0.3 * contact.normal_force  # mu Fn
 # %% [markdown]
 # ## Slope and saturation
 #
-# A batch takes arrays in place of creepages; they broadcast as numpy's arrays do, and all processors work on them. So one call gives the curves for three spins: spins down, creepages across.
+# A batch takes arrays in place of creepages; they broadcast as numpy's arrays do, and all processors work on them. So
+# one call gives the curves for three spins: spins down, creepages across.
 
 # %%
 xi = np.linspace(0, 8e-3, 161)
@@ -43,13 +45,16 @@ plt.show()
 print(f"slope at the origin {slope / 1e6:.2f} MN, by differences {-curves.fx[0, 1] / xi[1] / 1e6:.2f} MN")
 
 # %% [markdown]
-# **How to read it.** Left: without spin the curve leaves the origin with the slope of Kalker's linear theory, $C_{11} G a b$, which is a property of the elastic bodies alone; friction plays no part there. It bends
-# as the slip area grows, and ends at the friction limit when all of the contact slips. Right: spin alone pushes the wheel sideways, as it does a spinning ball. Whatever part of the friction is used for one direction is missing in the other:
-# braking takes the lateral force away. That is why a braked wheel is guided less.
+# **How to read it.** Left: without spin the curve leaves the origin with the slope of Kalker's linear theory,
+# $C_{11} G a b$, which is a property of the elastic bodies alone; friction plays no part there. It bends as the slip
+# area grows, and ends at the friction limit when all of the contact slips. Right: spin alone pushes the wheel sideways,
+# as it does a spinning ball. Whatever part of the friction is used for one direction is missing in the other: braking
+# takes the lateral force away. That is why a braked wheel is guided less.
 #
 # ## Derivatives
 #
-# An implicit integrator needs the slope at any point of the curve, in all directions. `differentiate` gives them with the forces, by differentiation of the code itself, not by differences:
+# An implicit integrator needs the slope at any point of the curve, in all directions. `differentiate` gives them with
+# the forces, by differentiation of the code itself, not by differences:
 
 # %%
 contact.creepage = (0.0018, 0.0006, 0.4)
@@ -63,12 +68,14 @@ change = (solver.solve(contact).fx - derivatives.forces.fx) / step
 print(f"dFx/dxi by a difference: {change:.4g} N")
 
 # %% [markdown]
-# Compare the first number with the slope at the origin: four fifths of the friction are used, and the curve is only half as steep.
+# Compare the first number with the slope at the origin: four fifths of the friction are used, and the curve is only
+# half as steep.
 #
 # ## Friction that falls
 #
-# Measured curves have a maximum and fall beyond it, since friction drops with the speed of sliding. Polach's law, $\mu = \mu_0((1 - A)e^{-Bv} + A)$ with the slip velocity $v$, is one of those that microslip has. Now the
-# rolling speed matters: the same creepage is a larger slip velocity on a faster train.
+# Measured curves have a maximum and fall beyond it, since friction drops with the speed of sliding. Polach's law,
+# $\mu = \mu_0((1 - A)e^{-Bv} + A)$ with the slip velocity $v$, is one of those that microslip has. Now the rolling
+# speed matters: the same creepage is a larger slip velocity on a faster train.
 
 # %%
 contact.friction = microslip.FrictionLaw.polach(0.3, ratio=0.4, decay=0.6)  # mu_0, A, B [s/m]
@@ -86,5 +93,7 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# **How to read it.** To the left of the maximum more creepage gives more force, and a driven wheel finds its balance. To the right it gives less, and the wheel begins to spin. The maximum is what traction control looks
-# for; it is lower at higher speed. With the exact theory, falling friction has more than one solution and needs a memory: see [other bodies and friction](../theory-bodies.md).
+# **How to read it.** To the left of the maximum more creepage gives more force, and a driven wheel finds its balance.
+# To the right it gives less, and the wheel begins to spin. The maximum is what traction control looks for; it is lower
+# at higher speed. With the exact theory, falling friction has more than one solution and needs a memory: see
+# [other bodies and friction](../theory-bodies.md).

@@ -1,8 +1,9 @@
 # %% [markdown]
 # # The exact theory
 #
-# The exact theory takes both bodies as elastic half-spaces: a traction anywhere moves the surface everywhere. So nothing has to be assumed about the contact area or about springs, and shapes that are no ellipses, histories and given forces can be
-# treated. This tutorial shows three things that the simplified theory cannot do.
+# The exact theory takes both bodies as elastic half-spaces: a traction anywhere moves the surface everywhere. So
+# nothing has to be assumed about the contact area or about springs, and shapes that are no ellipses, histories and
+# given forces can be treated. This tutorial shows three things that the simplified theory cannot do.
 
 # %%
 import copy
@@ -21,7 +22,8 @@ solver = microslip.EllipticContactSolver(32, 32)
 # %% [markdown]
 # ## Forces given
 #
-# In a measurement one knows the force, not the creepage. A force may take the place of the creepage in its direction: the creepage is then found.
+# In a measurement one knows the force, not the creepage. A force may take the place of the creepage in its direction:
+# the creepage is then found.
 
 # %%
 solved = solver.solve(contact, force_x=-0.5 * limit)
@@ -32,11 +34,13 @@ share = np.hypot(beyond.forces.fx, beyond.forces.fy) / limit
 print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {share:.3f} mu Fn")
 
 # %% [markdown]
-# Look at `status`, always. Not converging, or a force beyond the friction limit, is no exception in microslip: the result says so.
+# Look at `status`, always. Not converging, or a force beyond the friction limit, is no exception in microslip: the
+# result says so.
 #
 # ## How steady rolling comes about
 #
-# Steady rolling is a limit. A contact that begins to roll from nothing needs some way until its tractions no longer change: how long? Transient rolling goes step by step and keeps the history.
+# Steady rolling is a limit. A contact that begins to roll from nothing needs some way until its tractions no longer
+# change: how long? Transient rolling goes step by step and keeps the history.
 
 # %%
 contact.creepage = (0.0018, 0.0006, 0.4)
@@ -54,13 +58,15 @@ axes.legend(ncols=2)
 plt.show()
 
 # %% [markdown]
-# **How to read it.** After one length of the contact ($2a$) most of the force is there; after two of them the rest has gone. So a vehicle model may take steady rolling as long as creepages change slowly over some centimetres. Corrugation, with waves of that
-# length, is where it may not.
+# **How to read it.** After one length of the contact ($2a$) most of the force is there; after two of them the rest has
+# gone. So a vehicle model may take steady rolling as long as creepages change slowly over some centimetres.
+# Corrugation, with waves of that length, is where it may not.
 #
 # ## A shape of one's own
 #
-# Worn profiles touch in areas that are no ellipses, or at two places at once. `PatchRolling` takes any undeformed distance `gap` between the surfaces, given at the centres of a regular grid. Here: a rail with a shallow groove along the middle of
-# its running surface.
+# Worn profiles touch in areas that are no ellipses, or at two places at once. `PatchRolling` takes any undeformed
+# distance `gap` between the surfaces, given at the centres of a regular grid. Here: a rail with a shallow groove along
+# the middle of its running surface.
 
 # %%
 steel = microslip.Material.from_young(210e9, 0.28)
@@ -98,7 +104,10 @@ left.set_ylabel("y [mm]")
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Left: the groove cuts the contact in two, each part with a larger pressure than the smooth rail has anywhere. Right: each patch has its own leading edge, where tractions begin at zero, and its own slip area. The
-# sum of the forces is yet within a per cent of that of the smooth rail. That is a common finding: **total forces forgive a wrong shape; stresses and wear do not.**
+# **How to read it.** Left: the groove cuts the contact in two, each part with a larger pressure than the smooth rail
+# has anywhere. Right: each patch has its own leading edge, where tractions begin at zero, and its own slip area. The
+# sum of the forces is yet within a per cent of that of the smooth rail. That is a common finding: **total forces
+# forgive a wrong shape; stresses and wear do not.**
 #
-# The grid must be larger than the contact; if the contact reaches its border the result says so. How it is all solved is told in [the theory](../theory-exact.md).
+# The grid must be larger than the contact; if the contact reaches its border the result says so. How it is all solved
+# is told in [the theory](../theory-exact.md).

@@ -1,11 +1,13 @@
 # %% [markdown]
 # # FASTSIM against FASTSIM2
 #
-# Both solve the same equations, the simplified theory, by marching particles through the contact. FASTSIM (Kalker 1982) takes steps of first order, FASTSIM2 (Vollebregt and Wilders 2010) of second order. What
-# difference does that make, and how many cells does one need?
+# Both solve the same equations, the simplified theory, by marching particles through the contact. FASTSIM (Kalker 1982)
+# takes steps of first order, FASTSIM2 (Vollebregt and Wilders 2010) of second order. What difference does that make,
+# and how many cells does one need?
 #
-# Two errors are in play, and it helps to keep them apart: the **discretisation error**, which finer cells make smaller, and the **model error** of the simplified theory, which no grid removes. This tutorial is about the
-# first; [accuracy and cost](accuracy_and_cost.md) is about both.
+# Two errors are in play, and it helps to keep them apart: the **discretisation error**, which finer cells make smaller,
+# and the **model error** of the simplified theory, which no grid removes. This tutorial is about the first;
+# [accuracy and cost](accuracy_and_cost.md) is about both.
 
 # %%
 import time
@@ -20,7 +22,8 @@ plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 # %% [markdown]
 # ## One contact, row by row
 #
-# The difference is easily seen with spin, where the direction of the slip turns on the particle's way. First 8 x 8 cells of each, beside 200 x 200 of FASTSIM2, all along the row next to the middle:
+# The difference is easily seen with spin, where the direction of the slip turns on the particle's way. First 8 x 8
+# cells of each, beside 200 x 200 of FASTSIM2, all along the row next to the middle:
 
 # %%
 contact = microslip.EllipticContact(6e-3, 6e-3, 82e9, 0.28, 82e3, 0.3, (0.001, 0, 0.6))
@@ -41,13 +44,15 @@ panels[0].legend()
 plt.show()
 
 # %% [markdown]
-# **How to read it.** FASTSIM's tractions rise too early: in its first cell it takes a full step where the particle has only come half the way, and its slip belongs to the wrong end of the step. FASTSIM2's points lie on the fine
-# curve, but for the last one, in whose step slip begins.
+# **How to read it.** FASTSIM's tractions rise too early: in its first cell it takes a full step where the particle has
+# only come half the way, and its slip belongs to the wrong end of the step. FASTSIM2's points lie on the fine curve,
+# but for the last one, in whose step slip begins.
 #
 # ## Many contacts
 #
-# One case can mislead. Here are 300 random ones, with ellipses from five times longer than wide to the reverse, of all creepages at which the contact neither sticks nor slides fully. Errors are against
-# 320 x 320 cells of FASTSIM2, in units of $\mu F_n$, as root mean squares.
+# One case can mislead. Here are 300 random ones, with ellipses from five times longer than wide to the reverse, of all
+# creepages at which the contact neither sticks nor slides fully. Errors are against 320 x 320 cells of FASTSIM2, in
+# units of $\mu F_n$, as root mean squares.
 
 # %%
 random = np.random.default_rng(1)
@@ -96,10 +101,12 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# **How to read it.** On logarithmic scales an error of order $p$ is a straight line of slope $-p$. FASTSIM halves its error when the cells are halved; FASTSIM2 quarters it. On 10 x 10 cells FASTSIM2 is better than FASTSIM on 80 x 80, with
-# a sixty-fourth of the cells. The middle line shows what a better first step alone is worth.
+# **How to read it.** On logarithmic scales an error of order $p$ is a straight line of slope $-p$. FASTSIM halves its
+# error when the cells are halved; FASTSIM2 quarters it. On 10 x 10 cells FASTSIM2 is better than FASTSIM on 80 x 80,
+# with a sixty-fourth of the cells. The middle line shows what a better first step alone is worth.
 #
-# The model error of the simplified theory is some .03, so for forces alone 10 x 10 cells of FASTSIM2 are enough; take more for tractions and areas.
+# The model error of the simplified theory is some .03, so for forces alone 10 x 10 cells of FASTSIM2 are enough; take
+# more for tractions and areas.
 #
 # ## What it costs
 
@@ -110,4 +117,5 @@ for name, solver in (("FASTSIM, 80 x 80", microslip.Fastsim(80, 80)),
     print(f"{name:18} {1e6 * fastest / count:6.1f} microseconds a contact")
 
 # %% [markdown]
-# Times are those of the machine that built this page. [Performance](../performance.md) measures them with care, [accuracy](../accuracy.md) repeats the paper's own statistics on its 3,220 cases.
+# Times are those of the machine that built this page. [Performance](../performance.md) measures them with care,
+# [accuracy](../accuracy.md) repeats the paper's own statistics on its 3,220 cases.

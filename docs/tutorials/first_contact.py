@@ -1,10 +1,12 @@
 # %% [markdown]
 # # First contact
 #
-# A wheel stands on a rail and rolls, a little slower than it should: it is braked. How large is the contact, what force does the rail give, and where in the contact does it
-# arise? This tutorial goes from two radii and a load to the tractions in the contact.
+# A wheel stands on a rail and rolls, a little slower than it should: it is braked. How large is the contact, what force
+# does the rail give, and where in the contact does it arise? This tutorial goes from two radii and a load to the
+# tractions in the contact.
 #
-# Frame and signs are those of all pages ([conventions](../conventions.md)): x along the rolling direction, y to the left, forces on body 1, the wheel.
+# Frame and signs are those of all pages ([conventions](../conventions.md)): x along the rolling direction, y to the
+# left, forces on body 1, the wheel.
 
 # %%
 import math
@@ -19,8 +21,10 @@ plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 # %% [markdown]
 # ## The ellipse
 #
-# Under load the bodies flatten where they touch. Hertz's theory says how far, if both are smooth, curved and much larger than the contact. It needs the materials and four radii: along the rail the
-# wheel has its rolling radius and the rail is straight (infinite); across the rail the wheel is taken as straight and the rail's head has a radius of 300 mm.
+# Under load the bodies flatten where they touch. Hertz's theory says how far, if both are smooth, curved and much
+# larger than the contact. It needs the materials and four radii: along the rail the wheel has its rolling radius and
+# the rail is straight (infinite); across the rail the wheel is taken as straight and the rail's head has a radius of
+# 300 mm.
 
 # %%
 steel = microslip.Material.from_young(210e9, 0.28)  # Pa, -
@@ -32,12 +36,14 @@ print(f"peak pressure  {1e-6 * hertz.peak_pressure:.0f} MPa")
 print(f"approach       {1e6 * hertz.approach:.0f} micrometres")
 
 # %% [markdown]
-# Eight tonnes stand on an area as large as a fingernail. The pressure there is far above the strength that steel has in a tension test; it holds because it is squeezed from all sides.
+# Eight tonnes stand on an area as large as a fingernail. The pressure there is far above the strength that steel has in
+# a tension test; it holds because it is squeezed from all sides.
 #
 # ## The forces
 #
-# A braked wheel turns more slowly than it advances, so its surface is dragged forward over the rail: longitudinal creepage $\xi > 0$, here 1.8 mm for each metre rolled. There is a little
-# lateral creepage $\eta$ too, and spin $\phi$, a turning about the vertical, because the contact plane is inclined.
+# A braked wheel turns more slowly than it advances, so its surface is dragged forward over the rail: longitudinal
+# creepage $\xi > 0$, here 1.8 mm for each metre rolled. There is a little lateral creepage $\eta$ too, and spin $\phi$,
+# a turning about the vertical, because the contact plane is inclined.
 #
 # FASTSIM2 finds the forces in a microsecond:
 
@@ -51,7 +57,8 @@ print(f"|F| is {math.hypot(forces.fx, forces.fy) / limit:.0%} of the friction li
 print(f"{forces.slip_area / (forces.slip_area + forces.adhesion_area):.0%} of the contact slips")
 
 # %% [markdown]
-# The force is against the creepage: $\xi > 0$ gives $F_x < 0$, the rail holds the wheel back. It is below the friction limit $\mu F_n$, and yet a part of the contact slips. How can that be?
+# The force is against the creepage: $\xi > 0$ gives $F_x < 0$, the rail holds the wheel back. It is below the friction
+# limit $\mu F_n$, and yet a part of the contact slips. How can that be?
 #
 # ## Where it slips
 #
@@ -74,9 +81,11 @@ axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
 plt.show()
 
 # %% [markdown]
-# **How to read it.** The contact rolls to the right. A particle enters on the right, at the leading edge, without any traction. While it travels to the left through the contact, both surfaces stick
-# together, and because the wheel creeps over the rail they shear each other more and more: the arrows grow. At some point the traction would be more than friction can bear, and the particle slips for the rest of
-# its way. So there is always slip at the rear, at any creepage, and with more creepage it begins earlier. With spin the picture is not symmetric.
+# **How to read it.** The contact rolls to the right. A particle enters on the right, at the leading edge, without any
+# traction. While it travels to the left through the contact, both surfaces stick together, and because the wheel creeps
+# over the rail they shear each other more and more: the arrows grow. At some point the traction would be more than
+# friction can bear, and the particle slips for the rest of its way. So there is always slip at the rear, at any
+# creepage, and with more creepage it begins earlier. With spin the picture is not symmetric.
 #
 # A cut along y = 0 shows the same as a curve:
 
@@ -93,11 +102,14 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# From the right, the traction grows until it meets the bound, and follows it down to the left. Its longitudinal part grows in a straight line, as the creepage that causes it is the same everywhere. FASTSIM2 finds the place where it meets the bound inside of a step: that is why it needs so few cells.
+# From the right, the traction grows until it meets the bound, and follows it down to the left. Its longitudinal part
+# grows in a straight line, as the creepage that causes it is the same everywhere. FASTSIM2 finds the place where it
+# meets the bound inside of a step: that is why it needs so few cells.
 #
 # ## The exact theory
 #
-# FASTSIM2 takes the surface for a bed of springs that do not know of each other. The exact theory takes the bodies for what they are, elastic half-spaces:
+# FASTSIM2 takes the surface for a bed of springs that do not know of each other. The exact theory takes the bodies for
+# what they are, elastic half-spaces:
 
 # %%
 exact = microslip.EllipticContactSolver(24, 24).solve(contact)
@@ -105,5 +117,6 @@ print(f"FASTSIM2  Fx = {forces.fx:.0f} N, Fy = {forces.fy:.0f} N, Mz = {forces.m
 print(f"exact     Fx = {exact.forces.fx:.0f} N, Fy = {exact.forces.fy:.0f} N, Mz = {exact.forces.mz:.1f} N m")
 
 # %% [markdown]
-# The forces differ by some per cent of $\mu F_n$. That is the price of the bed of springs; the exact solution costs some milliseconds. [Accuracy and cost](accuracy_and_cost.md) has more on
-# that choice, [creep curves](creep_curves.md) goes on from here.
+# The forces differ by some per cent of $\mu F_n$. That is the price of the bed of springs; the exact solution costs
+# some milliseconds. [Accuracy and cost](accuracy_and_cost.md) has more on that choice, [creep curves](creep_curves.md)
+# goes on from here.

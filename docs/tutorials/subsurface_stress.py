@@ -1,8 +1,9 @@
 # %% [markdown]
 # # Stresses below the surface
 #
-# Rolling contact fatigue begins where the material is stressed most, and that is seldom on the surface. This tutorial takes the tractions of the exact theory, looks into the rail below them, and asks how friction moves the
-# most stressed point.
+# Rolling contact fatigue begins where the material is stressed most, and that is seldom on the surface. This tutorial
+# takes the tractions of the exact theory, looks into the rail below them, and asks how friction moves the most stressed
+# point.
 
 # %%
 import matplotlib.pyplot as plt
@@ -18,7 +19,8 @@ hertz = microslip.hertz_from_load(microslip.gap_curvatures(0.46, np.inf, np.inf,
 # %% [markdown]
 # ## From tractions to stresses
 #
-# The interior field needs the three tractions on a regular grid of elements. `NormalProblem` gives the pressure, `TangentialProblem` the tangential tractions:
+# The interior field needs the three tractions on a regular grid of elements. `NormalProblem` gives the pressure,
+# `TangentialProblem` the tangential tractions:
 
 # %%
 grid = microslip.ElementGrid.across_ellipse(hertz.a, hertz.b, 36, 36, margin=2)
@@ -36,7 +38,8 @@ braked = rail(0.5, (0.01, 0, 0))  # the whole contact slides
 alone = microslip.InteriorField(steel, 2, grid, pn=normal.pressure)
 
 # %% [markdown]
-# Points are given with their depth below the surface. Here a section along the rail, below the middle of the contact; von Mises' stress says how near a place is to yielding.
+# Points are given with their depth below the surface. Here a section along the rail, below the middle of the contact;
+# von Mises' stress says how near a place is to yielding.
 
 # %%
 x, depth = np.linspace(-2 * hertz.a, 2 * hertz.a, 81), np.linspace(0.3e-3, 9e-3, 36)
@@ -53,12 +56,14 @@ figure.colorbar(drawn, ax=panels, label="[MPa]")
 plt.show()
 
 # %% [markdown]
-# **How to read it.** The black bar is the contact. Left: pressure alone stresses the rail most well below the surface, where the load already shears the material but no longer squeezes it from all sides. Right: the braked wheel drags the rail's surface forward; a
-# second, larger maximum appears at the surface, and the field leans.
+# **How to read it.** The black bar is the contact. Left: pressure alone stresses the rail most well below the surface,
+# where the load already shears the material but no longer squeezes it from all sides. Right: the braked wheel drags the
+# rail's surface forward; a second, larger maximum appears at the surface, and the field leans.
 #
 # ## Where is the worst point?
 #
-# `find_largest` searches it: first in planes, then from the best of their points. Nearer to the surface than about three quarters of an element the steps between the elements are felt, so that is where the search begins.
+# `find_largest` searches it: first in planes, then from the best of their points. Nearer to the surface than about
+# three quarters of an element the steps between the elements are felt, so that is where the search begins.
 
 # %%
 top = 0.75 * grid.dx
@@ -80,7 +85,9 @@ right.set(xlabel="coefficient of friction", ylabel="its depth [mm]", ylim=(0, No
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Up to a friction of about .4 the worst point stays inside and its stress hardly changes. Beyond, it jumps to the surface (the dotted line is where the search begins) and grows with friction. That is the old rule that dry
-# rails crack from the surface and lubricated ones from within.
+# **How to read it.** Up to a friction of about .4 the worst point stays inside and its stress hardly changes. Beyond,
+# it jumps to the surface (the dotted line is where the search begins) and grows with friction. That is the old rule
+# that dry rails crack from the surface and lubricated ones from within.
 #
-# Stresses on the surface itself, and how near to it the field is to be trusted, are treated in [inside the bodies](../theory-interior.md).
+# Stresses on the surface itself, and how near to it the field is to be trusted, are treated in
+# [inside the bodies](../theory-interior.md).

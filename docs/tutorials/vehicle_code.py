@@ -1,10 +1,12 @@
 # %% [markdown]
 # # In a vehicle code
 #
-# A vehicle code calls the contact law in its innermost loop, some thousand times for each simulated second and contact, and if its integrator is implicit, it needs derivatives. This tutorial builds the smallest vehicle that
-# shows what matters: one wheelset, held by springs, that begins to hunt when it runs too fast.
+# A vehicle code calls the contact law in its innermost loop, some thousand times for each simulated second and contact,
+# and if its integrator is implicit, it needs derivatives. This tutorial builds the smallest vehicle that shows what
+# matters: one wheelset, held by springs, that begins to hunt when it runs too fast.
 #
-# The same in C++, with rotation and flanges, is in `examples/wheelset`; the C interface, Fortran and FMI are in [embedding](../embedding.md). The pattern is the same everywhere: create the solver once, call it often.
+# The same in C++, with rotation and flanges, is in `examples/wheelset`; the C interface, Fortran and FMI are in
+# [embedding](../embedding.md). The pattern is the same everywhere: create the solver once, call it often.
 
 # %%
 import time
@@ -19,7 +21,9 @@ plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 # %% [markdown]
 # ## The wheelset
 #
-# Its state is the lateral displacement $y$, the yaw angle $\psi$ (to the left), and their rates. With the conicity $\lambda$ the left wheel (side $s = 1$) rolls on the radius $r + \lambda y$, the right one ($s = -1$) on $r - \lambda y$. The creepages are
+# Its state is the lateral displacement $y$, the yaw angle $\psi$ (to the left), and their rates. With the conicity
+# $\lambda$ the left wheel (side $s = 1$) rolls on the radius $r + \lambda y$, the right one ($s = -1$) on
+# $r - \lambda y$. The creepages are
 #
 # $$\xi_s = -\frac{s\,\lambda y}{r} - \frac{s\,l\,\dot\psi}{v}, \qquad \eta = \frac{\dot y}{v} - \psi, \qquad \phi_s = \frac{\dot\psi}{v} - \frac{s\,\lambda}{r},$$
 #
@@ -44,7 +48,8 @@ def wheel(side, speed):
 # %% [markdown]
 # ## The contact law in it
 #
-# Each wheel has its creepages; `differentiate` gives forces and their derivatives in one call. The chain rule carries them to the state. That is all that an integrator needs.
+# Each wheel has its creepages; `differentiate` gives forces and their derivatives in one call. The chain rule carries
+# them to the state. That is all that an integrator needs.
 
 # %%
 solver = microslip.Fastsim2()
@@ -76,7 +81,8 @@ def rates(state, speed):
 # %% [markdown]
 # ## Is it stable?
 #
-# For small motions the eigenvalues of the Jacobian decide: the largest real part is the rate at which a disturbance grows.
+# For small motions the eigenvalues of the Jacobian decide: the largest real part is the rate at which a disturbance
+# grows.
 
 # %%
 speeds = np.linspace(10, 90, 81)
@@ -92,11 +98,14 @@ axes.set(xlabel="speed [m/s]", ylabel="growth rate [1/s]")
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Below zero disturbances die out, above it they grow: the wheelset hunts. (The larger model in `examples/wheelset` finds 51.13 m/s.) Note that no derivative was taken by differences: the contact law's are exact, which matters where the growth rate is near zero.
+# **How to read it.** Below zero disturbances die out, above it they grow: the wheelset hunts. (The larger model in
+# `examples/wheelset` finds 51.13 m/s.) Note that no derivative was taken by differences: the contact law's are exact,
+# which matters where the growth rate is near zero.
 #
 # ## Large motions
 #
-# Beyond small motions the forces saturate. The creep forces are stiff (their time constant is below a millisecond at low speed), so the integrator is implicit: the trapezoidal rule, with Newton's method and the same Jacobian.
+# Beyond small motions the forces saturate. The creep forces are stiff (their time constant is below a millisecond at
+# low speed), so the integrator is implicit: the trapezoidal rule, with Newton's method and the same Jacobian.
 
 # %%
 def run(speed, start, duration, step=1e-3):
@@ -133,11 +142,16 @@ print(f"{calls} contacts with derivatives, {1e6 * inside / calls:.1f} microsecon
       f"{inside / passed:.0%} of the time")
 
 # %% [markdown]
-# **How to read it.** Below the critical speed the disturbance is forgotten, above it grows, until flanges would stop it (this wheelset has none). Here numpy's small matrices cost most of the time; in C++ the contact law does, and a simulated second takes 21 ms.
+# **How to read it.** Below the critical speed the disturbance is forgotten, above it grows, until flanges would stop it
+# (this wheelset has none). Here numpy's small matrices cost most of the time; in C++ the contact law does, and a
+# simulated second takes 21 ms.
 #
 # ## What to keep in mind
 #
-# - **One solver for each thread**, made before the loop. `solve` and `differentiate` then allocate nothing and take no lock, in C++ and C.
-# - **Look at `status`**: a contact out of range gives NaN and a status, not an exception, so that a bad trial step of an integrator can be taken back.
-# - **Smoothness.** Forces are continuous, and their derivatives too but for kinks where contacts begin to slip; Newton's method does not mind.
+# - **One solver for each thread**, made before the loop. `solve` and `differentiate` then allocate nothing and take no
+#   lock, in C++ and C.
+# - **Look at `status`**: a contact out of range gives NaN and a status, not an exception, so that a bad trial step of
+#   an integrator can be taken back.
+# - **Smoothness.** Forces are continuous, and their derivatives too but for kinks where contacts begin to slip;
+#   Newton's method does not mind.
 # - **Signs** are settled by three test cases, see [conventions](../conventions.md#signs-by-numbers). Try them first.

@@ -5,7 +5,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,22 +49,6 @@ pybind11::object mapped(const char* name_x, const pybind11::object& x, const cha
   RealArray out(shape);
   for (pybind11::ssize_t i = 0; i < out.size(); ++i) out.mutable_data()[i] = function(a.data()[i], b.data()[i]);
   return shape.empty() ? pybind11::object(pybind11::float_(*out.data())) : pybind11::object(std::move(out));
-}
-
-/// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`.
-template <class Class> void add_text(Class& of, std::initializer_list<const char*> fields) {
-  const std::vector<std::string> names(fields.begin(), fields.end());
-  of.def("__repr__", [names](const pybind11::object& self) {
-    auto text = self.attr("__class__").attr("__name__").template cast<std::string>() + "(";
-    for (const auto& name : names) {
-      const pybind11::object value = self.attr(name.c_str());
-      const bool is_code = pybind11::hasattr(value, "name") && pybind11::hasattr(value, "_member_map_");
-      text += (text.back() == '(' ? "" : ", ") + name + "=" +
-              (is_code ? value.attr("name").template cast<std::string>()
-                       : pybind11::repr(value).template cast<std::string>());
-    }
-    return text + ")";
-  });
 }
 
 } // namespace microslip::python

@@ -8,10 +8,12 @@ namespace microslip::python {
 void bind_elasticity(pybind11::module_& module);
 void bind_friction(pybind11::module_& module);
 void bind_contact(pybind11::module_& module);
+void bind_grid(pybind11::module_& module);
+void bind_interior(pybind11::module_& module);
+void bind_solution(pybind11::module_& module);
 void bind_simplified(pybind11::module_& module);
 void bind_grid_problems(pybind11::module_& module);
 void bind_exact(pybind11::module_& module);
-void bind_interior(pybind11::module_& module);
 void bind_case_files(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);
 

@@ -1,5 +1,6 @@
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
+#include "binding/interior.hpp"
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
 #include "binding/value.hpp"
@@ -12,6 +13,19 @@
 #include <optional>
 
 namespace microslip::python {
+
+/// A case with the text that it was read from, which makes it up.
+struct Case {
+  RollingCase input;
+  std::string name, text;
+
+  bool operator==(const Case& other) const { return text == other.text; }
+};
+
+struct SolvedCase {
+  std::shared_ptr<const Case> of;
+  RollingContactResult result;
+};
 
 /// A copy of what belongs to a case, which may be read but not changed: the change would be lost.
 template <class T> struct ReadOnly : T {};
@@ -29,22 +43,37 @@ inline constexpr auto fields<CreepCurve> =
     std::tuple{Field{"variable", &CreepCurve::variable}, Field{"unit", &CreepCurve::unit},
                Field{"value", &CreepCurve::value}, Field{"forces", &CreepCurve::forces},
                Field{"point_value", &CreepCurve::point_value}};
+template <>
+inline constexpr auto fields<SimplifiedResult> =
+    std::tuple{Field{"solution", &SimplifiedResult::solution}, Field{"grid_error", &SimplifiedResult::grid_error},
+               Field{"curve", &SimplifiedResult::curve}};
+template <>
+inline constexpr auto fields<ExactResult> =
+    std::tuple{Field{"solution", &ExactResult::contact}, Field{"grid_error", &ExactResult::grid_error},
+               Field{"limit", &ExactResult::limit}, Field{"interior", &ExactResult::interior},
+               Field{"curve", &ExactResult::curve}};
+template <>
+inline constexpr auto fields<RollingContactResult> =
+    std::tuple{Field{"hertz", &RollingContactResult::hertz},   Field{"contact", &RollingContactResult::contact},
+               Field{"exact", &RollingContactResult::exact},   Field{"simplified", &RollingContactResult::simplified},
+               Field{"status", &RollingContactResult::status}, Field{"warnings", &RollingContactResult::warnings}};
+template <>
+inline constexpr auto fields<SolvedCase> =
+    std::tuple{Field{"case", &SolvedCase::of}, Field{"result", &SolvedCase::result}};
+
+pybind11::object state_of(const Case& self) {
+  return pybind11::make_tuple(self.text, self.name);
+}
+
+void read_state(const pybind11::handle& state, const std::string&, Case& self) {
+  const auto [text, name] = state.cast<std::pair<std::string, std::string>>();
+  self = {parse_case(text, name), name, text};
+}
 
 namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-/// A case with the text that it was read from.
-struct Case {
-  RollingCase input;
-  std::string name, text;
-};
-
-struct SolvedCase {
-  std::shared_ptr<const Case> of;
-  RollingContactResult result;
-};
 
 std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
   return std::make_shared<Case>(Case{parse_case(text, name), name, text});
@@ -77,27 +106,37 @@ void write(const SolvedCase& self, const py::object& path) {
 using ExactSolver = OneAtATime<EllipticContactSolver>;
 using AccurateSolver = OneAtATime<AccurateContactSolver>;
 
-void require_second_order(const RollingCase& input) {
-  if (needs_classical(input))
-    throw Error("second order is for similar elastic bodies with Coulomb friction, without a layer or temperatures");
+/// With `asked` in place of the case's own discretisation, if any. Throws Error if the case cannot have that.
+ExactOptions options_for(const Case& self, std::optional<Discretisation> asked) {
+  const RollingProblem problem = rolling_problem(self.input);
+  Method method = method_of(self.input);
+  method.theory = Theory::exact;
+  method.accuracy.reset(); // the solver's own
+  if (asked) method.discretisation = asked;
+  if (asked == Discretisation::second_order) method.elements.reset();
+  require_compatible(problem, method);
+  ExactOptions options = exact_options(problem, method);
+  if (asked) options.discretisation = *asked; // of steady rolling, whatever the case's own motion
+  return options;
 }
 
 std::unique_ptr<ExactSolver> exact_solver(const Case& self, std::optional<int> elements,
                                           std::optional<Discretisation> discretisation) {
-  auto options = exact_options(self.input);
+  auto options = options_for(self, discretisation);
   if (elements) options.mx = options.my = *elements;
-  if (discretisation == Discretisation::second_order) require_second_order(self.input);
-  if (needs_classical(self.input)) options.discretisation = Discretisation::classical;
-  if (discretisation) options.discretisation = *discretisation;
-  if (options.discretisation == Discretisation::second_order) options.elements = ElementShape::constant;
   return std::make_unique<ExactSolver>(options);
 }
 
 std::unique_ptr<AccurateSolver> accurate_solver(const Case& self, double accuracy) {
-  require_second_order(self.input);
-  auto options = exact_options(self.input);
-  options.elements = ElementShape::constant;
-  return std::make_unique<AccurateSolver>(accuracy, options);
+  return std::make_unique<AccurateSolver>(accuracy, options_for(self, Discretisation::second_order));
+}
+
+/// At the points that the case asks for.
+std::optional<States> states_inside(const SolvedCase& self) {
+  if (!self.result.exact || self.result.exact->interior.empty()) return std::nullopt;
+  const InteriorGrid& points = self.of->input.interior;
+  const auto extent = [](const std::vector<double>& axis) { return static_cast<py::ssize_t>(axis.size()); };
+  return States{{extent(points.z), extent(points.y), extent(points.x)}, self.result.exact->interior};
 }
 
 RowSolver simplified_solver(const Case& self, std::optional<int> cells) {
@@ -157,39 +196,21 @@ void bind_case(py::module_& module) {
           [](const Case& self) {
             return ReadOnly<EllipticContact>{elliptic_contact(self.input, hertz_contact(self.input))};
           },
-          "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be read, not "
-          "changed:\n"
-          "copy.copy(case.contact) gives one that can be.")
+          "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be\n"
+          "read, not changed: copy.copy(case.contact) gives one that can be.")
       .def_property_readonly(
           "text", [](const Case& self) { return self.text; }, "The text of the file.");
   rolling_case
       .def("exact_solver", &exact_solver, py::kw_only(), "cells"_a = py::none(), "discretisation"_a = py::none(),
-           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-], on its "
-           "grid "
-           "or with\n"
-           "`cells` elements across the ellipse in each direction. Error if it cannot have that discretisation.")
+           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-],\n"
+           "on its grid or with `cells` elements across the ellipse in each direction. Error if it cannot\n"
+           "have that discretisation.")
       .def("accurate_solver", &accurate_solver, "accuracy"_a,
            "An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation.")
       .def("simplified_solver", &simplified_solver, py::kw_only(), "cells"_a = py::none(),
-           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with "
-           "`cells` "
-           "in each\n"
-           "direction. Error for FaStrip, which has no such solver in Python.");
-  add_text(rolling_case, {"title", "theory", "contact"});
-  rolling_case
-      .def("__eq__",
-           [](const Case& self, const py::object& other) {
-             return py::isinstance<Case>(other) && self.text == other.cast<const Case&>().text;
-           })
-      .def("__copy__", [](const Case& self) { return std::make_shared<Case>(self); })
-      .def("__deepcopy__", [](const Case& self, const py::dict&) { return std::make_shared<Case>(self); })
-      .def(py::pickle(
-          [](const Case& self) { return py::make_tuple(state_version, py::make_tuple(self.text, self.name)); },
-          [](const py::tuple& state) {
-            const auto [text, name] = checked_state("RollingCase", state).cast<std::pair<std::string, std::string>>();
-            return parse(text, name);
-          }))
-      .def("to_dict", &to_dict, "All fields [SI units] as a dict.");
+           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or\n"
+           "with `cells` in each direction. Error for FaStrip, which has no such solver in Python.");
+  add_value(rolling_case, {"title", "theory", "contact"});
 
   module.def(
       "read_case",
@@ -198,9 +219,9 @@ void bind_case(py::module_& module) {
         return parse(read_case_text(name), name);
       },
       "path"_a,
-      "Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with file, line, key, "
-      "value and\n"
-      "allowed range for what is wrong, and with the nearest key for unknown ones [-].");
+      "Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with\n"
+      "file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown\n"
+      "ones [-].");
   module.def("parse_case", &parse, "text"_a, "name"_a = "case",
              "The same from TOML text, SI units; `name` is the file's name for messages [-].");
 }
@@ -243,9 +264,8 @@ void bind_theories(py::module_& module) {
           "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
       .def_readonly("grid_error", &SimplifiedResult::grid_error, "To the grid with twice the cells [-].")
-      .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.")
-      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
-  add_text(simplified, {"solution", "grid_error"});
+      .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
+  add_value(simplified, {"solution", "grid_error"});
 
   py::class_<ExactResult> exact(module, "ExactResult", "What the exact theory makes of a case.");
   exact.def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
@@ -253,9 +273,8 @@ void bind_theories(py::module_& module) {
           "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
       .def_readonly("grid_error", &ExactResult::grid_error, "To the grid with half the elements [-].")
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
-      .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.")
-      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
-  add_text(exact, {"solution", "grid_error", "limit"});
+      .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
+  add_value(exact, {"solution", "grid_error", "limit"});
 }
 
 } // namespace
@@ -275,27 +294,26 @@ void bind_case_files(py::module_& module) {
           "case", [](const SolvedCase& self) { return std::const_pointer_cast<Case>(self.of); }, "The RollingCase.")
       .def_property_readonly("hertz", result(&RollingContactResult::hertz), "The HertzContact.")
       .def_property_readonly("contact", result(&RollingContactResult::contact),
-                             "The EllipticContact, with creepages as found where a force is given.")
+                             "The EllipticContact, with creepages as found where a force is prescribed.")
       .def_property_readonly("exact", result(&RollingContactResult::exact),
                              "ExactResult, None if the case does not ask for it.")
       .def_property_readonly("simplified", result(&RollingContactResult::simplified),
                              "SimplifiedResult, also beside the exact theory in steady rolling; else None.")
+      .def_property_readonly("interior", &states_inside,
+                             "InteriorStates at the case's points, shape (z, y, x) as their lists; None without any.")
       .def_property_readonly("status", result(&RollingContactResult::status),
                              "Of the theory that the case asks for, a Status [-].")
       .def_property_readonly(
           "warnings", result(&RollingContactResult::warnings),
-          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often "
-          "a length\n"
-          "in mm or a modulus in MPa.")
+          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a\n"
+          "length in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
-           "be written.")
-      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
-  add_text(solved, {"status", "exact", "simplified", "warnings"});
+           "be written.");
+  add_value(solved, {"status", "exact", "simplified", "warnings"});
   module.def("solve_case", &solve, "case"_a,
-             "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI units [-]. "
-             "Ctrl-C ends it.\n"
-             "Returns RollingContactResult; not converging is a status.");
+             "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI\n"
+             "units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status.");
 }
 
 } // namespace microslip::python

@@ -30,18 +30,17 @@ void bind_codes(py::module_& module) {
   for (const auto status :
        {Status::ok, Status::invalid_input, Status::not_converged, Status::no_contact, Status::no_solution})
     add(statuses, std::string(to_string(status)).c_str(), status);
-  const char* text = "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are "
-                     "NaN; not_converged, the\n"
-                     "result is the best one found; no_contact, the bodies do not touch; no_solution, the force given "
-                     "is beyond friction\n"
-                     "and the result slides fully. An IntEnum: arrays of codes compare with it.";
+  const char* text = "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are\n"
+                     "NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;\n"
+                     "no_solution, the force given is beyond friction and the result slides fully. An IntEnum: arrays\n"
+                     "of codes compare with it.";
   status_class = make_class(module, "Status", statuses, text).release().ptr();
   add(states, "exterior", CellState::exterior);
   add(states, "adhesion", CellState::adhesion);
   add(states, "slip", CellState::slip);
   make_class(module, "CellState", states,
-             "What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays of codes "
-             "compare with it.");
+             "What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays\n"
+             "of codes compare with it.");
 }
 
 py::object to_python(Status status) {

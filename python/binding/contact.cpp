@@ -62,10 +62,9 @@ void bind_creepage(py::module_& module) {
   add_value(coefficients, {"c11", "c22", "c23", "c33"});
   module.def("creepage_coefficients", &creepage_coefficients, "a_over_b"_a, "poisson_ratio"_a,
              "coefficients"_a = CreepageTable::kalker,
-             "The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker' (Kalker "
-             "1990, table E.3)\n"
-             "or 'computed' (right to 1e-4 from a/b = .05 to 20). Beyond a table they tend to the limits of slender "
-             "ellipses.");
+             "The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker'\n"
+             "(Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = .05 to 20). Beyond a table\n"
+             "they tend to the limits of slender ellipses.");
 }
 
 EllipticContact make_contact(double a, double b, double shear_modulus, double poisson_ratio, double normal_force,
@@ -91,18 +90,15 @@ EllipticContact contact_from_hertz(const HertzContact& hertz, const CombinedMate
 void bind_elliptic_contact(py::module_& module) {
   auto contact = py::class_<EllipticContact>(
       module, "EllipticContact",
-      "A Hertzian ellipse with material, load, friction and creepages: what the solvers of either theory take. Fields "
-      "may be\n"
-      "changed between calls; solvers check them, and what is out of range gives Status.invalid_input and NaN.");
+      "A Hertzian ellipse with material, load, friction and creepages: what the solvers of either\n"
+      "theory take. Fields may be changed between calls; solvers check them, and what is out of range\n"
+      "gives Status.invalid_input and NaN.");
   contact
-      .def(
-          py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
-          "creepage"_a = Creepage{}, "rolling_speed"_a = 1.0, "dissimilarity"_a = 0.0,
-          "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], "
-          "the normal\n"
-          "force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), the speed "
-          "V [m/s]\n"
-          "and the combined K [-] of bodies of different materials.")
+      .def(py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
+           "creepage"_a = Creepage{}, "rolling_speed"_a = 1.0, "dissimilarity"_a = 0.0,
+           "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's\n"
+           "ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or\n"
+           "(xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies.")
       .def_static("from_hertz", &contact_from_hertz, "hertz"_a, "material"_a, "friction"_a, "creepage"_a = Creepage{},
                   "rolling_speed"_a = 1.0,
                   "From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as "
@@ -123,8 +119,7 @@ void bind_elliptic_contact(py::module_& module) {
       .def_readwrite("rolling_speed", &EllipticContact::rolling_speed,
                      "V [m/s], > 0; matters for falling friction and for the frictional power.")
       .def_readwrite("dissimilarity", &EllipticContact::dissimilarity,
-                     "Combined K [-], in [-0.5, 0.5], which couples pressure and tractions of bodies of different "
-                     "materials; the\n"
+                     "Combined K [-], in [-0.5, 0.5], which couples pressure and tractions of dissimilar bodies; the\n"
                      "simplified theory refuses it.");
   add_value(contact, {"a", "b", "shear_modulus", "poisson_ratio", "normal_force", "friction", "creepage",
                       "rolling_speed", "dissimilarity"});
@@ -150,9 +145,8 @@ void bind_forces(py::module_& module) {
             array.attr("flags").attr("writeable") = false;
             return array;
           },
-          "Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-], phi [1/m] and Fn [N], shape (3, 4); that to Fn "
-          "keeps the\n"
-          "ellipse as it is.");
+          "Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
+          "shape (3, 4); that with respect to Fn keeps the ellipse as it is.");
   add_value(derivatives, {"forces", "jacobian"});
 }
 
@@ -163,7 +157,6 @@ void bind_contact(py::module_& module) {
   bind_creepage(module);
   bind_elliptic_contact(module);
   bind_forces(module);
-  bind_solution(module);
   bind_contact_batch(module);
 }
 

@@ -7,9 +7,6 @@
 
 namespace microslip::python {
 
-/// ContactSolution and what it consists of.
-void bind_solution(pybind11::module_& module);
-
 /// A FrictionLaw, or a number for Coulomb's. Throws TypeError otherwise.
 FrictionLaw friction_from(const pybind11::object& friction);
 /// A Creepage, or three numbers. Throws TypeError otherwise.

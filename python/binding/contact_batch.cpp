@@ -1,10 +1,27 @@
 #include "binding/contact_batch.hpp"
 
+#include "binding/value.hpp"
 #include "microslip/error.hpp"
 
 namespace microslip::python {
 
 namespace py = pybind11;
+
+template <>
+inline constexpr auto fields<ForceArrays> = std::tuple{Field{"shape", &ForceArrays::shape},
+                                                       Field{"fx", &ForceArrays::fx},
+                                                       Field{"fy", &ForceArrays::fy},
+                                                       Field{"mz", &ForceArrays::mz},
+                                                       Field{"adhesion_area", &ForceArrays::adhesion_area},
+                                                       Field{"slip_area", &ForceArrays::slip_area},
+                                                       Field{"status", &ForceArrays::status}};
+template <>
+inline constexpr auto fields<DerivativeArrays> =
+    std::tuple{Field{"forces", &DerivativeArrays::forces}, Field{"jacobian", &DerivativeArrays::jacobian}};
+template <>
+inline constexpr auto fields<ExactForceArrays> =
+    std::tuple{Field{"forces", &ExactForceArrays::forces}, Field{"residual", &ExactForceArrays::residual},
+               Field{"newton_steps", &ExactForceArrays::newton_steps}};
 
 ContactBatch::ContactBatch(const EllipticContact& like, const ContactArrays& arrays) : like_(like) {
   const std::pair<const char*, const py::object*> given[] = {{"longitudinal", &arrays.longitudinal},
@@ -77,10 +94,10 @@ template <class T> auto column(std::vector<T> ForceArrays::*member) {
 } // namespace
 
 void bind_contact_batch(py::module_& module) {
-  py::class_<ForceArrays>(
+  py::class_<ForceArrays> force_arrays(
       module, "ForceArrays",
-      "Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views.")
-      .def_property_readonly("fx", column(&ForceArrays::fx), "Longitudinal forces on body 1, shape (...) [N].")
+      "Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views.");
+  force_arrays.def_property_readonly("fx", column(&ForceArrays::fx), "Longitudinal forces on body 1, shape (...) [N].")
       .def_property_readonly("fy", column(&ForceArrays::fy), "Lateral forces on body 1, shape (...) [N].")
       .def_property_readonly("mz", column(&ForceArrays::mz), "Moments about z on body 1, shape (...) [N m].")
       .def_property_readonly("adhesion_area", column(&ForceArrays::adhesion_area),
@@ -89,8 +106,11 @@ void bind_contact_batch(py::module_& module) {
       .def_property_readonly("status", column(&ForceArrays::status),
                              "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def("__len__", [](const ForceArrays& self) { return self.fx.size(); });
+  add_value(force_arrays, {"fx", "fy", "mz", "status"});
 
-  py::class_<DerivativeArrays>(module, "DerivativeArrays", "Forces of many contacts and their derivatives.")
+  py::class_<DerivativeArrays> derivative_arrays(module, "DerivativeArrays",
+                                                 "Forces of many contacts and their derivatives.");
+  derivative_arrays
       .def_property_readonly(
           "forces", [](const DerivativeArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
       .def_property_readonly(
@@ -101,11 +121,13 @@ void bind_contact_batch(py::module_& module) {
             shape.insert(shape.end(), {3, 4});
             return view(derivatives.jacobian, shape, self);
           },
-          "Derivatives of fx [N], fy [N], mz [N m] to longitudinal and lateral creepage [-], spin [1/m] and normal "
-          "force [N],\n"
-          "shape (..., 3, 4); that to the normal force keeps the ellipse as it is.");
+          "Derivatives of fx [N], fy [N], mz [N m] with respect to longitudinal and lateral creepage [-],\n"
+          "spin [1/m] and normal force [N], shape (..., 3, 4); that with respect to the normal force keeps\n"
+          "the ellipse as it is.");
+  add_value(derivative_arrays, {"forces", "jacobian"});
 
-  py::class_<ExactForceArrays>(module, "ExactForceArrays", "Forces of many contacts by the exact theory.")
+  py::class_<ExactForceArrays> exact_arrays(module, "ExactForceArrays", "Forces of many contacts by the exact theory.");
+  exact_arrays
       .def_property_readonly(
           "forces", [](const ExactForceArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
       .def_property_readonly(
@@ -122,6 +144,7 @@ void bind_contact_batch(py::module_& module) {
             return view(result.newton_steps, result.forces.shape, self);
           },
           "Steps of Newton's method, shape (...) [-].");
+  add_value(exact_arrays, {"forces", "residual", "newton_steps"});
 }
 
 } // namespace microslip::python

@@ -38,6 +38,7 @@ private:
 
 /// Forces of many contacts.
 struct ForceArrays {
+  ForceArrays() = default;
   explicit ForceArrays(const ContactBatch& batch);
   void put(std::size_t i, const ContactForces& forces);
 
@@ -48,6 +49,7 @@ struct ForceArrays {
 
 /// Forces of many contacts with their derivatives, 3 x 4 for each.
 struct DerivativeArrays {
+  DerivativeArrays() = default;
   explicit DerivativeArrays(const ContactBatch& batch);
 
   ForceArrays forces;
@@ -56,6 +58,7 @@ struct DerivativeArrays {
 
 /// Forces of many contacts by the exact theory.
 struct ExactForceArrays {
+  ExactForceArrays() = default;
   explicit ExactForceArrays(const ContactBatch& batch);
 
   ForceArrays forces;

@@ -101,10 +101,10 @@ void bind_totals(py::module_& module) {
                     "FRIC.POWER [W], for shifts FRIC.WORK [J]; negative where energy is lost.")
       .def_readonly("fn_over_g", &PrintedTotals::fn_over_g, "FN/G [mm^2].")
       .def_readonly("x_name", &PrintedTotals::x_name,
-                    "What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is given.")
+                    "What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is prescribed.")
       .def_readonly("x", &PrintedTotals::x, "[-], for a shift [mm].")
       .def_readonly("y_name", &PrintedTotals::y_name,
-                    "What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is given.")
+                    "What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is prescribed.")
       .def_readonly("y", &PrintedTotals::y, "[-], for a shift [mm].")
       .def_readonly("approach", &PrintedTotals::approach, "APPROACH [mm].")
       .def_readonly("peak_pressure", &PrintedTotals::peak_pressure, "PMAX [N/mm^2].")
@@ -154,9 +154,8 @@ void bind_case(py::module_& module) {
             if (!is_solved(self)) return std::nullopt;
             return TangentialResult{self.outcome.solution.tangential, shape_of(self.outcome.step.grid)};
           },
-          "The TangentialSolution, SI units; None unless solved.")
-      .def("to_dict", &to_dict, "All fields [CONTACT's units and SI units] as a dict; arrays are copies.");
-  add_text(run_case, {"number", "line", "outcome", "status", "totals"});
+          "The TangentialSolution, SI units; None unless solved.");
+  add_description(run_case, {"number", "line", "outcome", "status", "totals"});
 }
 
 } // namespace
@@ -170,13 +169,11 @@ void bind_contact_input(py::module_& module) {
       .def("__next__", &Run::next);
   module.def(
       "run_contact_input", [](const py::object& path) { return std::make_unique<Run>(readable_path(path)); }, "path"_a,
-      "Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what the ones "
-      "before it have\n"
-      "left: `for case in run_contact_input(path)` gives ContactCase, totals in CONTACT's units [N], [mm], fields in "
-      "SI units.\n"
-      "Memory does not grow with the number of cases. A case that asks for something unsupported is refused with its "
-      "reasons,\n"
-      "and the others run. Error with file, line and field for what is against the grammar, when the case is reached.");
+      "Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what\n"
+      "the ones before it have left: `for case in run_contact_input(path)` gives ContactCase, totals in\n"
+      "CONTACT's units [N], [mm], fields in SI units. Memory does not grow with the number of cases. A\n"
+      "case that asks for something unsupported is refused with its reasons, and the others run. Error\n"
+      "with file, line and field for what is against the grammar, when the case is reached.");
 }
 
 } // namespace microslip::python

@@ -19,13 +19,11 @@ void bind_materials(py::module_& module) {
              return Material{shear_modulus, poisson_ratio};
            }),
            "shear_modulus"_a, "poisson_ratio"_a,
-           "From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-], in [0, 0.5]. "
-           "Values are\n"
-           "checked where they are used.")
-      .def_static(
-          "from_young", &Material::from_young, "young_modulus"_a, "poisson_ratio"_a,
-          "From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's ratio [-] in\n"
-          "[0, 0.5]. Error if out of range.")
+           "From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],\n"
+           "in [0, 0.5]. Values are checked where they are used.")
+      .def_static("from_young", &Material::from_young, "young_modulus"_a, "poisson_ratio"_a,
+                  "From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's\n"
+                  "ratio [-] in [0, 0.5]. Error if out of range.")
       .def_readonly("shear_modulus", &Material::shear_modulus, "Shear modulus G [Pa].")
       .def_readonly("poisson_ratio", &Material::poisson_ratio, "Poisson's ratio nu [-].");
   add_value(material, {"shear_modulus", "poisson_ratio"});
@@ -47,10 +45,9 @@ void bind_materials(py::module_& module) {
 
   module.def("combine", static_cast<CombinedMaterial (*)(const Material&, const Material&)>(&microslip::combine),
              "body1"_a, "body2"_a,
-             "Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa],\n"
-             "K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or "
-             "Poisson's ratio\n"
-             "is out of range or both bodies are rigid.");
+             "Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa], K/G =\n"
+             "((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or\n"
+             "Poisson's ratio is out of range or both bodies are rigid.");
 }
 
 void bind_hertz(py::module_& module) {
@@ -70,18 +67,17 @@ void bind_hertz(py::module_& module) {
         return gap_curvatures({rolling1, rolling2, transverse1, transverse2});
       },
       "rolling1"_a, "rolling2"_a, "transverse1"_a, "transverse2"_a,
-      "A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m] of bodies 1 and "
-      "2 in\n"
-      "the plane of rolling and in the lateral plane: positive convex, negative concave, math.inf flat. Error for a "
-      "radius\n"
-      "that is zero or not a number, and unless A and B are positive.");
+      "A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m]\n"
+      "of bodies 1 and 2 in the plane of rolling and in the lateral plane: positive convex, negative\n"
+      "concave, math.inf flat. Error for a radius that is zero or not a number, and unless A and B are\n"
+      "positive.");
 
   auto hertz = py::class_<HertzContact>(module, "HertzContact",
                                         "A Hertzian contact: what follows from shape, material and load.");
   hertz.def_readonly("a", &HertzContact::a, "Semi-axis along x, the rolling direction [m].")
       .def_readonly("b", &HertzContact::b, "Semi-axis along y [m].")
       .def_readonly("normal_force", &HertzContact::normal_force, "Fn [N].")
-      .def_readonly("approach", &HertzContact::approach, "delta [m], by which distant points come nearer.")
+      .def_readonly("approach", &HertzContact::approach, "Relative approach of distant points delta [m].")
       .def_readonly("peak_pressure", &HertzContact::peak_pressure, "p0 = 3 Fn/(2 pi a b) [Pa].")
       .def_readonly("stiffness", &HertzContact::stiffness, "dFn/d(approach) = 3 Fn/(2 delta) [N/m].")
       .def_readonly("gap", &HertzContact::gap, "Curvatures of the gap [1/m].")
@@ -91,9 +87,8 @@ void bind_hertz(py::module_& module) {
             return mapped("x", x, "y", y, [&](double at_x, double at_y) { return self.pressure(at_x, at_y); });
           },
           "x"_a, "y"_a,
-          "p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or arrays "
-          "that\n"
-          "broadcast, shape (...).");
+          "p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or\n"
+          "arrays that broadcast, shape (...).");
   hertz.def("_repr_html_", [](const HertzContact& self) {
     return html_table("Hertzian contact", {{"a", self.a, "m", "semi-axis along x, the rolling direction"},
                                            {"b", self.b, "m", "semi-axis along y"},
@@ -106,13 +101,12 @@ void bind_hertz(py::module_& module) {
   });
   add_value(hertz, {"a", "b", "normal_force", "approach", "peak_pressure", "stiffness", "gap"});
 
-  module.def(
-      "hertz_from_load", &hertz_from_load, "gap"_a, "material"_a, "normal_force"_a,
-      "Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2). Relative error "
-      "below\n"
-      "1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and for A/B outside [1e-9, 1e9].");
+  module.def("hertz_from_load", &hertz_from_load, "gap"_a, "material"_a, "normal_force"_a,
+             "Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2).\n"
+             "Relative error below 1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and\n"
+             "for A/B outside [1e-9, 1e9].");
   module.def("hertz_from_approach", &hertz_from_approach, "gap"_a, "material"_a, "approach"_a,
-             "The same from the approach [m] in the place of the load.");
+             "The same from the approach [m] in place of the load.");
   module.def(
       "hertz_from_ellipse", &hertz_from_ellipse, "a"_a, "b"_a, "material"_a, "normal_force"_a,
       "The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5].");
@@ -133,9 +127,9 @@ void bind_bodies(py::module_& module) {
 
   auto layer = py::class_<InterfaceLayer>(
       module, "InterfaceLayer",
-      "A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G; beyond the yield "
-      "stress\n"
-      "tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms plastically.");
+      "A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G;\n"
+      "beyond the yield stress tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms\n"
+      "plastically.");
   layer
       .def(py::init([](double flexibility, double yield_stress, double hardening) {
              const InterfaceLayer made{flexibility, yield_stress, hardening};
@@ -143,9 +137,8 @@ void bind_bodies(py::module_& module) {
              return made;
            }),
            "flexibility"_a, "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
-           "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it gets softer. "
-           "Error\n"
-           "for numbers out of range.")
+           "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it\n"
+           "gets softer. Error for numbers out of range.")
       .def_readonly("flexibility", &InterfaceLayer::flexibility, "h/G [m/Pa].")
       .def_readonly("yield_stress", &InterfaceLayer::yield_stress, "tau_c0 [Pa].")
       .def_readonly("hardening", &InterfaceLayer::hardening, "k [Pa/m].");
@@ -162,9 +155,9 @@ void bind_bodies(py::module_& module) {
            }),
            "material"_a, "layer"_a = py::none(),
            "Elastic bodies from their CombinedMaterial, with an InterfaceLayer between them or none [-].")
-      .def_readonly("material", &Bodies::material, "Of what deforms at once, as CombinedMaterial.")
+      .def_readonly("material", &Bodies::material, "Of the instantaneous deformation, as CombinedMaterial.")
       .def_readonly("layer", &Bodies::layer, "The InterfaceLayer; its flexibility is 0 without one.")
-      .def_property_readonly("are_elastic", &Bodies::are_elastic, "Whether no part of the deformation comes late.");
+      .def_property_readonly("are_elastic", &Bodies::are_elastic, "Whether no part of the deformation is retarded.");
   add_value(bodies, {"material", "layer", "are_elastic"});
   py::implicitly_convertible<CombinedMaterial, Bodies>();
 
@@ -177,12 +170,9 @@ void bind_bodies(py::module_& module) {
         return made;
       },
       "body1"_a, "creep1"_a, "body2"_a, "creep2"_a, "rolling_velocity"_a, "layer"_a = py::none(),
-      "Two standard linear solids that roll steadily, as Bodies: their Material, of quick loads, and Creep, the "
-      "velocity "
-      "V [m/s],\n"
-      "positive along +x, negative with direction 'backward', and an InterfaceLayer between them or none. Error for "
-      "constants out\n"
-      "of range.");
+      "Two standard linear solids that roll steadily, as Bodies: their Material of instantaneous\n"
+      "deformation and Creep, the velocity V [m/s], positive along +x, negative with direction\n"
+      "'backward', and an InterfaceLayer between them or none. Error for constants out of range.");
 }
 
 void bind_line_contact(py::module_& module) {

@@ -6,20 +6,8 @@
 #include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/rolling/accurate_contact.hpp"
 
 namespace microslip::python {
-
-template <>
-inline constexpr auto fields<ExactDerivatives> =
-    std::tuple{Field{"solution", &ExactDerivatives::solution}, Field{"jacobian", &ExactDerivatives::jacobian},
-               Field{"products", &ExactDerivatives::products}};
-template <>
-inline constexpr auto fields<AccurateContact> =
-    std::tuple{Field{"finest", &AccurateContact::finest},    Field{"coarser", &AccurateContact::coarser},
-               Field{"forces", &AccurateContact::forces},    Field{"creepage", &AccurateContact::creepage},
-               Field{"error", &AccurateContact::error},      Field{"elements", &AccurateContact::elements},
-               Field{"products", &AccurateContact::products}};
 
 namespace {
 
@@ -86,14 +74,14 @@ void bind_results(py::module_& module) {
             array.attr("flags").attr("writeable") = false;
             return array;
           },
-          "Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-] and phi [1/m], shape (3, 3).")
+          "Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-] and phi [1/m], shape (3, 3).")
       .def_readonly("products", &ExactDerivatives::products, "Products that the derivatives took [-].");
   add_value(derivatives, {"solution", "jacobian"});
 
   py::class_<AccurateContact> accurate(module, "AccurateContact", "Steady rolling on two nested grids and its limit.");
   accurate
       .def_readonly("forces", &AccurateContact::forces, "The limit, extrapolated; areas and status of the finer grid.")
-      .def_readonly("creepage", &AccurateContact::creepage, "The limit, where a force is given [-], [-], [1/m].")
+      .def_readonly("creepage", &AccurateContact::creepage, "The limit, where a force is prescribed [-], [-], [1/m].")
       .def_readonly("error", &AccurateContact::error,
                     "Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-].")
       .def_readonly("elements", &AccurateContact::elements, "Elements across the ellipse, of the finer grid [-].")
@@ -118,25 +106,19 @@ ExactOptions options_from(RollingDirection direction, double tolerance, std::opt
 }
 
 constexpr const char* bodies_text =
-    "bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or "
-    "'alternating';\n"
-    "None: elastic ones with the contact's G, nu and K. Friction that falls with the slip (classical) follows it over "
-    "memory_distance\n"
-    "[m] or at least with memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. "
-    "thermal: "
-    "two\n"
-    "ThermalBody, whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these add "
-    "to "
-    "the friction.\n";
+    "bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling\n"
+    "'newton' or 'alternating'; None: elastic ones with the contact's G, nu and K. Friction that\n"
+    "falls with the slip (classical) follows it over memory_distance [m] or at least with\n"
+    "memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. thermal:\n"
+    "two ThermalBody, whose surfaces have temperatures in steady rolling (classical);\n"
+    "temperature_effect: what these add to the friction.\n";
 
 void bind_solver(py::module_& module) {
   const auto none = py::none();
-  py::class_<Solver>(
-      module, "EllipticContactSolver",
-      "Hertzian contacts by the exact theory of half-spaces: normal and\n"
-      "tangential problem on mx x my elements across the ellipse. Influence coefficients are kept for the next contact "
-      "with the\n"
-      "same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.")
+  py::class_<Solver>(module, "EllipticContactSolver",
+                     "Hertzian contacts by the exact theory of half-spaces: normal and tangential problem on mx x my\n"
+                     "elements across the ellipse. Influence coefficients are kept for the next contact with the same\n"
+                     "ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.")
       .def(py::init([](int mx, int my, Discretisation discretisation, RollingDirection direction, double tolerance,
                        ElementShape elements, std::optional<Bodies> bodies, Coupling coupling, double memory_distance,
                        double memory_speed, SlipStart slip_start, const Heat& thermal,
@@ -153,22 +135,20 @@ void bind_solver(py::module_& module) {
            "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6, "elements"_a = ElementShape::constant,
            "bodies"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
            "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
-           ("mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or "
-            "'classical'\n"
-            "(Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or "
-            "'backward'; tolerance of\n"
-            "the relative residual [-]. elements 'constant' or, classical, 'bilinear'.\n" +
+           ("mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling\n"
+            "'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);\n"
+            "direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. elements\n"
+            "'constant' or, classical, 'bilinear'.\n" +
             std::string(bodies_text) +
             "Error if an option is out of range or the grid needs more memory than the machine has.")
                .c_str())
       .def("solve", &solve, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = none,
            "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,
-           "Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m] (0: the "
-           "elements' length)\n"
-           "from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on "
-           "body 1 take the\n"
-           "place of the creepage in that direction. Returns ContactSolution; input out of range gives\n"
-           "Status.invalid_input and NaN. Cost O(N log N) in the number of elements, 2 ms at 24 x 24.")
+           "Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m]\n"
+           "(0: the elements' length) from zero tractions on; 'shift', a rigid shift with creepages\n"
+           "in [m], [m], [rad]. force_x, force_y [N] on body 1 take the place of the creepage in that\n"
+           "direction. Returns ContactSolution; input out of range gives Status.invalid_input and NaN. Cost\n"
+           "O(N log N) in the number of elements, 2 ms at 24 x 24.")
       .def(
           "differentiate",
           [](Solver& self, const EllipticContact& contact) {
@@ -178,9 +158,9 @@ void bind_solver(py::module_& module) {
             });
           },
           "contact"_a,
-          "Steady rolling at second order: forces [N], [N m] and their derivatives to xi [-], eta [-] and phi [1/m], "
-          "as\n"
-          "ExactDerivatives, by the implicit function theorem, right to 1e-5 away from kinks.")
+          "Steady rolling at second order: forces [N], [N m] and their derivatives with respect to xi [-],\n"
+          "eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem, accurate to 1e-5\n"
+          "away from kinks.")
       .def("deformed_gap", &deformed_gap, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady,
            "Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in "
            "contact.")
@@ -188,19 +168,16 @@ void bind_solver(py::module_& module) {
            py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
            "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "dissimilarity"_a = none,
            "threads"_a = 0,
-           "Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads as given. "
-           "Arguments as\n"
-           "in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], "
-           "poisson_ratio [-],\n"
-           "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], as numbers or arrays that "
-           "broadcast to shape (...). "
-           "Ctrl-C ends the\n"
-           "call. Returns ExactForceArrays; no contact stops the others.");
+           "Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads\n"
+           "as given. Arguments as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m],\n"
+           "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s],\n"
+           "dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.\n"
+           "Returns ExactForceArrays; no contact stops the others.");
 
-  py::class_<AccurateSolver>(module, "AccurateContactSolver",
-                             "Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, "
-                             "16 and 32, ... elements across,\n"
-                             "extrapolated, until the limit's error is estimated below it.")
+  py::class_<AccurateSolver>(
+      module, "AccurateContactSolver",
+      "Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and\n"
+      "32, ... elements across, extrapolated, until the limit's error is estimated below it.")
       .def(py::init([](double accuracy, RollingDirection direction, double tolerance, std::optional<Bodies> bodies,
                        Coupling coupling, double memory_distance, double memory_speed, SlipStart slip_start,
                        const Heat& thermal, std::optional<TemperatureEffect> temperature_effect) {
@@ -211,9 +188,8 @@ void bind_solver(py::module_& module) {
            "accuracy"_a, py::kw_only(), "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6,
            "bodies"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
            "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
-           ("accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative "
-            "residual "
-            "[-].\n" +
+           ("accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the\n"
+            "relative residual [-].\n" +
             std::string(bodies_text) +
             "Those that are solved classically take far more elements for the same accuracy.")
                .c_str())
@@ -226,9 +202,8 @@ void bind_solver(py::module_& module) {
             });
           },
           "contact"_a, py::kw_only(), "force_x"_a = none, "force_y"_a = none,
-          "Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns AccurateContact; "
-          "its status is\n"
-          "not_converged if not even 512 x 512 elements are good enough.");
+          "Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns\n"
+          "AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough.");
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/friction/temperature_effect.hpp"
+#include "microslip/interior/interior_peak.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 #include "microslip/thermal/surface_temperature.hpp"
 
@@ -208,5 +210,31 @@ inline constexpr auto fields<NormalResult> =
 template <>
 inline constexpr auto fields<TangentialResult> =
     std::tuple{Field{"solution", &TangentialResult::solution}, Field{"shape", &TangentialResult::shape}};
+
+template <>
+inline constexpr auto fields<ExactDerivatives> =
+    std::tuple{Field{"solution", &ExactDerivatives::solution}, Field{"jacobian", &ExactDerivatives::jacobian},
+               Field{"products", &ExactDerivatives::products}};
+template <>
+inline constexpr auto fields<AccurateContact> =
+    std::tuple{Field{"finest", &AccurateContact::finest},    Field{"coarser", &AccurateContact::coarser},
+               Field{"forces", &AccurateContact::forces},    Field{"creepage", &AccurateContact::creepage},
+               Field{"error", &AccurateContact::error},      Field{"elements", &AccurateContact::elements},
+               Field{"products", &AccurateContact::products}};
+
+template <>
+inline constexpr auto fields<Stress> =
+    std::tuple{Field{"xx", &Stress::xx}, Field{"yy", &Stress::yy}, Field{"zz", &Stress::zz},
+               Field{"xy", &Stress::xy}, Field{"xz", &Stress::xz}, Field{"yz", &Stress::yz}};
+template <>
+inline constexpr auto fields<InteriorState> =
+    std::tuple{Field{"ux", &InteriorState::ux}, Field{"uy", &InteriorState::uy}, Field{"uz", &InteriorState::uz},
+               Field{"stress", &InteriorState::stress}};
+template <>
+inline constexpr auto fields<InteriorPoint> =
+    std::tuple{Field{"x", &InteriorPoint::x}, Field{"y", &InteriorPoint::y}, Field{"depth", &InteriorPoint::depth}};
+template <>
+inline constexpr auto fields<InteriorPeak> = std::tuple{
+    Field{"value", &InteriorPeak::value}, Field{"point", &InteriorPeak::point}, Field{"state", &InteriorPeak::state}};
 
 } // namespace microslip::python

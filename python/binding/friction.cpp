@@ -39,15 +39,13 @@ double coefficient_at(const FrictionLaw& law, double velocity) {
 } // namespace
 
 void bind_friction(py::module_& module) {
-  auto law =
-      py::class_<FrictionLaw>(module, "FrictionLaw",
-                              "The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; "
-                              "linear: mu_k + sum d_i max(0, 1 -\n"
-                              "v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2); exponential: mu_k + "
-                              "sum d_i 2^(-v/v_i); polach:\n"
-                              "mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]). "
-                              "Makers raise Error for a coefficient\n"
-                              "outside [0, 10] or a velocity that is not positive. FrictionLaw() is frictionless.");
+  auto law = py::class_<FrictionLaw>(
+      module, "FrictionLaw",
+      "The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear:\n"
+      "mu_k + sum d_i max(0, 1 - v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2);\n"
+      "exponential: mu_k + sum d_i 2^(-v/v_i); polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair\n"
+      "(drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient outside [0, 10] or a\n"
+      "velocity that is not positive. FrictionLaw() is frictionless.");
   const char* falling = "From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).";
   law.def(py::init<>(), "Frictionless, mu = 0 [-].")
       .def_static("coulomb", &FrictionLaw::coulomb, "coefficient"_a, "Coulomb friction, coefficient [-] in [0, 10].")
@@ -94,9 +92,8 @@ void bind_friction(py::module_& module) {
              return made;
            }),
            "change"_a, "begin"_a, "range"_a,
-           "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K] > 0 over "
-           "which it grows.\n"
-           "Error for numbers out of range.")
+           "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]\n"
+           "> 0 over which it grows. Error for numbers out of range.")
       .def_readonly("change", &TemperatureEffect::change, "The whole change [-].")
       .def_readonly("begin", &TemperatureEffect::begin, "Up to this temperature there is none [deg C].")
       .def_readonly("range", &TemperatureEffect::range, "Over which it grows [K].");
@@ -110,9 +107,8 @@ void bind_friction(py::module_& module) {
              return made;
            }),
            "bulk_temperature"_a, "conductivity"_a, "density"_a, "heat_capacity"_a,
-           "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3] and c [J/(kg "
-           "K)], all three\n"
-           "> 0. Error for numbers out of range.")
+           "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]\n"
+           "and c [J/(kg K)], all three > 0. Error for numbers out of range.")
       .def_readonly("bulk_temperature", &ThermalBody::bulk_temperature, "Where it enters the contact [deg C].")
       .def_readonly("conductivity", &ThermalBody::conductivity, "lambda [W/(m K)].")
       .def_readonly("density", &ThermalBody::density, "rho [kg/m^3].")
@@ -128,11 +124,10 @@ void bind_friction(py::module_& module) {
         });
       },
       "bound"_a, "a"_a, "b"_a, "normal_force"_a, "friction"_a, "x"_a, "y"_a,
-      "g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside the ellipse. "
-      "'parabolic':\n"
-      "mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3 Fn/(2 pi a b) times the root of the same. Both "
-      "integrate to\n"
-      "mu Fn. x, y [m] are numbers or arrays that broadcast, shape (...).");
+      "g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside\n"
+      "the ellipse. 'parabolic': mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3\n"
+      "Fn/(2 pi a b) times the root of the same. Both integrate to mu Fn. x, y [m] are numbers or\n"
+      "arrays that broadcast, shape (...).");
 }
 
 } // namespace microslip::python

@@ -20,18 +20,13 @@ Shape shape_of(const ElementGrid& grid) {
 
 namespace {
 
-using Force = std::optional<double>;
-
-NormalLoad load_from(Force force, Force approach) {
-  if (force.has_value() == approach.has_value()) throw Error("load: needs either normal_force or approach");
-  return force ? NormalLoad{NormalLoad::Given::force, *force} : NormalLoad{NormalLoad::Given::approach, *approach};
-}
-
 RealArray centres(int count, double first, double apart) {
   RealArray out(count);
   for (int i = 0; i < count; ++i) out.mutable_data()[i] = first + i * apart;
   return out;
 }
+
+} // namespace
 
 void bind_grid(py::module_& module) {
   auto grid = py::class_<ElementGrid>(
@@ -47,13 +42,11 @@ void bind_grid(py::module_& module) {
            "range.")
       .def_static("across_ellipse", py::overload_cast<double, double, int, int, int>(&ElementGrid::across_ellipse),
                   "a"_a, "b"_a, "mx"_a, "my"_a, "margin"_a = 0,
-                  "mx x my elements [-] across an ellipse with semi-axes a, b [m], its centre at the origin, and "
-                  "`margin` more on each\n"
-                  "side [-].")
+                  "mx x my elements [-] across an ellipse with semi-axes a, b [m], its centre at the origin, and\n"
+                  "`margin` more on each side [-].")
       .def_static("across_line", &ElementGrid::across_line, "a"_a, "mx"_a, "margin"_a = 0, "length"_a = 1.0,
-                  "A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin` more "
-                  "on each side [-];\n"
-                  "forces are those of `length` [m].")
+                  "A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin`\n"
+                  "more on each side [-]; forces are those of `length` [m].")
       .def_readonly("mx", &ElementGrid::mx, "Columns [-].")
       .def_readonly("my", &ElementGrid::my, "Rows [-].")
       .def_readonly("x0", &ElementGrid::x0, "Centre of the first element [m].")
@@ -78,6 +71,15 @@ void bind_grid(py::module_& module) {
         return out;
       },
       "gap"_a, "grid"_a, "The undeformed distance h = A x^2 + B y^2 at the elements' centres, shape (my, mx) [m].");
+}
+
+namespace {
+
+using Force = std::optional<double>;
+
+NormalLoad load_from(Force force, Force approach) {
+  if (force.has_value() == approach.has_value()) throw Error("load: needs either normal_force or approach");
+  return force ? NormalLoad{NormalLoad::Given::force, *force} : NormalLoad{NormalLoad::Given::approach, *approach};
 }
 
 template <class T> auto normal_field(std::vector<T> NormalSolution::*member) {
@@ -113,10 +115,10 @@ void bind_normal(py::module_& module) {
     OneAtATime<NormalProblem> problem;
     ElementGrid grid;
   };
-  py::class_<Problem>(module, "NormalProblem",
-                      "The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e "
-                      "= h - delta + u_n >= 0,\n"
-                      "p_n e = 0, by conjugate gradients, without friction: any K.")
+  py::class_<Problem>(
+      module, "NormalProblem",
+      "The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e\n"
+      "= h - delta + u_n >= 0, p_n e = 0, by conjugate gradients, without friction: any K.")
       .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
            "Error for a grid that needs more memory than the machine has; some 190 bytes for an element.")
       .def(
@@ -131,10 +133,9 @@ void bind_normal(py::module_& module) {
                                 shape_of(self.grid)};
           },
           "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(), "tolerance"_a = 1e-8,
-          "Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either the normal "
-          "force [N] or\n"
-          "the approach [m] given. Returns NormalSolution. Error for a gap with NaN or a load out of range. Cost O(N "
-          "log N).");
+          "Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either\n"
+          "the normal force [N] or the approach [m] given. Returns NormalSolution. Error for a gap with NaN\n"
+          "or a load out of range. Cost O(N log N).");
 }
 
 template <class T> auto tangential_field(std::vector<T> TangentialSolution::*member) {
@@ -172,7 +173,7 @@ void bind_tangential_solution(py::module_& module) {
                              "Codes of CellState as uint8, shape (my, mx) [-].")
       .def_property_readonly("forces", number(&TangentialSolution::forces), "The totals, as ContactForces.")
       .def_property_readonly("creepage", number(&TangentialSolution::creepage),
-                             "As given, or as found where a force is given [-], [-], [1/m].")
+                             "As given, or as found where a force is prescribed [-], [-], [1/m].")
       .def_property_readonly("elastic_energy", number(&TangentialSolution::elastic_energy), "Of the tractions [J].")
       .def_property_readonly("frictional_power", number(&TangentialSolution::frictional_power),
                              "[W]; for a shift the work [J].")
@@ -196,14 +197,13 @@ void bind_tangential(py::module_& module) {
     OneAtATime<TangentialProblem> problem;
     ElementGrid grid;
   };
-  py::class_<Problem>(
-      module, "TangentialProblem",
-      "The tangential contact problem of the exact theory on a grid of elements with constant tractions, classical\n"
-      "discretisation, elastically similar bodies: shifts, steps of transient rolling, steady rolling.")
+  py::class_<Problem>(module, "TangentialProblem",
+                      "The tangential contact problem of the exact theory on a grid of elements with constant\n"
+                      "tractions, classical discretisation, elastically similar bodies: shifts, steps of transient\n"
+                      "rolling, steady rolling.")
       .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
-           "Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some 5,900 bytes "
-           "for "
-           "an element\nat most.")
+           "Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some\n"
+           "5,900 bytes for an element at most.")
       .def(
           "solve",
           [](Problem& self, const py::object& bound, const py::object& creepage, ContactMotion motion, Force force_x,
@@ -233,15 +233,12 @@ void bind_tangential(py::module_& module) {
           "bound"_a, "creepage"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = py::none(),
           "force_y"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward, "rolling_speed"_a = 1.0,
           "previous"_a = py::none(), "tolerance"_a = 1e-6,
-          "One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact; creepages [-], "
-          "[-], [1/m], for\n"
-          "a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in the place of the creepage in that direction; "
-          "step dq [m], 0 the\n"
-          "elements' length; rolling_speed V [m/s]; previous: the TangentialSolution that a shift or a step of "
-          "transient rolling\n"
-          "starts from, none: no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error "
-          "for input out of\n"
-          "range.");
+          "One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;\n"
+          "creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in place\n"
+          "of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];\n"
+          "previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:\n"
+          "no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for\n"
+          "input out of range.");
 }
 
 void bind_patch(py::module_& module) {
@@ -254,9 +251,9 @@ void bind_patch(py::module_& module) {
   };
   py::class_<Problem>(
       module, "PatchRolling",
-      "Steady rolling of elastically similar bodies of any shape at second order: the normal problem on a regular "
-      "grid, elements\n"
-      "fitted to the edges of its contact area, the tangential problem on them. One contact patch or several.")
+      "Steady rolling of elastically similar bodies of any shape at second order: the normal problem on\n"
+      "a regular grid, elements fitted to the edges of its contact area, the tangential problem on\n"
+      "them. One contact patch or several.")
       .def(py::init([](const CombinedMaterial& material, const ElementGrid& on, const py::object& gap,
                        Force normal_force, Force approach, RollingDirection direction) {
              const auto h = real_array("gap", gap, shape_of(on));
@@ -267,9 +264,9 @@ void bind_patch(py::module_& module) {
            }),
            "material"_a, "grid"_a, "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(),
            "direction"_a = RollingDirection::forward,
-           "gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the approach [m] is "
-           "given. The grid\n"
-           "needs three columns to spare on the side that particles come from and one on the other. Error otherwise.")
+           "gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the\n"
+           "approach [m] is given. The grid needs three columns to spare on the side that particles come\n"
+           "from and one on the other. Error otherwise.")
       .def_property_readonly(
           "normal",
           [](const Problem& self) {
@@ -294,18 +291,14 @@ void bind_patch(py::module_& module) {
           },
           "friction"_a, "creepage"_a, py::kw_only(), "force_x"_a = py::none(), "force_y"_a = py::none(),
           "rolling_speed"_a = 1.0, "tolerance"_a = 1e-6,
-          "friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x, force_y [N] on "
-          "body 1 in the\n"
-          "place of the creepage in that direction; rolling_speed V [m/s] for the frictional power; tolerance of the "
-          "relative residual "
-          "[-]. Returns\n"
-          "ContactSolution.");
+          "friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,\n"
+          "force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the\n"
+          "frictional power; tolerance of the relative residual [-]. Returns ContactSolution.");
 }
 
 } // namespace
 
 void bind_grid_problems(py::module_& module) {
-  bind_grid(module);
   bind_normal(module);
   bind_tangential_solution(module);
   bind_tangential(module);

@@ -5,7 +5,6 @@
 #include "binding/value.hpp"
 #include "io/option_words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/interior/interior_peak.hpp"
 
 #include <algorithm>
 #include <map>
@@ -13,20 +12,6 @@
 
 namespace microslip::python {
 
-template <>
-inline constexpr auto fields<Stress> =
-    std::tuple{Field{"xx", &Stress::xx}, Field{"yy", &Stress::yy}, Field{"zz", &Stress::zz},
-               Field{"xy", &Stress::xy}, Field{"xz", &Stress::xz}, Field{"yz", &Stress::yz}};
-template <>
-inline constexpr auto fields<InteriorState> =
-    std::tuple{Field{"ux", &InteriorState::ux}, Field{"uy", &InteriorState::uy}, Field{"uz", &InteriorState::uz},
-               Field{"stress", &InteriorState::stress}};
-template <>
-inline constexpr auto fields<InteriorPoint> =
-    std::tuple{Field{"x", &InteriorPoint::x}, Field{"y", &InteriorPoint::y}, Field{"depth", &InteriorPoint::depth}};
-template <>
-inline constexpr auto fields<InteriorPeak> = std::tuple{
-    Field{"value", &InteriorPeak::value}, Field{"point", &InteriorPeak::point}, Field{"state", &InteriorPeak::state}};
 template <>
 inline constexpr auto fields<States> = std::tuple{Field{"shape", &States::shape}, Field{"states", &States::states}};
 
@@ -141,21 +126,20 @@ void bind_peak(py::module_& module) {
 
 void bind_field(py::module_& module) {
   const auto none = py::none();
-  py::class_<InteriorField>(module, "InteriorField",
-                            "Displacements and stresses in a body from the tractions on its surface, as sums over the "
-                            "elements of a grid. Elastic\n"
-                            "half-space; a line contact gives the plane field of endless strips. Exact for tractions "
-                            "that are constant in each element;\n"
-                            "those of a contact are not, which is felt nearer to the surface than about an element.")
+  py::class_<InteriorField>(
+      module, "InteriorField",
+      "Displacements and stresses in a body from the tractions on its surface, as sums over the\n"
+      "elements of a grid. Elastic half-space; a line contact gives the plane field of endless strips.\n"
+      "Exact for tractions that are constant in each element; those of a contact are not, which is felt\n"
+      "nearer to the surface than about an element.")
       .def(py::init(&make_field), "material"_a, "body"_a, "grid"_a, py::kw_only(), "px"_a = none, "py"_a = none,
            "pn"_a = none,
-           "body 1 (wheel, z > 0) or 2 (rail) [-]; px, py, pn [Pa] are the tractions **on body 1** of the grid's "
-           "elements, shape\n"
-           "(my, mx), none: zero. Error for what is out of range or not finite.")
+           "body 1 (wheel, z > 0) or 2 (rail) [-]; px, py, pn [Pa] are the tractions **on body 1** of the\n"
+           "grid's elements, shape (my, mx), none: zero. Error for what is out of range or not finite.")
       .def("at", &at_points, "x"_a, "y"_a, "depth"_a,
-           "At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to shape (...). "
-           "Returns\n"
-           "InteriorStates. Cost .3 us for every point and element with tractions; Ctrl-C ends it.")
+           "At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to\n"
+           "shape (...). Returns InteriorStates. Cost .3 us for every point and element with tractions;\n"
+           "Ctrl-C ends it.")
       .def_property_readonly("grid", &InteriorField::grid, "The elements, as ElementGrid.");
 
   py::class_<OneAtATime<InteriorLayers>>(
@@ -185,10 +169,9 @@ void bind_field(py::module_& module) {
             return self.run([&](InteriorLayers& layers) { return find_largest(layers, span_of(planes), of); });
           },
           "depths"_a, "measure"_a = "von_mises",
-          "The largest value [Pa] of 'von_mises', 'tresca' or 'hydrostatic' and where it is, as InteriorPeak: the best "
-          "point of\n"
-          "the planes `depths` [m], ascending, shape (n), and from there a search. The largest one if the planes are "
-          "close enough.");
+          "The largest value [Pa] of 'von_mises', 'tresca' or 'hydrostatic' and where it is, as\n"
+          "InteriorPeak: the best point of the planes `depths` [m], ascending, shape (n), and from there a\n"
+          "search. The largest one if the planes are close enough.");
 }
 
 } // namespace

@@ -53,7 +53,7 @@ def python_type(text):
     """A type as pybind11 writes it, as Python does."""
     text = re.sub(r"numpy\.ndarray(\[numpy\.float64\])?", "NDArray[numpy.float64]", text)
     text = re.sub(r"List\[float\[3\]\]", "tuple[float, float, float]", text)
-    for old, new in (("microslip::python::States", "InteriorStates"), ("microslip::", ""), ("Tuple[", "tuple["), ("List[", "list["), ("Dict[", "dict["), ("microslip.", ""),
+    for old, new in (("Tuple[", "tuple["), ("List[", "list["), ("Dict[", "dict["), ("microslip.", ""),
                      ("dict", "dict[str, str]")):
         text = text.replace(old, new)
     return re.sub(r"Optional\[(.*)\]", r"\1 | None", text)

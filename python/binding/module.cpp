@@ -44,10 +44,12 @@ PYBIND11_MODULE(_core, module) {
   bind_elasticity(module);
   bind_friction(module);
   bind_contact(module);
+  bind_grid(module);
+  bind_interior(module);
+  bind_solution(module);
   bind_simplified(module);
   bind_grid_problems(module);
   bind_exact(module);
-  bind_interior(module);
   bind_case_files(module);
   bind_contact_input(module);
   module.attr("__name__") = name;

@@ -119,16 +119,13 @@ ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::o
 }
 
 constexpr const char* batch_text =
-    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; "
-    "fields that\n"
-    "are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], "
-    "b [m],\n"
-    "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. "
-    "Results have the "
-    "broadcast\n"
-    "shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for "
-    "arrays\n"
-    "that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
+    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`\n"
+    "is a contact; fields that are given replace its own, as numbers or arrays that broadcast:\n"
+    "longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
+    "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the\n"
+    "broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with\n"
+    "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
+    "of range have Status.invalid_input and NaN.";
 
 void def_batch(py::class_<RowSolver>& solver, const char* name, const auto& method, const std::string& text) {
   const auto none = py::none();
@@ -145,9 +142,8 @@ void bind_row_solver(py::module_& module) {
   solver
       .def(
           "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); }, "contact"_a,
-          "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives "
-          "Status.invalid_input and\n"
-          "NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).")
+          "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives\n"
+          "Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).")
       .def(
           "solve",
           [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
@@ -158,9 +154,8 @@ void bind_row_solver(py::module_& module) {
       .def(
           "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
           "contact"_a,
-          "Forces [N], [N m] and their derivatives to xi [-], eta [-], phi [1/m] and Fn [N], as ContactDerivatives: "
-          "forward\n"
-          "differentiation of the same code.")
+          "Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
+          "as ContactDerivatives: forward differentiation of the same code.")
       .def(
           "differentiate",
           [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
@@ -173,13 +168,11 @@ void bind_row_solver(py::module_& module) {
           "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution.")
       .def("patch_fields", &patch_fields, "y"_a, "leading"_a, "trailing"_a, "pressure"_a, py::kw_only(), "row_width"_a,
            "flexibilities"_a, "friction"_a, "creepage"_a, "rolling_speed"_a = 1.0,
-           "The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their leading to "
-           "their trailing\n"
-           "edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), x "
-           "ascending;\n"
-           "row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, "
-           "friction [-] or a\n"
-           "law, creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense.")
+           "The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their\n"
+           "leading to their trailing edges x [m], shape (my), with the pressure p_n [Pa] at the centres of\n"
+           "mx cells each, shape (my, mx), x ascending; row_width [m], flexibilities L [m/Pa] for\n"
+           "longitudinal creepage, lateral creepage and spin, friction [-] or a law,\n"
+           "creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense.")
       .def_property_readonly(
           "mx", [](const RowSolver& self) { return self.options().mx; }, "Cells of a row [-].")
       .def_property_readonly(
@@ -188,11 +181,11 @@ void bind_row_solver(py::module_& module) {
   def_batch(solver, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
 }
 
-constexpr const char* options_text = "mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; "
-                                     "flexibility 'three', 'one' or 'blended';\n"
-                                     "coefficients 'kalker' or 'computed'; direction 'forward' (along +x) or "
-                                     "'backward'; slope_reduction (initial, at_infinity,\n"
-                                     "decay) [-] lessens the creep curve's slope. Error if an option is out of range.";
+constexpr const char* options_text =
+    "mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility\n"
+    "'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)\n"
+    "or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's\n"
+    "slope. Error if an option is out of range.";
 
 } // namespace
 
@@ -201,9 +194,9 @@ void bind_simplified(py::module_& module) {
   const std::array<double, 3> whole_slope = {1, 1, 0};
   py::class_<Fastsim2, RowSolver>(
       module, "Fastsim2",
-      "FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked boundaries "
-      "between\n"
-      "adhesion and slip, second order in the cell length. 10 x 10 cells are enough for forces.")
+      "FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked\n"
+      "boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough\n"
+      "for forces.")
       .def(py::init([](int mx, int my, TractionBound bound, FlexibilityModel flexibility, CreepageTable coefficients,
                        RollingDirection direction, const std::array<double, 3>& slope_reduction) {
              return Fastsim2(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction));
@@ -214,19 +207,19 @@ void bind_simplified(py::module_& module) {
   py::class_<Fastsim, RowSolver>(
       module, "Fastsim",
       "FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length.")
-      .def(
-          py::init([](int mx, int my, bool half_first_step, TractionBound bound, FlexibilityModel flexibility,
-                      CreepageTable coefficients, RollingDirection direction,
-                      const std::array<double, 3>& slope_reduction) {
-            return Fastsim(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction),
-                           half_first_step ? FirstStep::half : FirstStep::full);
-          }),
-          "mx"_a = 10, "my"_a = 10, py::kw_only(), "half_first_step"_a = false, "bound"_a = TractionBound::parabolic,
-          "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
-          "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
-          (std::string(options_text) +
-           "\nhalf_first_step: half a cell with the rigid slip in the step's middle, half the error; else as in (F16).")
-              .c_str());
+      .def(py::init([](int mx, int my, bool half_first_step, TractionBound bound, FlexibilityModel flexibility,
+                       CreepageTable coefficients, RollingDirection direction,
+                       const std::array<double, 3>& slope_reduction) {
+             return Fastsim(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction),
+                            half_first_step ? FirstStep::half : FirstStep::full);
+           }),
+           "mx"_a = 10, "my"_a = 10, py::kw_only(), "half_first_step"_a = false, "bound"_a = TractionBound::parabolic,
+           "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
+           "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
+           (std::string(options_text) +
+            "\nhalf_first_step: half a cell with the rigid slip in the step's middle, half the error; else as\n"
+            "in (F16).")
+               .c_str());
 }
 
 } // namespace microslip::python

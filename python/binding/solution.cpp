@@ -1,5 +1,5 @@
+#include "binding/bindings.hpp"
 #include "binding/codes.hpp"
-#include "binding/contact.hpp"
 #include "binding/interior.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
@@ -39,10 +39,10 @@ struct Fields {
 };
 
 void bind_fields(py::module_& module) {
-  py::class_<Fields> surface(module, "SurfaceFields",
-                             "The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the "
-                             "rows, x within a row; None\n"
-                             "for one that the solution does not have. Zero outside the contact.");
+  py::class_<Fields> surface(
+      module, "SurfaceFields",
+      "The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the rows, x\n"
+      "within a row; None for one that the solution does not have. Zero outside the contact.");
   for (const FieldQuantity& field : field_quantities()) {
     const std::string text = capitalised(field.description) + ", shape (my, mx)" +
                              unit_text(field.unit, field.shift_unit) + "; None if the solution does not have it.";
@@ -160,16 +160,14 @@ void bind_solution(py::module_& module) {
           "Why the status is not ok; empty if it is.")
       .def_readonly("history", &ContactSolution::history, "Transient rolling: a list of SolutionStep, in their order.")
       .def("sampled", &sampled_field, "field"_a, "grid"_a,
-           "A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid, in the "
-           "field's unit [SI]:\n"
-           "the value of the element that a centre lies in, zero where there is none. Error for a field that the "
-           "solution does not have.")
+           "A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid,\n"
+           "in the field's unit [SI]: the value of the element that a centre lies in, zero where there is\n"
+           "none. Error for a field that the solution does not have.")
       .def("interior_states", &states_inside, "body1"_a, "body2"_a, "x"_a, "y"_a, "z"_a,
-           "Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x, y, z [m], "
-           "numbers or lists;\n"
-           "z >= 0 lies in body 1, z < 0 in body 2, whose Material are given. Returns InteriorStates of shape (len(z), "
-           "len(y), len(x)).\n"
-           "Error for a solution without pressures, as those of the simplified theory.")
+           "Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x,\n"
+           "y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.\n"
+           "Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without\n"
+           "pressures, as those of the simplified theory.")
       .def("_repr_html_", &table);
   add_value(solution, {"status", "fx", "fy", "mz", "creepage", "grid"});
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,8 @@ template <class T> constexpr bool is_vector<std::vector<T>> = true;
 template <class T> constexpr bool is_shared = false;
 template <class T> constexpr bool is_shared<std::shared_ptr<T>> = true;
 template <class T> constexpr bool is_codes = false;
-template <class T> constexpr bool is_codes<std::vector<T>> = std::is_enum_v<T> && sizeof(T) == 1;
+template <class T>
+constexpr bool is_codes<std::vector<T>> = (std::is_enum_v<T> && sizeof(T) == 1) || std::is_same_v<T, unsigned char>;
 
 template <class T, class Visit> void for_each_field(const Visit& visit) {
   std::apply([&](const auto&... field) { (visit(field.name, field.member), ...); }, fields<T>);
@@ -133,12 +135,29 @@ pybind11::dict to_dict(const pybind11::object& self);
 /// Takes a pickled state apart. Throws Error for one of another version.
 pybind11::object checked_state(const std::string& name, const pybind11::tuple& state);
 
+/// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, and to_dict().
+template <class Class> void add_description(Class& of, std::initializer_list<const char*> fields) {
+  const std::vector<std::string> names(fields.begin(), fields.end());
+  of.def("__repr__", [names](const pybind11::object& self) {
+    auto text = self.attr("__class__").attr("__name__").template cast<std::string>() + "(";
+    for (const auto& name : names) {
+      const pybind11::object value = self.attr(name.c_str());
+      const bool is_code = pybind11::hasattr(value, "name") && pybind11::hasattr(value, "_member_map_");
+      text += (text.back() == '(' ? "" : ", ") + name + "=" +
+              (is_code ? value.attr("name").template cast<std::string>()
+                       : pybind11::repr(value).template cast<std::string>());
+    }
+    return text + ")";
+  });
+  of.def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
+}
+
 /// Makes a class one of values: a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, ==, copies, pickles
 /// that tell their version, to_dict(). All fields that make up its value are listed in `fields`.
 template <class T, class... Options>
 void add_value(pybind11::class_<T, Options...>& of, std::initializer_list<const char*> shown) {
   namespace py = pybind11;
-  add_text(of, shown);
+  add_description(of, shown);
   const auto name = of.attr("__name__").template cast<std::string>();
   of.def(
         "__eq__",
@@ -154,8 +173,7 @@ void add_value(pybind11::class_<T, Options...>& of, std::initializer_list<const 
                         auto made = std::make_unique<T>();
                         read_state(checked_state(name, state), name, *made);
                         return made;
-                      }))
-      .def("to_dict", &to_dict, "All fields [SI units] as a dict; arrays are copies.");
+                      }));
 }
 
 /// A line of a table in a notebook.

@@ -151,7 +151,7 @@ class ContactCase:
     def tangential(self) -> TangentialSolution | None:
         """The TangentialSolution, SI units; None unless solved."""
     def to_dict(self) -> dict[str, Any]:
-        """All fields [CONTACT's units and SI units] as a dict; arrays are copies."""
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ContactDerivatives:
     """Totals and their derivatives."""
@@ -437,6 +437,8 @@ class DerivativeArrays:
     def jacobian(self) -> NDArray[numpy.float64]:
         """Derivatives of fx [N], fy [N], mz [N m] to longitudinal and lateral creepage [-], spin [1/m] and normal force [N],
         shape (..., 3, 4); that to the normal force keeps the ellipse as it is."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ElementGrid:
     """The potential contact: mx x my equal rectangles, x and y ascending. Fields on it have shape (my, mx)."""
@@ -596,6 +598,8 @@ class ExactForceArrays:
     @property
     def newton_steps(self) -> NDArray[numpy.int32]:
         """Steps of Newton's method, shape (...) [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class ExactResult:
     """What the exact theory makes of a case."""
@@ -654,6 +658,8 @@ class ForceArrays:
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     def __len__(self) -> int: ...
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class FrictionLaw:
     """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear: mu_k + sum d_i max(0, 1 -
@@ -993,7 +999,7 @@ class RollingCase:
         """The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with `cells` in each
         direction. Error for FaStrip, which has no such solver in Python."""
     def to_dict(self) -> dict[str, Any]:
-        """All fields [SI units] as a dict."""
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class RollingContactResult:
     """All that `microslip solve` computes of a case."""
@@ -1012,6 +1018,9 @@ class RollingContactResult:
     @property
     def simplified(self) -> SimplifiedResult | None:
         """SimplifiedResult, also beside the exact theory in steady rolling; else None."""
+    @property
+    def interior(self) -> InteriorStates | None:
+        """InteriorStates at the case's points, shape (z, y, x) as their lists; None without any."""
     @property
     def status(self) -> Status:
         """Of the theory that the case asks for, a Status [-]."""

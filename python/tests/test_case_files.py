@@ -10,6 +10,7 @@ import unittest
 from pathlib import Path
 
 import h5py
+import numpy as np
 
 import microslip
 from microslip import plot
@@ -58,6 +59,25 @@ class CaseFilesTest(unittest.TestCase):
         self.assertEqual(result.simplified.curve.fx.shape, result.simplified.curve.value.shape)
         self.assertIsNone(result.exact.limit)
         self.assertIs(result.status, microslip.Status.ok)
+
+    def test_stresses_are_at_the_points_of_the_case(self):
+        self.assertIsNone(microslip.solve_case(microslip.parse_case(CASE)).interior)
+        x, z = [0.0, 5e-5], [-2e-4, 1e-4, 2e-4]
+        case = microslip.parse_case(CASE + f"[interior]\nx = {x}\ny = [0.0]\nz = {z}\n")
+        result = microslip.solve_case(case)
+        self.assertEqual(result.interior.zz.shape, (3, 1, 2))
+        inside = result.exact.solution.interior_states(case.body1.material, case.body2.material, x, 0.0, z)
+        np.testing.assert_allclose(result.interior.zz, inside.zz, rtol=1e-9)
+        self.assertEqual(pickle.loads(pickle.dumps(result)).interior, result.interior)
+
+    def test_solvers_refuse_what_the_case_cannot_have(self):
+        text = CASE.replace("young_modulus = 210e9", "young_modulus = 70e9", 1)
+        case = microslip.parse_case(text)
+        for make in (lambda: case.exact_solver(discretisation="second_order"), lambda: case.accurate_solver(1e-2)):
+            with self.assertRaisesRegex(microslip.Error, "solution.discretisation: must be classical for bodies of different"):
+                make()
+        with self.assertRaisesRegex(microslip.Error, "solution.discretisation: must be classical for bodies of different"):
+            microslip.parse_case(text + 'discretisation = "second_order"\n')
 
     def test_a_case_of_the_simplified_theory_has_no_exact_result(self):
         result = microslip.solve_case(microslip.parse_case(CASE.replace('"exact"', '"fastsim"')))

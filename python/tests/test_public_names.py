@@ -49,6 +49,11 @@ class PublicNamesTest(unittest.TestCase):
                 if not key.startswith("_") and not isinstance(cls, enum.EnumMeta):
                     self.assertTrue(member.__doc__, f"{name}.{key}")
 
+    def test_texts_name_the_types_of_python(self):
+        for name, member in members().items():
+            for key, part in [("", member), *(vars(member).items() if isinstance(member, type) else ())]:
+                self.assertNotIn("::", getattr(part, "__doc__", None) or "", f"{name}.{key}")
+
     def test_numbers_have_units_and_arrays_shapes(self):
         checked = 0
         for name, node in stub().items():

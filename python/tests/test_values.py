@@ -40,6 +40,8 @@ def values():
         solved, solved.history[0], solver.differentiate(contact()), microslip.AccurateContactSolver(0.05).solve(contact()),
         grid, normal, tangential, field.at([0, 1e-3], 0, 1e-3),
         microslip.InteriorLayers(field).find_largest(np.linspace(1e-3, 5e-3, 5)), result.exact.curve, result.exact.grid_error,
+        result, result.exact, result.simplified, microslip.Fastsim2().solve_batch(contact(), [[1e-4, 1e-3]], spin=[[0.0], [0.4]]),
+        microslip.Fastsim2().differentiate_batch(contact(), [1e-4, 1e-3]), solver.solve_batch(contact(), [1e-4, 1e-3]),
         microslip.parse_case(CASE), microslip.parse_case(CASE).body1, microslip.PatchRolling(pair, grid, gap, normal_force=80e3).solve(0.3, (1e-3, 0, 0)),
     ]
     return [(type(one).__name__, one) for one in made]
@@ -58,6 +60,7 @@ class ValuesTest(unittest.TestCase):
                     self.assertIs(type(made), type(value))
                     self.assertEqual(made, value)
                     self.assertEqual(repr(made), repr(value))
+                    np.testing.assert_equal(made.to_dict(), value.to_dict())  # a field that copies and == do not know
 
     def test_values_differ(self):
         for name, value in self.values:
