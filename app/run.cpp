@@ -119,9 +119,8 @@ void print_totals(const Case& c, const Outcome& outcome) {
   counts.add("NCON", std::to_string(t.contact));
   counts.add("NADH", std::to_string(t.adhesion));
   counts.add("NSLIP", std::to_string(t.slip));
+  if (t.plastic) counts.add("NPLAST", std::to_string(*t.plastic));
   counts.add("residual", fmt::format("{:.1e}", outcome.solution.tangential.residual));
-  if (outcome.solution.friction_iterations > 0)
-    counts.add("friction", fmt::format("{:.1e}", outcome.solution.friction_residual));
   counts.add("status", std::string(to_string(outcome.solution.status)));
   counts.print();
 }

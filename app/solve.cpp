@@ -170,12 +170,10 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.add_quantity("peak_pressure", contact);
   table.add_quantity("peak_traction", contact);
   if (!contact.fields.temperature1.empty()) table.add_quantity("highest_temperature", contact);
+  const char* slip_start = input.slip_start == SlipStart::above ? ", slip from full sliding" : ", slip from rest";
   table.add_quantity("residual", contact,
-                     fmt::format("{} Newton steps, {} products", contact.report.newton_steps, contact.report.products));
-  if (contact.report.friction_iterations > 0)
-    table.add_quantity("friction_residual", contact,
-                       fmt::format("{} friction-slip iterations, from {}", contact.report.friction_iterations,
-                                   input.slip_start == SlipStart::above ? "full sliding" : "rest"));
+                     fmt::format("{} Newton steps, {} products{}", contact.report.newton_steps, contact.report.products,
+                                 contact.fields.friction.empty() ? "" : slip_start));
   table.add("status", status);
   const auto assumption = simplified_assumption(input);
   if (result.simplified && !assumption.empty()) table.add(fmt::format("{} assumes", heads.back()), {assumption});

@@ -32,7 +32,7 @@ TEST(HeatedFriction, InAStripIsTheClosedForm) {
     const FrictionHeating heating = {{{.change = -mu0, .begin = 20, .range = mu0 / k}}, bodies, speed};
     const SlipFriction friction(grid, laws, {}, {}, {.time = grid.dx / speed, .along_rows = true}, heating);
     const std::vector<double> v(grid.count(), slip), p(grid.count(), pressure);
-    const auto mu = friction.coefficients(v, p);
+    const auto mu = friction.state(v, p).friction;
     double error = 0;
     for (int i = 0; i < n; ++i) {
       const double time = (i + 0.5) * grid.dx / speed;
@@ -58,7 +58,7 @@ TEST(HeatedFriction, WithoutSlipIsThatOfTheTouchingBodies) {
     const SlipFriction friction(grid, laws, {.distance = distance, .slowest = 1}, {},
                                 {.time = 1e-4, .along_rows = true}, heating);
     EXPECT_FALSE(friction.is_constant());
-    const auto mu = friction.coefficients(std::vector<double>(16), std::vector<double>(16, 1e9));
+    const auto mu = friction.state(std::vector<double>(16), std::vector<double>(16, 1e9)).friction;
     for (std::size_t k = 0; k < 16; ++k) EXPECT_NEAR(mu[k], 0.4 + (k < 8 ? -0.2 : 0.3) * mean / 100, 1e-14);
   }
 }
@@ -108,7 +108,6 @@ TEST(HeatedFriction, GoesWithTheTemperatureThatItMakes) {
         step.motion.direction = direction;
         const ContactStepSolution s = ContactSequence().solve(step);
         expect_consistent(step, s, 2e-5);
-        EXPECT_GT(s.friction_iterations, 1);
         const auto temperature = temperatures_of(step, s);
         EXPECT_TRUE(creepage < 1e-3 || temperature->highest > effect.begin + 1);
       }
@@ -193,14 +192,11 @@ TEST(HeatedFriction, ThatDoesNotConvergeSaysSo) {
     ContactStep step = contact(10, creepage, {3, 62, 0.5}, true);
     const ContactStepSolution s = ContactSequence().solve(step);
     if (s.status == Status::ok) {
-      EXPECT_LE(s.friction_residual, friction_tolerance);
+      EXPECT_LE(s.tangential.residual, step.motion.tolerance);
     } else {
       EXPECT_EQ(s.status, Status::not_converged);
       EXPECT_EQ(s.tangential.forces.status, Status::not_converged);
-      EXPECT_GT(s.friction_residual, friction_tolerance);
-      ContactSequence again;
-      const std::string reason = solve_steps(again, step, 1, {}).report.reason;
-      EXPECT_EQ(reason.find("friction-slip iteration not converged after 300 iterations: relative"), 0U) << reason;
+      EXPECT_GT(s.tangential.residual, step.motion.tolerance);
       ++unsolved;
     }
   }

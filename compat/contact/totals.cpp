@@ -39,6 +39,7 @@ PrintedTotals printed_totals(const Case& c, const ContactStep& step, const Conta
   t.contact = solution.contact_elements;
   t.adhesion = solution.adhesion_elements;
   t.slip = solution.slip_elements;
+  if (step.bodies.layer.yields()) t.plastic = solution.plastic_elements;
   return t;
 }
 

@@ -18,9 +18,6 @@ bool has_pressure(Solution s) {
 bool has_temperatures(Solution s) {
   return !s.fields.temperature1.empty();
 }
-bool has_friction_iterations(Solution s) {
-  return s.report.friction_iterations > 0;
-}
 
 constexpr Quantity all_quantities[] = {
     {"fx", "longitudinal force fx", "Fx", "N", "N", "longitudinal force on body 1",
@@ -68,11 +65,6 @@ constexpr Quantity all_quantities[] = {
      "estimated error of forces in mu Fn, of the moment in mu Fn sqrt(a b)",
      [](Solution s) { return s.report.estimated_error.value_or(0); },
      [](Solution s) { return s.report.estimated_error.has_value(); }},
-    {"friction_iterations", "friction-slip iterations", "", "-", "-", "iterations between friction and slip",
-     [](Solution s) { return static_cast<double>(s.report.friction_iterations); }, has_friction_iterations},
-    {"friction_residual", "relative change of slip", "", "-", "-",
-     "last relative change of the slip in these iterations", [](Solution s) { return s.report.friction_residual; },
-     has_friction_iterations},
 };
 
 using Values = const std::vector<double>&;

@@ -16,8 +16,6 @@ struct SolverReport {
   long products = 0;       ///< with the matrix of influence coefficients
   /// Of the forces, in mu Fn, and of the moment, in mu Fn sqrt(a b), where an accuracy was asked for.
   std::optional<double> estimated_error = {};
-  int friction_iterations = 0;  ///< problems solved until friction agreed with the slip; 0 if it does not depend on it
-  double friction_residual = 0; ///< last relative change of the slip in these
 };
 
 /// Fills in the reason of a status that is not ok and has none yet.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "microslip/numerics/dual.hpp"
+
 namespace microslip {
 
 /// What the temperature T of the surfaces adds to a coefficient of friction: change min(1, max(0, (T - begin)/range))
@@ -15,12 +17,26 @@ struct TemperatureEffect {
   /// The coefficient mu = base + share at(T) of friction that heats the place where it acts: T = ahead + own mu, with
   /// 0 <= share <= 1 and own >= 0 [K]. There is one solution unless friction rises with heat by more than makes the
   /// heat, share change own >= range; of several the one of the least heat.
-  double coefficient(double base, double share, double ahead, double own) const;
+  /// `Real` is double, or Dual for the derivatives.
+  template <class Real>
+  Real coefficient(const Real& base, const Real& share, const Real& ahead, const Real& own) const;
 
   friend bool operator==(const TemperatureEffect&, const TemperatureEffect&) = default;
 };
 
 /// Throws Error unless all is finite and the range positive.
 void check(const TemperatureEffect& effect);
+
+template <class Real>
+Real TemperatureEffect::coefficient(const Real& base, const Real& share, const Real& ahead, const Real& own) const {
+  const Real hot = base + share * Real(change);
+  const Real gain = share * own * Real(change / range); // of the coefficient by its own heat
+  if (value_of(gain) >= 1) return value_of(ahead + own * base) <= begin ? base : hot;
+  const Real between = (base + share * (ahead - Real(begin)) * Real(change / range)) / (Real(1.0) - gain);
+  const bool rises = change > 0;
+  if (value_of(between) <= value_of(rises ? base : hot)) return rises ? base : hot;
+  if (value_of(between) >= value_of(rises ? hot : base)) return rises ? hot : base;
+  return between;
+}
 
 } // namespace microslip

@@ -143,8 +143,6 @@ inline constexpr auto fields<SolverReport> =
                Field{"residual", &SolverReport::residual},
                Field{"newton_steps", &SolverReport::newton_steps},
                Field{"products", &SolverReport::products},
-               Field{"friction_iterations", &SolverReport::friction_iterations},
-               Field{"friction_residual", &SolverReport::friction_residual},
                Field{"estimated_error", &SolverReport::estimated_error}};
 template <>
 inline constexpr auto fields<SolutionStep> =

@@ -256,12 +256,6 @@ class ContactSolution:
     def estimated_error(self) -> object:
         """Estimated error of forces in mu Fn, of the moment in mu Fn sqrt(a b) [-]; None if the solution does not have it."""
     @property
-    def friction_iterations(self) -> object:
-        """Iterations between friction and slip [-]; None if the solution does not have it."""
-    @property
-    def friction_residual(self) -> object:
-        """Last relative change of the slip in these iterations [-]; None if the solution does not have it."""
-    @property
     def fields(self) -> SurfaceFields:
         """Tractions, slip and more, as SurfaceFields."""
     @property

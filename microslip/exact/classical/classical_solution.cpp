@@ -1,8 +1,5 @@
 #include "microslip/exact/classical/classical_solution.hpp"
 
-#include <array>
-#include <cstdio>
-#include <string>
 #include <utility>
 
 namespace microslip {
@@ -11,15 +8,6 @@ namespace {
 std::vector<double> scaled(std::vector<double> field, double factor) {
   for (double& value : field) value *= factor;
   return field;
-}
-
-/// Why a step whose friction has not settled is not converged.
-std::string friction_reason(const ContactStepSolution& s) {
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(),
-                "friction-slip iteration not converged after %d iterations: relative change of slip %.2g",
-                s.friction_iterations, s.friction_residual);
-  return text.data();
 }
 
 } // namespace
@@ -86,18 +74,14 @@ ContactSolution solve_steps(ContactSequence& sequence, ContactStep step, int ste
   }
   auto temperature = temperatures_of(step, s);
   ContactSolution out = contact_solution(step.grid, std::move(s.tangential), s.normal, 1, motion, speed);
-  if (s.friction_iterations > 0) out.fields.friction = std::move(s.friction);
+  if (!s.slip_friction.friction.empty()) out.fields.friction = std::move(s.friction);
   if (temperature) {
     out.fields.temperature1 = std::move(temperature->body1);
     out.fields.temperature2 = std::move(temperature->body2);
     out.highest_temperature = temperature->highest;
   }
   out.history = std::move(history);
-  out.report.friction_iterations = s.friction_iterations;
-  out.report.friction_residual = s.friction_residual;
   out.report.status = s.status;
-  if (s.status == Status::not_converged && s.friction_residual > friction_tolerance)
-    out.report.reason = friction_reason(s);
   return out;
 }
 

@@ -82,10 +82,28 @@ void check(const ContactStep& step) {
   if (step.bodies.layer.yields()) throw Error("temperature_effect: not with a layer that yields");
 }
 
-Field bound_of(const Field& friction, const Field& pressure) {
+/// mu p_n, or the largest that slip can make of it.
+Field bound_of(const ElementFriction& friction, const Field& pressure) {
   Field bound = pressure;
-  for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= friction[k];
+  if (friction.slip_dependent) friction.slip_dependent->largest(pressure, bound);
+  else
+    for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= friction.coefficients[k];
   return bound;
+}
+
+/// The bound over the pressure; without pressure that at rest.
+Field coefficients_of(const SlipFriction::State& state, const Field& pressure, const Field& at_rest) {
+  Field mu = at_rest;
+  for (std::size_t k = 0; k < mu.size(); ++k)
+    if (pressure[k] > 0) mu[k] = state.bound[k] / pressure[k];
+  return mu;
+}
+
+/// The slip velocity at which the iteration begins [m/s].
+Field first_slip(const ContactStep& step, const TangentialState& start) {
+  if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) return start.slip_velocity;
+  const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
+  return Field(step.grid.count(), step.slip_start == SlipStart::above ? fastest : 0.0);
 }
 
 /// Time that passes in a step, or in steady rolling on the way of an element [s]. A shift takes a second.
@@ -109,6 +127,7 @@ Field friction_before(const ContactStep& step, const TangentialState& previous) 
 SlipFriction slip_friction(const ContactStep& step, const TangentialState& previous) {
   SlipFriction::Passage passage;
   passage.time = time_of(step);
+  if (step.motion.motion != ContactMotion::shift) passage.speed = step.motion.rolling_speed;
   passage.along_rows = step.motion.motion == ContactMotion::steady;
   passage.from_high_x = step.motion.direction == RollingDirection::forward;
   if (!passage.along_rows) {
@@ -148,10 +167,11 @@ TangentialState state_after(const ContactStep& step, const ContactStepSolution& 
   state.pressure = s.normal.pressure;
   if (step.frictionless) return state;
   state.friction_drop = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
-  for (std::size_t k = 0; k < s.friction.size(); ++k)
-    state.friction_drop[k] = s.normal.pressure[k] > 0 ? state.friction_drop[k] - s.friction[k] : 0;
+  const Field& friction = s.slip_friction.friction.empty() ? s.friction : s.slip_friction.friction;
+  for (std::size_t k = 0; k < friction.size(); ++k)
+    state.friction_drop[k] = s.normal.pressure[k] > 0 ? state.friction_drop[k] - friction[k] : 0;
   state.slip_velocity = slip_velocity(step, s.tangential);
-  state.plastic_deformation = s.plastic_deformation;
+  if (step.bodies.layer.yields()) state.plastic_deformation = s.slip_friction.deformation;
   return state;
 }
 
@@ -202,7 +222,7 @@ CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
 }
 
 /// Pressure first, then tractions.
-ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, const Field& friction,
+ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, const ElementFriction& friction,
                                                    const TangentialState& previous, const TangentialState& start) {
   ContactStepSolution out;
   out.normal = solve_normal_part(step);
@@ -215,78 +235,75 @@ ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, cons
   if (!start.px.empty()) input.start = &start;
   if (step.force_x) input.force_x = *step.force_x * force;
   if (step.force_y) input.force_y = *step.force_y * force;
+  input.slip_dependent = friction.slip_dependent;
+  input.pressure = out.normal.pressure;
   out.tangential = tangential_problem(step).solve(bound, input);
   return out;
 }
 
-ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const Field& friction,
+ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const ElementFriction& friction,
                                                    const TangentialState& previous, const TangentialState& start) {
   ContactStepSolution out = coupled_contact(step).solve(step, friction, previous, start);
   if (step.given) out.normal = solve_normal_part(step);
   return out;
 }
 
-ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const Field& friction,
+ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const ElementFriction& friction,
                                                 const TangentialState& previous, const TangentialState& start) {
   ContactStepSolution out = is_coupled(step) ? solve_coupled(step, friction, previous, start)
                                              : solve_similar(step, friction, previous, start);
-  out.friction = friction;
+  out.friction.assign(friction.coefficients.begin(), friction.coefficients.end());
   out.status = out.normal.status;
   if (out.status == Status::ok && !out.tangential.tractions.px.empty()) out.status = out.tangential.forces.status;
   return out;
 }
 
-/// Solves with the friction, or the yield stress, that the slip of the last solution gives, until both go together. Of
-/// temperatures only the slip is left to iterate, as the law finds them with the friction that makes them. On the
-/// way from one branch of solutions to another the slip's change grows for a while; only after many rounds it is
-/// relaxed.
-ContactStepSolution ContactSequence::solve_slip_friction(const ContactStep& whole, const SlipFriction& law,
-                                                         const TangentialState& previous, TangentialState start) {
-  constexpr int most_rounds = 300, rounds_unrelaxed = 40;
-  double done = 0, first_change = 0;
-  ContactStep step = whole;
-  if (whole.motion.progress) step.motion.progress = [&](double) { return whole.motion.progress(done); };
-  const auto n = step.grid.count();
-  const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
-  Field slip(n, step.slip_start == SlipStart::above ? fastest : 0.0);
-  if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) slip = start.slip_velocity;
-  const bool yields = step.bodies.layer.yields();
-  std::vector<char> yielding(n);
-  const bool needs_pressure = yields || !step.temperature_effect.empty();
-  Field pressure = needs_pressure ? solve_normal_part(step).pressure : Field();
-  double share = 1;
+/// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs to
+/// begin near one: rounds, each with the friction that the slip of the last one has, lead from the start to the solution
+/// that belongs to it, and Newton's method is tried on the way. A layer that yields has one solution, found at once.
+ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& step, SlipFriction& law,
+                                                          const TangentialState& previous, TangentialState start) {
+  constexpr int most_rounds = 200, most_steps_of_a_trial = 12;
+  constexpr double tolerance_of_a_round = 1e-3;
+  const Field at_rest = law.static_coefficients();
   long products = 0;
   int newton_steps = 0;
+  const auto solve = [&](const ContactStep& with, const ElementFriction& friction) {
+    ContactStepSolution s = solve_with(with, friction, previous, start);
+    s.tangential.products = products += s.tangential.products;
+    s.tangential.newton_steps = newton_steps += s.tangential.newton_steps;
+    return s;
+  };
+  const auto finish = [&](ContactStepSolution s) {
+    s.slip_friction = law.state(slip_velocity(step, s.tangential), s.normal.pressure);
+    s.friction = coefficients_of(s.slip_friction, s.normal.pressure, at_rest);
+    s.tangential.bound = s.slip_friction.bound;
+    for (std::size_t k = 0; k < at_rest.size(); ++k)
+      if (s.slip_friction.yields[k] && s.tangential.state[k] == CellState::slip) ++s.plastic_elements;
+    return s;
+  };
+  if (!law.falls()) {
+    ContactStepSolution s = solve(step, {at_rest, &law});
+    if (s.tangential.tractions.px.empty()) return s;
+    return finish(std::move(s));
+  }
+  ContactStep round = step, trial = step;
+  round.motion.tolerance = std::max(tolerance_of_a_round, step.motion.tolerance);
+  trial.motion.most_steps = most_steps_of_a_trial;
+  Field slip = first_slip(step, start), pressure = start.pressure;
+  if (pressure.empty()) pressure = solve_normal_part(step).pressure;
   ContactStepSolution out;
-  for (int round = 1;; ++round) {
-    Field friction = law.coefficients(slip, pressure), deformation;
-    if (yields) {
-      deformation = law.plastic_deformation(slip, yielding);
-      law.limit(friction, pressure, deformation, yielding);
-    }
-    out = solve_with(step, friction, previous, start);
-    out.tangential.products = products += out.tangential.products;
-    out.tangential.newton_steps = newton_steps += out.tangential.newton_steps;
-    out.friction_iterations = round;
-    if (out.tangential.tractions.px.empty() || out.status == Status::invalid_input) return out;
-    const Field found = slip_velocity(step, out.tangential);
-    const double size = norm(found), change = distance(found, slip);
-    out.friction_residual = size > 0 ? change / size : change;
-    if (round == 1) first_change = change;
-    done = std::max(done, digits_done(first_change, change, friction_tolerance * size));
-    const bool together = change <= friction_tolerance * size;
-    if (together || round == most_rounds) {
-      for (std::size_t k = 0; k < n; ++k)
-        if (yielding[k] && out.tangential.state[k] == CellState::slip) ++out.plastic_elements;
-      if (yields) out.plastic_deformation = law.plastic_deformation(found, yielding);
-      if (!together) out.status = out.tangential.forces.status = Status::not_converged;
-      return out;
-    }
-    if (round % rounds_unrelaxed == 0) share *= 0.8;
-    for (std::size_t k = 0; k < n; ++k) slip[k] += share * (found[k] - slip[k]);
-    if (needs_pressure) pressure = out.normal.pressure;
-    start = out.tangential.tractions;
-    start.pressure = out.normal.pressure;
+  for (int n = 1, next_trial = 1;; ++n) {
+    const Field coefficients = coefficients_of(law.state(slip, pressure), pressure, at_rest);
+    ContactStepSolution s = solve(round, {coefficients});
+    if (s.tangential.tractions.px.empty()) return s;
+    start = s.tangential.tractions;
+    start.pressure = pressure = s.normal.pressure;
+    slip = slip_velocity(step, s.tangential);
+    if (n < next_trial) continue;
+    next_trial = 2 * n;
+    out = solve(trial, {at_rest, &law});
+    if (out.status != Status::not_converged || n >= most_rounds) return finish(std::move(out));
   }
 }
 
@@ -302,12 +319,11 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
 
   ContactStepSolution out;
   if (step.frictionless) {
-    out = solve_with(step, Field(step.grid.count()), previous, start);
+    out = solve_with(step, {Field(step.grid.count())}, previous, start);
   } else {
-    const SlipFriction law = slip_friction(step, previous);
-    const bool depends_on_slip = !law.is_constant() || step.bodies.layer.yields();
-    out = depends_on_slip ? solve_slip_friction(step, law, previous, start)
-                          : solve_with(step, law.static_coefficients(), previous, start);
+    SlipFriction law = slip_friction(step, previous);
+    out = law.is_constant() ? solve_with(step, {law.static_coefficients()}, previous, start)
+                            : solve_slip_dependent(step, law, previous, start);
   }
   if (step.frictionless || out.tangential.tractions.px.empty()) out.tangential = without_tractions(step);
   out.contact_elements = out.normal.contact_elements;

@@ -29,14 +29,14 @@ private:
   const NormalSolution& solve_normal_part(const ContactStep& step);
   TangentialProblem& tangential_problem(const ContactStep& step);
   CoupledContact& coupled_contact(const ContactStep& step);
-  ContactStepSolution solve_similar(const ContactStep& step, const std::vector<double>& friction,
+  ContactStepSolution solve_similar(const ContactStep& step, const ElementFriction& friction,
                                     const TangentialState& previous, const TangentialState& start);
-  ContactStepSolution solve_coupled(const ContactStep& step, const std::vector<double>& friction,
+  ContactStepSolution solve_coupled(const ContactStep& step, const ElementFriction& friction,
                                     const TangentialState& previous, const TangentialState& start);
-  ContactStepSolution solve_with(const ContactStep& step, const std::vector<double>& friction,
+  ContactStepSolution solve_with(const ContactStep& step, const ElementFriction& friction,
                                  const TangentialState& previous, const TangentialState& start);
-  ContactStepSolution solve_slip_friction(const ContactStep& step, const SlipFriction& law,
-                                          const TangentialState& previous, TangentialState start);
+  ContactStepSolution solve_slip_dependent(const ContactStep& step, SlipFriction& law, const TangentialState& previous,
+                                           TangentialState start);
 
   std::unique_ptr<ContactStep> normal_of_; ///< whose normal problem `normal_` solves
   NormalSolution normal_;

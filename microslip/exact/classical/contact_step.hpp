@@ -54,8 +54,11 @@ struct ContactStep {
   Coupling coupling = Coupling::newton;             ///< if the bodies' problems are coupled
 };
 
-/// Relative change of the slip at which the friction-slip iteration has converged.
-inline constexpr double friction_tolerance = 1e-6;
+/// The traction bound of a step's elements.
+struct ElementFriction {
+  std::span<const double> coefficients;        ///< mu [-]
+  SlipFriction* slip_dependent = nullptr;       ///< in place of mu p_n; mu then is that at rest
+};
 
 struct ContactStepSolution {
   NormalSolution normal;
@@ -63,10 +66,9 @@ struct ContactStepSolution {
   double normal_force = 0; ///< Fn [N]
   int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
   Status status = Status::ok;
-  std::vector<double> friction; ///< mu of the elements [-]; empty without tractions
-  int friction_iterations = 0;  ///< friction-slip iterations; 0 if friction does not depend on slip
-  double friction_residual = 0; ///< last change of the slip, over the slip; above friction_tolerance: not converged
-  std::vector<double> plastic_deformation; ///< of a layer that yields, of the elements [m]; else empty
+  std::vector<double> friction; ///< traction bound of the elements over their pressure [-]; empty without tractions
+  /// Where the bound depends on the slip, else empty.
+  SlipFriction::State slip_friction;
   int plastic_elements = 0;                ///< where it yields; they do not count as slip
   int alternations = 0;                    ///< with Coupling::alternating: how often both problems were solved
 };

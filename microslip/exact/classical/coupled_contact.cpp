@@ -78,7 +78,7 @@ void CoupledContact::find_displacements(ContactStepSolution& out) {
                       std::array{std::span(t.ux), std::span(t.uy), std::span(out.normal.displacement)});
 }
 
-ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::span<const double> friction,
+ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const ElementFriction& friction,
                                                  const TangentialState& previous, const TangentialState& start) {
   const auto n = grid_.count();
   const double way = signed_step(step.motion, grid_);
@@ -102,12 +102,13 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
   const CoupledFrictionProblem problem{coupled_operator(step.motion, way),
                                        gap,
                                        step.load,
-                                       friction,
+                                       friction.coefficients,
                                        cx,
                                        cy,
                                        grid_.element_area(),
                                        step.force_x,
-                                       step.force_y};
+                                       step.force_y,
+                                       friction.slip_dependent};
   // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
   CoupledNewton::Options options{
       .tolerance = step.motion.tolerance, .most_steps = 30, .progress = step.motion.progress};
@@ -132,7 +133,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
   tangential.creepage.longitudinal += s.friction.constant_x;
   tangential.creepage.lateral += s.friction.constant_y;
   tangential.bound = normal.pressure;
-  for (std::size_t k = 0; k < n; ++k) tangential.bound[k] *= friction[k];
+  for (std::size_t k = 0; k < n; ++k) tangential.bound[k] *= friction.coefficients[k];
   tangential.tractions = {.px = s.friction.px, .py = s.friction.py};
   find_displacements(out);
   find_totals(grid_, step.gap, normal);
@@ -141,7 +142,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, std::s
 }
 
 /// The tangential problem with the pressure given.
-void CoupledContact::find_tangential(const ContactStep& step, std::span<const double> friction, const Field& pressure,
+void CoupledContact::find_tangential(const ContactStep& step, const ElementFriction& friction, const Field& pressure,
                                      const TangentialState& previous, const TangentialState& start,
                                      ContactStepSolution& out) {
   const auto n = grid_.count();
@@ -153,12 +154,17 @@ void CoupledContact::find_tangential(const ContactStep& step, std::span<const do
   add_previous(step.motion, way, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
   double force = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    bound[k] = friction[k] * pressure[k];
+    bound[k] = friction.coefficients[k] * pressure[k];
     force += pressure[k] * grid_.element_area();
     if (!step.extra_slip_x.empty()) extra_x[k] += step.extra_slip_x[k];
     if (!step.extra_slip_y.empty()) extra_y[k] += step.extra_slip_y[k];
   }
   TangentialInput input = step.motion;
+  if (friction.slip_dependent) {
+    friction.slip_dependent->largest(pressure, bound);
+    input.slip_dependent = friction.slip_dependent;
+    input.pressure = pressure;
+  }
   input.previous = &previous;
   input.extra_x = extra_x;
   input.extra_y = extra_y;
@@ -171,7 +177,7 @@ void CoupledContact::find_tangential(const ContactStep& step, std::span<const do
 }
 
 /// Panagiotopoulos: the pressure with the tractions given, the tractions with the pressure given, and so on.
-ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, std::span<const double> friction,
+ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, const ElementFriction& friction,
                                                       const TangentialState& previous, const TangentialState& start) {
   constexpr int most = 200;
   const auto n = grid_.count();
@@ -219,7 +225,7 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, s
   return out;
 }
 
-ContactStepSolution CoupledContact::solve(const ContactStep& step, std::span<const double> friction,
+ContactStepSolution CoupledContact::solve(const ContactStep& step, const ElementFriction& friction,
                                           const TangentialState& previous, const TangentialState& start) {
   if (!bodies_.are_elastic() && step.motion.motion != ContactMotion::steady)
     throw Error("motion: viscoelastic bodies need steady rolling");

@@ -17,11 +17,11 @@ public:
   /// `progress` returns false.
   CoupledContact(const Bodies& bodies, const ElementGrid& grid, const Progress& progress = {});
 
-  /// `friction` is mu of each element, `previous` what a shift or a step of rolling starts from, `start` where the
+  /// `friction` is that of the elements, `previous` what a shift or a step of rolling starts from, `start` where the
   /// iteration begins; of the step, whose bodies and grid are those of this object, `friction` and what the sequence
   /// does are not used. A pressure that is given goes into the tangential problem, without response. Throws Error for
   /// input out of range, and Stopped if the motion's progress function returns false.
-  ContactStepSolution solve(const ContactStep& step, std::span<const double> friction, const TangentialState& previous,
+  ContactStepSolution solve(const ContactStep& step, const ElementFriction& friction, const TangentialState& previous,
                             const TangentialState& start);
 
 private:
@@ -29,11 +29,11 @@ private:
 
   CoupledOperator& coupled_operator(const TangentialInput& motion, double step);
   void add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx, Field& cy);
-  ContactStepSolution solve_newton(const ContactStep& step, std::span<const double> friction,
+  ContactStepSolution solve_newton(const ContactStep& step, const ElementFriction& friction,
                                    const TangentialState& previous, const TangentialState& start);
-  ContactStepSolution solve_alternating(const ContactStep& step, std::span<const double> friction,
+  ContactStepSolution solve_alternating(const ContactStep& step, const ElementFriction& friction,
                                         const TangentialState& previous, const TangentialState& start);
-  void find_tangential(const ContactStep& step, std::span<const double> friction, const Field& pressure,
+  void find_tangential(const ContactStep& step, const ElementFriction& friction, const Field& pressure,
                        const TangentialState& previous, const TangentialState& start, ContactStepSolution& out);
   void find_displacements(ContactStepSolution& out);
 

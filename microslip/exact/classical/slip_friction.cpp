@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -15,33 +16,12 @@ void require_for_rows(const char* field, std::size_t count, int rows) {
     throw Error(std::string(field) + ": must have one law or one for each of the " + std::to_string(rows) + " rows");
 }
 
-/// The elements of a row as particles come through them, each warmed by the heat of those ahead and by its own.
-class HeatedRow {
-public:
-  HeatedRow(const ElementGrid& grid, const FrictionHeating& heating)
-      : flash_(grid.mx, grid.dx, heating.rolling_speed, heating.bodies) {}
-
-  void begin() { heat_.clear(); }
-  double mean_temperature() const { return flash_.mean(); }
-  /// The coefficient of the next element, TemperatureEffect::coefficient; `power` is its heat for mu = 1 [W/m^2].
-  double next(const TemperatureEffect& effect, double base, double share, double power) {
-    const double ahead = flash_.mean() + flash_.rise(heat_, static_cast<int>(heat_.size()));
-    const double mu = effect.coefficient(base, share, ahead, flash_.rise(0) * power);
-    heat_.push_back(mu * power);
-    return mu;
-  }
-
-private:
-  FlashTemperature flash_;
-  std::vector<double> heat_;
-};
-
 } // namespace
 
 SlipFriction::SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory,
                            const InterfaceLayer& layer, Passage passage, std::optional<FrictionHeating> heating)
     : grid_(grid), laws_(laws.begin(), laws.end()), memory_(memory), layer_(layer), passage_(std::move(passage)),
-      heating_(std::move(heating)) {
+      heating_(std::move(heating)), hardening_(layer.hardening * passage_.time * passage_.speed) {
   require_for_rows("friction", laws_.size(), grid.my);
   constexpr double largest = std::numeric_limits<double>::max();
   require_between("friction_memory.distance", memory.distance, "m", 0, largest);
@@ -56,13 +36,16 @@ SlipFriction::SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw>
     require_between("temperature_effect.change", effect(j).change, "-", -law(j).kinetic_coefficient(),
                     FrictionLaw::largest_coefficient - law(j).static_coefficient());
   }
+  flash_.emplace(grid.mx, grid.dx, heating_->rolling_speed, heating_->bodies);
 }
 
-bool SlipFriction::is_constant() const {
-  if (heating_) return false;
-  return std::all_of(laws_.begin(), laws_.end(),
-                     [](const FrictionLaw& law) { return law.kind() == FrictionLaw::Kind::coulomb; });
+bool SlipFriction::falls() const {
+  return heating_ || std::any_of(laws_.begin(), laws_.end(), [](const FrictionLaw& law) {
+           return law.kind() != FrictionLaw::Kind::coulomb;
+         });
 }
+
+bool SlipFriction::is_constant() const { return !falls() && !layer_.yields(); }
 
 std::vector<double> SlipFriction::static_coefficients() const {
   std::vector<double> mu;
@@ -81,52 +64,210 @@ template <class At> void SlipFriction::for_particles(At at) const {
     }
 }
 
-std::vector<double> SlipFriction::coefficients(std::span<const double> slip_velocity,
-                                               std::span<const double> pressure) const {
-  std::vector<double> mu = static_coefficients();
-  if (is_constant()) return mu;
-  std::optional<HeatedRow> heated;
-  if (heating_) heated.emplace(grid_, *heating_);
-  double before = 0;
+/// Calls find(row, element, particle) in this order, which returns the Element that it then has.
+template <class Find> void SlipFriction::pass(std::span<const double> pressure, Find find) const {
+  Particle particle;
+  std::vector<double> heat; // of the elements of the row [W/m^2]
   for_particles([&](int row, std::size_t k, bool first) {
-    const FrictionLaw& of_row = law(row);
-    if (first) {
-      before = of_row.static_coefficient();
-      if (heated) {
-        heated->begin();
-        before += effect(row).at(heated->mean_temperature());
-      }
+    if (first || !passage_.along_rows) {
+      particle = {.friction = law(row).static_coefficient()};
+      if (flash_) particle.friction += effect(row).at(flash_->mean());
+      if (!passage_.before.empty()) particle.friction = passage_.before[k];
+      if (!passage_.deformation_before.empty()) particle.deformation = passage_.deformation_before[k];
+      heat.clear();
     }
-    if (!passage_.along_rows && !passage_.before.empty()) before = passage_.before[k];
-    const double s = slip_velocity[k], way = passage_.time * std::max(s, memory_.slowest);
-    const double theta = memory_.distance > 0 ? memory_.distance / (memory_.distance + way) : 0;
-    mu[k] = theta * before + (1 - theta) * of_row.coefficient(s);
-    if (heated) mu[k] = heated->next(effect(row), mu[k], 1 - theta, pressure[k] * s);
-    if (passage_.along_rows) before = mu[k];
+    if (flash_) particle.temperature = flash_->mean() + flash_->rise(heat, static_cast<int>(heat.size()));
+    const Element there = find(row, k, particle);
+    if (flash_) heat.push_back(there.friction * pressure[k] * passage_.speed * there.slip);
+    particle.friction = there.friction;
+    particle.deformation = there.deformation;
   });
-  return mu;
 }
 
-std::vector<double> SlipFriction::plastic_deformation(std::span<const double> slip_velocity,
-                                                      std::span<const char> yields) const {
-  std::vector<double> deformation(grid_.count());
-  double before = 0;
-  for_particles([&](int, std::size_t k, bool first) {
-    if (first) before = 0;
-    if (!passage_.along_rows && !passage_.deformation_before.empty()) before = passage_.deformation_before[k];
-    deformation[k] = before + (yields[k] ? passage_.time * slip_velocity[k] : 0);
-    if (passage_.along_rows) before = deformation[k];
-  });
-  return deformation;
-}
-
-void SlipFriction::limit(std::span<double> friction, std::span<const double> pressure,
-                         std::span<const double> deformation, std::span<char> yields) const {
-  for (std::size_t k = 0; k < friction.size(); ++k) {
-    const double stress = layer_.yield_stress_after(deformation[k]);
-    yields[k] = pressure[k] > 0 && stress < friction[k] * pressure[k];
-    if (yields[k]) friction[k] = stress / pressure[k];
+/// mu (B6) after a slip, with the temperature's effect (T4).
+template <class Real>
+Real SlipFriction::coefficient(int row, const Real& slip, const Real& before, const Real& temperature,
+                               const Real& pressure) const {
+  const Real velocity = Real(passage_.speed) * slip;
+  Real theta(0.0);
+  if (memory_.distance > 0) {
+    const Real counts = value_of(velocity) > memory_.slowest ? velocity : Real(memory_.slowest);
+    theta = Real(memory_.distance) / (Real(memory_.distance) + Real(passage_.time) * counts);
   }
+  const Real fresh = Real(1.0) - theta, mu = theta * before + fresh * law(row).coefficient(velocity);
+  if (!flash_) return mu;
+  return effect(row).coefficient(mu, fresh, temperature, Real(flash_->rise(0)) * pressure * velocity);
+}
+
+SlipFriction::Element SlipFriction::with_slip(int row, double slip, const Particle& before, double pressure) const {
+  Element e{.slip = slip, .deformation = before.deformation};
+  e.friction = coefficient(row, slip, before.friction, before.temperature, pressure);
+  e.bound = e.friction * pressure;
+  const double stress = layer_.yield_stress_after(before.deformation);
+  if (!(stress < e.bound)) return e;
+  const double hardened = std::max(0.0, stress + hardening_ * slip);
+  if (hardened < e.bound) {
+    e.bound = hardened;
+    e.yields = slip > 0;
+    e.deformation += passage_.time * passage_.speed * slip;
+  } else if (layer_.hardening > 0) {
+    e.deformation = (e.bound - layer_.yield_stress) / layer_.hardening; // the rest of the slip is friction's
+  }
+  return e;
+}
+
+/// The slip l with mu(l) p_n + rho l = |z|.
+double SlipFriction::slip_by_friction(int row, double size, double rho, const Particle& before,
+                                      double pressure) const {
+  using Dual1 = Dual<double, 1>;
+  constexpr int most = 100;
+  double low = 0, high = size / rho, slip = high;
+  for (int n = 0; n < most; ++n) {
+    const Dual1 l = Dual1::variable(slip, 0);
+    const Dual1 mu = coefficient<Dual1>(row, l, before.friction, before.temperature, pressure);
+    const double excess = pressure * mu.value + rho * slip - size, slope = pressure * mu.partial[0] + rho;
+    (excess > 0 ? high : low) = slip;
+    double next = slip - excess / slope;
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    if (std::abs(next - slip) <= 4 * std::numeric_limits<double>::epsilon() * slip || excess == 0) return next;
+    slip = next;
+  }
+  return slip;
+}
+
+/// The slip l with tau_c + kappa l + rho l = |z|, and tau_c + kappa l not below zero.
+double SlipFriction::slip_by_yielding(double size, double rho, const Particle& before) const {
+  const double stress = layer_.yield_stress_after(before.deformation), slip = (size - stress) / (hardening_ + rho);
+  return stress + hardening_ * slip > 0 ? slip : size / rho;
+}
+
+SlipFriction::Element SlipFriction::with_size(int row, double size, double rho, const Particle& before,
+                                              double pressure) const {
+  if (!(pressure > 0)) return with_slip(row, 0, before, 0);
+  const Element at_rest = with_slip(row, 0, before, pressure);
+  if (size <= at_rest.bound) return at_rest;
+  // q is the smaller one of two bounds, and its slip the larger one of theirs.
+  const double friction = at_rest.friction * pressure, stress = layer_.yield_stress_after(before.deformation);
+  const double slip = std::max(size > friction ? slip_by_friction(row, size, rho, before, pressure) : 0,
+                               size > stress ? slip_by_yielding(size, rho, before) : 0);
+  return with_slip(row, slip, before, pressure);
+}
+
+SlipFriction::State SlipFriction::state(std::span<const double> slip_velocity,
+                                        std::span<const double> pressure) const {
+  const auto n = grid_.count();
+  State s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<char>(n)};
+  pass(pressure, [&](int row, std::size_t k, const Particle& before) {
+    const Element e = with_slip(row, slip_velocity[k] / passage_.speed, before, pressure[k]);
+    s.friction[k] = e.friction;
+    s.bound[k] = e.bound;
+    s.deformation[k] = e.deformation;
+    s.yields[k] = e.yields;
+    return e;
+  });
+  return s;
+}
+
+void SlipFriction::largest(std::span<const double> pressure, std::span<double> bound) const {
+  for_particles([&](int row, std::size_t k, bool) {
+    double mu = law(row).static_coefficient();
+    if (heating_) mu += std::max(0.0, effect(row).change);
+    bound[k] = mu * pressure[k];
+    if (!(layer_.hardening > 0)) bound[k] = std::min(bound[k], layer_.yield_stress);
+  });
+}
+
+/// The steepest fall of mu p_n and tau_c with the slip, and a little more.
+double SlipFriction::least_rho(std::span<const double> pressure) const {
+  constexpr double more = 1.2, lowest = 1e-4, highest = 1e4, ratio = 1.6; // slip velocities over the laws' own
+  using Dual1 = Dual<double, 1>;
+  const double peak = pressure.empty() ? 0 : *std::max_element(pressure.begin(), pressure.end());
+  double steepest = std::max(0.0, -hardening_);
+  const int rows = laws_.size() == 1 && (!heating_ || heating_->effects.size() == 1) ? 1 : grid_.my;
+  for (int row = 0; row < rows && falls(); ++row)
+    for (const FrictionTerm& term : law(row).terms())
+      for (double v = lowest; v < highest; v *= ratio) {
+        const Dual1 slip = Dual1::variable(v * term.half_velocity / passage_.speed, 0);
+        const double temperature = heating_ ? effect(row).begin + effect(row).range / 4 : 0;
+        const Dual1 mu = coefficient<Dual1>(row, slip, law(row).static_coefficient(), temperature, peak);
+        steepest = std::max(steepest, -peak * mu.partial[0]);
+      }
+  return more * steepest;
+}
+
+void SlipFriction::project(std::span<const double> size, std::span<const double> pressure, double rho,
+                           std::span<double> bound) const {
+  pass(pressure, [&](int row, std::size_t k, const Particle& before) {
+    const Element e = with_size(row, size[k], rho, before, pressure[k]);
+    bound[k] = pressure[k] > 0 ? e.bound : 0;
+    return e;
+  });
+}
+
+SlipFriction::Slope SlipFriction::slope_at(int row, const Element& at, double rho, const Particle& before,
+                                           double pressure) const {
+  using Dual4 = Dual<double, 4>;
+  using Regime = Slope::Regime;
+  Slope s{.slip = at.slip, .friction = at.friction, .pressure = pressure};
+  const Dual4 mu = coefficient<Dual4>(row, Dual4::variable(at.slip, 0), Dual4::variable(before.friction, 1),
+                                      Dual4::variable(before.temperature, 2), Dual4::variable(pressure, 3));
+  s.friction_by_slip = mu.partial[0];
+  s.friction_by_before = mu.partial[1];
+  s.friction_by_temperature = mu.partial[2];
+  s.friction_by_pressure = mu.partial[3];
+  if (!(at.slip > 0)) return s;
+  double bound_by_slip = pressure * s.friction_by_slip;
+  s.regime = Regime::friction;
+  if (at.yields) {
+    s.regime = Regime::yielding;
+    s.bound_by_deformation = at.bound > 0 ? layer_.hardening : 0;
+    bound_by_slip = at.bound > 0 ? hardening_ : 0;
+  } else if (at.deformation != before.deformation) {
+    s.regime = Regime::friction_after_yielding;
+  }
+  s.slip_by_size = 1 / (rho + bound_by_slip);
+  return s;
+}
+
+void SlipFriction::linearise(std::span<const double> size, std::span<const double> pressure, double rho,
+                             std::span<double> bound, std::span<double> own) {
+  slopes_.resize(grid_.count());
+  rho_ = rho;
+  pass(pressure, [&](int row, std::size_t k, const Particle& before) {
+    const Element e = with_size(row, size[k], rho, before, pressure[k]);
+    slopes_[k] = slope_at(row, e, rho, before, pressure[k]);
+    bound[k] = pressure[k] > 0 ? e.bound : 0;
+    own[k] = pressure[k] > 0 ? 1 - rho * slopes_[k].slip_by_size : 0;
+    return e;
+  });
+}
+
+bool SlipFriction::carry(std::span<const double> size_change, std::span<const double> pressure_change,
+                         std::span<double> bound_change) const {
+  const bool brings_along = passage_.along_rows && (memory_.distance > 0 || flash_ || layer_.hardening != 0);
+  if (pressure_change.empty() && !brings_along) return false;
+  Particle particle; // the changes of what it has
+  std::vector<double> heat;
+  for_particles([&](int, std::size_t k, bool first) {
+    if (first || !passage_.along_rows) particle = {}, heat.clear();
+    if (flash_) particle.temperature = flash_->rise(heat, static_cast<int>(heat.size()));
+    const Slope& s = slopes_[k];
+    const double dp = pressure_change.empty() ? 0 : pressure_change[k];
+    double mu = s.friction_by_before * particle.friction + s.friction_by_temperature * particle.temperature +
+                s.friction_by_pressure * dp;
+    const bool yields = s.regime == Slope::Regime::yielding;
+    const double bound = yields ? s.bound_by_deformation * particle.deformation : s.pressure * mu + s.friction * dp;
+    const double slip = s.slip_by_size * (size_change[k] - bound);
+    bound_change[k] = rho_ * s.slip_by_size * bound;
+    mu += s.friction_by_slip * slip;
+    if (flash_)
+      heat.push_back(passage_.speed * (s.slip * (s.pressure * mu + s.friction * dp) + s.friction * s.pressure * slip));
+    particle.friction = mu;
+    if (yields) particle.deformation += passage_.time * passage_.speed * slip;
+    if (s.regime == Slope::Regime::friction_after_yielding)
+      particle.deformation = (s.pressure * mu + s.friction * dp) / layer_.hardening;
+  });
+  return true;
 }
 
 } // namespace microslip

@@ -2,6 +2,7 @@
 
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/interface_layer.hpp"
+#include "microslip/exact/newton/slip_dependent_bound.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/friction/temperature_effect.hpp"
 #include "microslip/thermal/surface_temperature.hpp"
@@ -36,17 +37,31 @@ struct FrictionHeating {
   double rolling_speed = 0; ///< [m/s]
 };
 
-/// The coefficients of friction of the elements for the slip that they have, and what the slip does to a layer between
-/// the bodies.
-class SlipFriction {
+/// Friction and a layer's yield stress for the slip that the elements have: the traction bound
+/// q = min(mu(s) p_n, tau_c(u_pl)), (B7), as particles come through the elements one after the other. The friction is
+/// mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s, s0)), where mu' is the coefficient before, static for
+/// particles that come from outside; with heating mu_law has the temperature's effect on top, where the temperature is
+/// that of friction with these very coefficients, slip velocities and pressures. Where the layer's yield stress
+/// tau_c = tau_c0 + k u_pl is the smaller one the slip is plastic deformation, until friction is reached. Cost O(N), with
+/// heating O(mx^2 my).
+class SlipFriction : public SlipDependentBound {
 public:
   /// How a particle's time passes from one element to the next, or from one step to the next.
   struct Passage {
     double time = 0;         ///< of a step, or from element to element in steady rolling [s]
+    double speed = 1;        ///< V [m/s], by which a slip is a velocity; 1 in a shift
     bool along_rows = false; ///< steady: what was before is what the element before has
     bool from_high_x = true; ///< where rows begin
     /// Else: coefficients and plastic deformation [m] before; empty: static, none.
     std::vector<double> before = {}, deformation_before = {};
+  };
+
+  /// What the slip has made of friction and layer, of the elements.
+  struct State {
+    std::vector<double> friction;    ///< mu [-], as memory carries it on
+    std::vector<double> bound;       ///< q [Pa]
+    std::vector<double> deformation; ///< u_pl [m]
+    std::vector<char> yields;        ///< whether the slip is plastic deformation only
   };
 
   /// `laws` has one law, or one for each row; `heating` needs a passage along rows. Throws Error for numbers out of
@@ -54,28 +69,58 @@ public:
   SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory,
                const InterfaceLayer& layer, Passage passage, std::optional<FrictionHeating> heating = {});
 
-  /// Whether friction depends neither on the slip nor on the temperature.
+  /// Whether the bound depends neither on the slip nor on the temperature.
   bool is_constant() const;
-  /// With the slip velocity s [m/s] of the elements: mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s,
-  /// s0)), where mu' is the coefficient before, static for particles that come from outside. With heating mu_law has
-  /// the temperature's effect on top, where the temperature is that of friction with these very coefficients, slip
-  /// velocities and pressures [Pa]; found element by element from the leading edge on. Cost then O(mx^2 my).
-  std::vector<double> coefficients(std::span<const double> slip_velocity, std::span<const double> pressure = {}) const;
-  /// Plastic deformation [m] after slip with this velocity where the layer yields: all of it there, and nothing
-  /// elsewhere.
-  std::vector<double> plastic_deformation(std::span<const double> slip_velocity, std::span<const char> yields) const;
-  /// Coefficients limited by the layer's yield stress after a deformation, and where it yields.
-  void limit(std::span<double> friction, std::span<const double> pressure, std::span<const double> deformation,
-             std::span<char> yields) const;
+  /// Whether friction changes with the slip or the temperature, so that there may be several solutions.
+  bool falls() const;
   /// At rest and cold.
   std::vector<double> static_coefficients() const;
+  /// For the slip velocity s [m/s] and pressure [Pa] of the elements.
+  State state(std::span<const double> slip_velocity, std::span<const double> pressure) const;
+
+  void largest(std::span<const double> pressure, std::span<double> bound) const override;
+  double least_rho(std::span<const double> pressure) const override;
+  void project(std::span<const double> size, std::span<const double> pressure, double rho,
+               std::span<double> bound) const override;
+  void linearise(std::span<const double> size, std::span<const double> pressure, double rho,
+                 std::span<double> bound, std::span<double> own) override;
+  bool carry(std::span<const double> size_change, std::span<const double> pressure_change,
+             std::span<double> bound_change) const override;
 
 private:
-  template <class At> void for_particles(At at) const;
+  /// What a particle has as it enters an element.
+  struct Particle {
+    double friction = 0;    ///< mu [-]
+    double deformation = 0; ///< u_pl [m]
+    double temperature = 0; ///< by the heat of the elements ahead [deg C]; 0 without heating
+  };
+  /// What it has there. Without slip the bound is what it bears at most.
+  struct Element {
+    double slip = 0, friction = 0, bound = 0, deformation = 0;
+    bool yields = false;
+  };
+  /// Derivatives of what an element has.
+  struct Slope {
+    double slip_by_size = 0; ///< 0 in adhesion
+    double bound_by_deformation = 0;
+    double friction_by_slip = 0, friction_by_before = 0, friction_by_temperature = 0, friction_by_pressure = 0;
+    double slip = 0, friction = 0, pressure = 0;
+    enum class Regime { adhesion, friction, friction_after_yielding, yielding } regime = Regime::adhesion;
+  };
+
   const FrictionLaw& law(int row) const { return laws_.size() == 1 ? laws_[0] : laws_[static_cast<std::size_t>(row)]; }
   const TemperatureEffect& effect(int row) const {
     return heating_->effects.size() == 1 ? heating_->effects[0] : heating_->effects[static_cast<std::size_t>(row)];
   }
+  template <class At> void for_particles(At at) const;
+  template <class Find> void pass(std::span<const double> pressure, Find find) const;
+  template <class Real>
+  Real coefficient(int row, const Real& slip, const Real& before, const Real& temperature, const Real& pressure) const;
+  double slip_by_friction(int row, double size, double rho, const Particle& before, double pressure) const;
+  double slip_by_yielding(double size, double rho, const Particle& before) const;
+  Element with_slip(int row, double slip, const Particle& before, double pressure) const;
+  Element with_size(int row, double size, double rho, const Particle& before, double pressure) const;
+  Slope slope_at(int row, const Element& at, double rho, const Particle& before, double pressure) const;
 
   ElementGrid grid_;
   std::vector<FrictionLaw> laws_;
@@ -83,6 +128,10 @@ private:
   InterfaceLayer layer_;
   Passage passage_;
   std::optional<FrictionHeating> heating_;
+  std::optional<FlashTemperature> flash_;
+  double hardening_; ///< of the yield stress with the slip [Pa]
+  double rho_ = 0;              ///< of the linearisation
+  std::vector<Slope> slopes_;   ///< of the elements
 };
 
 } // namespace microslip

@@ -36,11 +36,15 @@ struct TangentialInput {
   double rolling_speed = 1;                ///< V [m/s], for the frictional power
   /// Slip of each element on top of the rigid slip of the creepages; empty: none. In a shift [m], else [-].
   std::span<const double> extra_x = {}, extra_y = {};
+  /// In place of the bound, which then is its largest; of the pressure p_n [Pa].
+  SlipDependentBound* slip_dependent = nullptr;
+  std::span<const double> pressure = {};
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
   const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
   /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
   /// FrictionNewton::Options::before.
   double tolerance = 1e-6;
+  int most_steps = most_newton_steps;
   /// Is told of the Newton steps; false ends the iteration, with status not_converged. While influence coefficients
   /// are computed false ends with Stopped.
   Progress progress = {};

@@ -19,13 +19,13 @@ std::size_t elements_of(std::span<const double> pressure) {
 
 /// What is projected, in the unknowns' units, and the pressure's.
 struct CoupledEquations::Point {
-  double zx, zy, bound, z_normal;
+  double zx, zy, z_normal;
 };
 
 CoupledEquations::CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure)
     : problem_(problem), n_(problem.gap.size()), rho_(1 / problem.coupled_operator.slip_diagonal()),
-      normal_rho_(1 / problem.coupled_operator.normal_diagonal()), slip_(n_), alpha_(n_), normal_x_(n_), normal_y_(n_),
-      in_contact_(n_), under_pressure_(n_), px_(n_), py_(n_) {
+      normal_rho_(1 / problem.coupled_operator.normal_diagonal()), friction_(n_), in_contact_(n_), under_pressure_(n_),
+      bound_(n_), bound_change_(n_), pressure_change_(n_), px_(n_), py_(n_) {
   double sum = 0, bound = 0;
   for (std::size_t k = 0; k < n_; ++k) {
     sum += pressure[k];
@@ -43,6 +43,9 @@ CoupledEquations::CoupledEquations(const CoupledFrictionProblem& problem, std::s
   delta_unit_ = share / normal_rho_;
   constant_unit_ = share * unit_ / rho_;
   row_unit_ = share;
+  if (!problem.slip_dependent) return;
+  rho_ = std::max(rho_, problem.slip_dependent->least_rho(pressure));
+  for (auto* field : {&sizes_, &pressure_, &q_, &own_}) field->resize(n_);
 }
 
 void CoupledEquations::start(const CoupledFrictionStart& from, std::span<double> unknowns, std::span<double> response) {
@@ -76,11 +79,12 @@ void CoupledEquations::respond(std::span<const double> unknowns, std::span<doubl
 }
 
 double CoupledEquations::evaluate(std::span<const double> v, std::span<const double> response,
-                                  std::span<double> f) const {
+                                  std::span<double> f) {
+  find_bounds(v, response);
   double norm2 = 0;
   for (std::size_t k = 0; k < n_; ++k) {
     const Point at = point(v, response, k);
-    const double factor = project_on_disk(at.zx, at.zy, at.bound).scale;
+    const double factor = project_on_disk(at.zx, at.zy, bound_[k]).scale;
     f[k] = v[k] - factor * at.zx;
     f[n_ + k] = v[n_ + k] - factor * at.zy;
     f[2 * n_ + k] = v[2 * n_ + k] - std::max(0.0, at.z_normal);
@@ -96,45 +100,33 @@ double CoupledEquations::evaluate(std::span<const double> v, std::span<const dou
 }
 
 void CoupledEquations::linearise(std::span<const double> v, std::span<const double> response) {
+  find_bounds(v, response);
+  if (problem_.slip_dependent) problem_.slip_dependent->linearise(sizes_, pressure_, rho_, q_, own_);
+  double sum = 0, count = 0;
   for (std::size_t k = 0; k < n_; ++k) {
     const Point at = point(v, response, k);
     in_contact_[k] = at.z_normal > 0;
     under_pressure_[k] = v[2 * n_ + k] > 0;
+    if (problem_.slip_dependent)
+      friction_.set(k, at.zx, at.zy, bound_[k], own_[k]);
+    else
+      friction_.set(k, at.zx, at.zy, bound_[k]);
     const double size = std::hypot(at.zx, at.zy);
-    slip_[k] = size > at.bound || !(at.bound > 0);
-    normal_x_[k] = size > 0 ? at.zx / size : 1;
-    normal_y_[k] = size > 0 ? at.zy / size : 0;
-    alpha_[k] = size > 0 ? at.bound / size : 0;
+    if (in_contact_[k]) sum += size > bound_[k] ? bound_[k] / size : 1, ++count;
   }
-}
-
-double CoupledEquations::mean_alpha() const {
-  double sum = 0, count = 0;
-  for (std::size_t k = 0; k < n_; ++k)
-    if (in_contact_[k]) sum += slip_[k] ? alpha_[k] : 1, ++count;
-  return count > 0 ? sum / count : 1;
+  mean_alpha_ = count > 0 ? sum / count : 1;
 }
 
 void CoupledEquations::derivative(std::span<const double> v, std::span<const double> response, double damping,
-                                  std::span<double> out) const {
-  const double rho = rho_ / unit_;
+                                  std::span<double> out) {
+  const std::span<const double> tractions = v.first(2 * n_), slip = response.first(2 * n_);
+  friction_.derivative(tractions, slip, rho_ / unit_, out);
+  find_bound_changes(v, response);
+  friction_.subtract_along(bound_change_, out);
   double forces[3] = {};
   for (std::size_t k = 0; k < n_; ++k) {
-    const double vx = v[k], vy = v[n_ + k], vn = v[2 * n_ + k];
-    forces[0] += vx, forces[1] += vy, forces[2] += vn;
-    out[2 * n_ + k] = in_contact_[k] ? normal_rho_ * response[2 * n_ + k] : vn;
-    const double gx = rho * response[k], gy = rho * response[n_ + k];
-    if (!slip_[k]) {
-      out[k] = gx;
-      out[n_ + k] = gy;
-      continue;
-    }
-    const double nx = normal_x_[k], ny = normal_y_[k], a = alpha_[k];
-    const double bound_change = under_pressure_[k] ? problem_.friction[k] / unit_ * vn : 0;
-    const double along = nx * vx + ny * vy - bound_change;
-    const double across = (1 - a) * (nx * vy - ny * vx) + a * (nx * gy - ny * gx);
-    out[k] = along * nx - across * ny;
-    out[n_ + k] = along * ny + across * nx;
+    forces[0] += v[k], forces[1] += v[n_ + k], forces[2] += v[2 * n_ + k];
+    out[2 * n_ + k] = in_contact_[k] ? normal_rho_ * response[2 * n_ + k] : v[2 * n_ + k];
   }
   if (delta_) out[*delta_] = row_unit_ * forces[2];
   for (std::size_t c = 0; c < 2; ++c) {
@@ -143,7 +135,8 @@ void CoupledEquations::derivative(std::span<const double> v, std::span<const dou
   }
 }
 
-CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, std::span<const double> response) const {
+CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, std::span<const double> response) {
+  find_bounds(v, response);
   CoupledFrictionSolution out;
   FrictionSolution& s = out.friction;
   for (auto* field : {&s.px, &s.py, &s.sx, &s.sy, &out.pressure}) field->assign(n_, 0.0);
@@ -153,7 +146,7 @@ CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, st
     const Point at = point(v, response, k);
     if (!(at.z_normal > 0)) continue;
     out.pressure[k] = at.z_normal;
-    const double bound = problem_.friction[k] / unit_ * at.z_normal;
+    const double bound = problem_.slip_dependent ? bound_[k] : problem_.friction[k] / unit_ * at.z_normal;
     const DiskProjection on_disk = project_on_disk(at.zx, at.zy, bound);
     s.px[k] = unit_ * on_disk.scale * at.zx;
     s.py[k] = unit_ * on_disk.scale * at.zy;
@@ -169,8 +162,40 @@ CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, st
 CoupledEquations::Point CoupledEquations::point(std::span<const double> v, std::span<const double> response,
                                                 std::size_t k) const {
   const double rho = rho_ / unit_, zx = v[k] - rho * response[k], zy = v[n_ + k] - rho * response[n_ + k];
-  const double p = v[2 * n_ + k], bound = problem_.friction[k] / unit_ * std::max(0.0, p);
-  return {zx, zy, bound, p - normal_rho_ * response[2 * n_ + k]};
+  return {zx, zy, v[2 * n_ + k] - normal_rho_ * response[2 * n_ + k]};
+}
+
+/// |z| and p_n of all elements.
+void CoupledEquations::find_sizes(std::span<const double> v, std::span<const double> response) {
+  for (std::size_t k = 0; k < n_; ++k) {
+    sizes_[k] = std::hypot(unit_ * v[k] - rho_ * response[k], unit_ * v[n_ + k] - rho_ * response[n_ + k]);
+    pressure_[k] = std::max(0.0, v[2 * n_ + k]);
+  }
+}
+
+void CoupledEquations::find_bounds(std::span<const double> v, std::span<const double> response) {
+  if (problem_.slip_dependent) {
+    find_sizes(v, response);
+    problem_.slip_dependent->project(sizes_, pressure_, rho_, q_);
+  }
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double bound = problem_.slip_dependent ? q_[k] : problem_.friction[k] * std::max(0.0, v[2 * n_ + k]);
+    bound_[k] = bound / unit_;
+  }
+}
+
+/// By what other than an element's own |z| its bound changes.
+void CoupledEquations::find_bound_changes(std::span<const double> v, std::span<const double> response) {
+  for (std::size_t k = 0; k < n_; ++k) pressure_change_[k] = under_pressure_[k] ? v[2 * n_ + k] : 0;
+  if (problem_.slip_dependent) {
+    friction_.change_of_size(v.first(2 * n_), response.first(2 * n_), rho_ / unit_, sizes_);
+    for (double& size : sizes_) size *= unit_;
+    problem_.slip_dependent->carry(sizes_, pressure_change_, q_);
+  }
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double change = problem_.slip_dependent ? q_[k] : (1 - friction_.beta(k)) * problem_.friction[k] * pressure_change_[k];
+    bound_change_[k] = change / unit_;
+  }
 }
 
 /// Such that slip and deformed gap vanish on the average over the pressure. Far from there everything slides or nothing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/newton/coupled_friction_problem.hpp"
+#include "microslip/exact/newton/linearised_friction.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -36,21 +37,24 @@ public:
   /// The linear systems have no preconditioner.
   void precondition(std::span<double>) const {}
   /// F; returns its norm.
-  double evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f) const;
+  double evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f);
   /// Fixes contact, adhesion, slip and directions for the derivative at this point.
   void linearise(std::span<const double> v, std::span<const double> response);
   /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
-  double mean_alpha() const;
+  double mean_alpha() const { return mean_alpha_; }
   /// The derivative of F times a vector v of unknowns whose response is given. `damping` as in FrictionEquations.
   void derivative(std::span<const double> v, std::span<const double> response, double damping,
-                  std::span<double> out) const;
+                  std::span<double> out);
 
   /// Pressure, tractions and slip of the elements in contact, approach and constants; obeys all bounds to rounding.
-  CoupledFrictionSolution solution(std::span<const double> v, std::span<const double> response) const;
+  CoupledFrictionSolution solution(std::span<const double> v, std::span<const double> response);
 
 private:
   struct Point;
   Point point(std::span<const double> v, std::span<const double> response, std::size_t k) const;
+  void find_sizes(std::span<const double> v, std::span<const double> response);
+  void find_bounds(std::span<const double> v, std::span<const double> response);
+  void find_bound_changes(std::span<const double> v, std::span<const double> response);
   void choose_constants(std::span<double> unknowns, std::span<double> response) const;
 
   CoupledFrictionProblem problem_;
@@ -60,10 +64,13 @@ private:
   double delta_unit_ = 1, constant_unit_ = 1, row_unit_ = 1;
   std::optional<std::size_t> delta_;    ///< index of the unknown approach
   std::optional<std::size_t> force_[2]; ///< and of the unknown constants
-  std::vector<char> slip_;
-  std::vector<double> alpha_, normal_x_, normal_y_;
+  LinearisedFriction<double> friction_; ///< in units of the tractions
   std::vector<char> in_contact_, under_pressure_;
-  std::vector<double> px_, py_;
+  double mean_alpha_ = 1;
+  std::vector<double> bound_, bound_change_;     ///< at the last point, in units of the tractions
+  std::vector<double> pressure_change_;          ///< [Pa]
+  std::vector<double> px_, py_;                  ///< [Pa]
+  std::vector<double> sizes_, pressure_, q_, own_; ///< |z|, p_n, q [Pa], dq/d|z| of a slip-dependent bound
 };
 
 } // namespace microslip

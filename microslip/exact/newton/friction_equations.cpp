@@ -25,6 +25,24 @@ FrictionEquations::FrictionEquations(const FrictionProblem& problem)
   scale_ = std::sqrt(scale_);
   friction_ = LinearisedFriction<double>(n_);
   change_.resize(2 * n_);
+  if (!problem.slip_dependent) return;
+  rho_ = std::max(rho_, problem.slip_dependent->least_rho(problem.pressure));
+  size_change_.resize(n_);
+  for (auto* field : {&wide_size_, &wide_bound_, &wide_own_}) field->resize(problem.bound.size());
+}
+
+/// |z| of all elements.
+void FrictionEquations::find_sizes(std::span<const double> unknowns, std::span<const double> slip) {
+  for (std::size_t k = 0; k < n_; ++k)
+    wide_size_[elements_[k]] = std::hypot(unknowns[k] - rho_ * slip[k], unknowns[n_ + k] - rho_ * slip[n_ + k]);
+}
+
+/// Those that depend on the slip.
+void FrictionEquations::find_bounds(std::span<const double> unknowns, std::span<const double> slip) {
+  if (!problem_.slip_dependent) return;
+  find_sizes(unknowns, slip);
+  problem_.slip_dependent->project(wide_size_, problem_.pressure, rho_, wide_bound_);
+  for (std::size_t k = 0; k < n_; ++k) g_[k] = wide_bound_[elements_[k]];
 }
 
 void FrictionEquations::start(const FrictionStart& from, std::span<double> unknowns, std::span<double> slip) {
@@ -53,7 +71,8 @@ void FrictionEquations::respond(std::span<const double> unknowns, std::span<doub
 }
 
 double FrictionEquations::evaluate(std::span<const double> unknowns, std::span<const double> slip,
-                                   std::span<double> f) const {
+                                   std::span<double> f) {
+  find_bounds(unknowns, slip);
   double norm2 = 0;
   for (std::size_t k = 0; k < n_; ++k) {
     const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
@@ -73,13 +92,31 @@ double FrictionEquations::evaluate(std::span<const double> unknowns, std::span<c
 }
 
 void FrictionEquations::linearise(std::span<const double> unknowns, std::span<const double> slip) {
-  for (std::size_t k = 0; k < n_; ++k)
-    friction_.set(k, unknowns[k] - rho_ * slip[k], unknowns[n_ + k] - rho_ * slip[n_ + k], g_[k]);
+  if (problem_.slip_dependent) {
+    find_sizes(unknowns, slip);
+    problem_.slip_dependent->linearise(wide_size_, problem_.pressure, rho_, wide_bound_, wide_own_);
+  }
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+    const std::size_t e = elements_[k];
+    if (problem_.slip_dependent)
+      friction_.set(k, zx, zy, wide_bound_[e], wide_own_[e]);
+    else
+      friction_.set(k, zx, zy, g_[k]);
+  }
 }
 
 void FrictionEquations::derivative(std::span<const double> v, std::span<const double> slip_change, double damping,
-                                   std::span<double> out) const {
+                                   std::span<double> out) {
   friction_.derivative(v, slip_change, rho_, out);
+  if (problem_.slip_dependent) {
+    friction_.change_of_size(v, slip_change, rho_, size_change_);
+    for (std::size_t k = 0; k < n_; ++k) wide_size_[elements_[k]] = size_change_[k];
+    if (problem_.slip_dependent->carry(wide_size_, {}, wide_bound_)) {
+      for (std::size_t k = 0; k < n_; ++k) size_change_[k] = wide_bound_[elements_[k]];
+      friction_.subtract_along(size_change_, out);
+    }
+  }
   for (std::size_t i = 0; i < forces_.size(); ++i)
     out[2 * n_ + i] = mean_force(i, v.first(n_), v.subspan(n_, n_)) - damping * v[2 * n_ + i];
 }
@@ -89,7 +126,8 @@ void FrictionEquations::precondition(std::span<double> unknowns) {
   satisfy_forces(unknowns);
 }
 
-FrictionSolution FrictionEquations::solution(std::span<const double> unknowns, std::span<const double> slip) const {
+FrictionSolution FrictionEquations::solution(std::span<const double> unknowns, std::span<const double> slip) {
+  find_bounds(unknowns, slip);
   FrictionSolution s;
   for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(problem_.bound.size(), 0.0);
   s.sliding.assign(problem_.bound.size(), 0);

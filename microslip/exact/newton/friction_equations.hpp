@@ -12,7 +12,8 @@ namespace microslip {
 
 /// The equations F(x) = 0 of a FrictionProblem as take_newton_steps has them, for its n elements in contact:
 /// p - P_g(p - rho s) = 0 (E16), where P_g projects an element's traction on the disk of radius g and rho is one over
-/// the operator's diagonal, and, where forces are prescribed, an equation (E20) for each. Unknowns x are px of these
+/// the operator's diagonal, or more where a slip-dependent bound needs it, and, where forces are prescribed, an equation
+/// (E20) for each. Unknowns x are px of these
 /// elements, then py, then the unknown constants of c in units of their own; the response of x is the slip c + D p, sx
 /// and then sy. The derivative is that of LinearisedFriction.
 class FrictionEquations {
@@ -31,7 +32,7 @@ public:
   /// The change D dp + constants of the slip for a change of the unknowns. One product.
   void respond(std::span<const double> unknowns, std::span<double> slip_change);
   /// F; returns its norm.
-  double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f) const;
+  double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f);
   /// Fixes adhesion, slip and directions for the derivative at this point.
   void linearise(std::span<const double> unknowns, std::span<const double> slip);
   /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
@@ -39,15 +40,17 @@ public:
   /// The derivative of F times a vector v of unknowns whose change of slip is given. `damping` keeps the constants'
   /// steps finite where everything slides: there the forces do not depend on them, and the matrix is singular.
   void derivative(std::span<const double> v, std::span<const double> slip_change, double damping,
-                  std::span<double> out) const;
+                  std::span<double> out);
   /// The linear systems' right preconditioner: turns a vector that GMRES works with into unknowns.
   void precondition(std::span<double> unknowns);
 
   /// Tractions P_g(p - rho s), which differ from p by the residual and obey the bound to rounding, slip, states and
   /// constants.
-  FrictionSolution solution(std::span<const double> unknowns, std::span<const double> slip) const;
+  FrictionSolution solution(std::span<const double> unknowns, std::span<const double> slip);
 
 private:
+  void find_sizes(std::span<const double> unknowns, std::span<const double> slip);
+  void find_bounds(std::span<const double> unknowns, std::span<const double> slip);
   void spread(std::span<const double> tractions);
   void add_constants(std::span<double> slip) const;
   void choose_constants(std::span<double> unknowns, std::span<double> slip) const;
@@ -70,9 +73,11 @@ private:
   std::array<TractionsView, 2> by_constants_ = {};        ///< derivatives of the tractions, one for each given force
   bool derivatives_known_ = false;                        ///< all of them
   std::array<std::array<double, 2>, 2> force_slope_ = {}; ///< of each force's equation with each constant
-  std::vector<double> g_;
+  std::vector<double> g_; ///< if it depends on the slip that of the last point
   LinearisedFriction<double> friction_{0};
   std::vector<double> change_;                                ///< of the tractions
+  std::vector<double> size_change_;                           ///< of |z|, for a slip-dependent bound
+  std::vector<double> wide_size_, wide_bound_, wide_own_;     ///< |z|, q, dq/d|z| of all elements, for the same
   std::vector<double> wide_px_, wide_py_, wide_sx_, wide_sy_; ///< of all elements
 };
 

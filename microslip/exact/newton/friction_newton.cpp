@@ -12,7 +12,6 @@ namespace {
 
 using Field = std::vector<double>;
 
-constexpr int most_steps = 100;
 /// Of |F| over |g|: what rounding leaves of it on fine grids.
 constexpr double least_goal = 1e-12;
 
@@ -30,11 +29,12 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
     goal = std::min(goal, std::max(options.tolerance * change, least_goal * equations.scale()));
   }
   equations.start(start, x, slip);
-  const NewtonLimits limits{goal, most_steps, options.progress};
+  const NewtonLimits limits{goal, options.most_steps, options.progress};
   NewtonState state;
   take_newton_steps(equations, gmres_, limits, x, slip, state);
   int steps = state.steps;
-  if (!(state.norm <= goal) && !start.px.empty() && !state.stopped) { // a start may be worse than none
+  const bool may_restart = !problem.slip_dependent && !start.px.empty() && !state.stopped;
+  if (!(state.norm <= goal) && may_restart) { // a start may be worse than none
     Field other_x(x.size()), other_slip(slip.size());
     NewtonState other;
     equations.start({}, other_x, other_slip);

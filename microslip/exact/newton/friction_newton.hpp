@@ -8,12 +8,15 @@
 
 namespace microslip {
 
+inline constexpr int most_newton_steps = 100;
+
 /// Solves F(p) = p - P_g(p - rho s(p)) = 0 (E16), where P_g projects each element's traction on the disk of radius g,
 /// by a semi-smooth Newton method (FrictionEquations, take_newton_steps).
 class FrictionNewton {
 public:
   struct Options {
     double tolerance = 1e-6; ///< of FrictionSolution::residual
+    int most_steps = most_newton_steps;
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
     /// below 1e-12: a step however small is done to its own scale, and nothing of it is lost in the next one.
     std::optional<TractionsView> before = {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/halfspace/slip_operator.hpp"
+#include "microslip/exact/newton/slip_dependent_bound.hpp"
 #include "microslip/status.hpp"
 #include "microslip/vec2.hpp"
 
@@ -12,7 +13,8 @@
 namespace microslip {
 
 /// The discrete tangential problem in its simplest form, (E2): find p with |p| <= g and, with s = c + D p, p = -g s/|s|
-/// where s is not zero. Where a force is given, the constant part of c in that direction is an unknown too.
+/// where s is not zero. Where a force is given, the constant part of c in that direction is an unknown too. A bound that
+/// depends on the slip takes the place of g.
 struct FrictionProblem {
   SlipOperator& slip_operator;                      ///< D
   std::span<const double> bound;                    ///< g [Pa], >= 0; zero outside the contact
@@ -21,6 +23,8 @@ struct FrictionProblem {
   std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known up to a constant ...
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
   std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
+  SlipDependentBound* slip_dependent = nullptr;     ///< in place of the bound, which then is its largest
+  std::span<const double> pressure = {};            ///< p_n [Pa], of a slip-dependent bound
 };
 
 struct FrictionSolution {
