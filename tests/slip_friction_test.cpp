@@ -51,8 +51,7 @@ TEST(SlipFriction, ForgetsWithTimeEvenInAdhesion) {
       {.time = 1e-3, .along_rows = false, .from_high_x = true, .before = std::vector<double>(12, 0.15)});
   const double theta = 1e-3 / (1e-3 + 1e-3 * 0.5);
   const std::vector<double> none(12);
-  for (const double mu : friction.state(none, none).friction)
-    EXPECT_NEAR(mu, theta * 0.15 + (1 - theta) * 0.4, 1e-15);
+  for (const double mu : friction.state(none, none).friction) EXPECT_NEAR(mu, theta * 0.15 + (1 - theta) * 0.4, 1e-15);
 }
 
 TEST(SlipFriction, RefusesWhatMakesNoSense) {

@@ -15,6 +15,7 @@
 #include "validation/hertz.hpp"
 #include "validation/kalker_coefficients.hpp"
 #include "validation/model_problem.hpp"
+#include "validation/random_problems.hpp"
 #include "validation/refinement.hpp"
 #include "validation/second_order.hpp"
 #include "validation/solver_growth.hpp"
@@ -54,6 +55,8 @@ constexpr std::array all_studies = {
           run_kalker_coefficients},
     Study{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies",
           run_model_problem},
+    Study{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps",
+          run_random_problems},
     Study{"refinement", "the test of the refinement paper: its figures 1 to 8, and times beside its Table 1",
           run_refinement},
     Study{"second-order", "steady rolling at second order: Carter, the refinement paper's test, the 112 cases",

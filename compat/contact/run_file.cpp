@@ -60,7 +60,8 @@ constexpr CountColumn counts[] = {
     {"contact_elements", "elements in contact", [](const Outcome& o) { return o.solution.contact_elements; }},
     {"adhesion_elements", "of these in adhesion", [](const Outcome& o) { return o.solution.adhesion_elements; }},
     {"slip_elements", "of these in slip", [](const Outcome& o) { return o.solution.slip_elements; }},
-    {"plastic_elements", "of these where the layer yields", [](const Outcome& o) { return o.solution.plastic_elements; }},
+    {"plastic_elements", "of these where the layer yields",
+     [](const Outcome& o) { return o.solution.plastic_elements; }},
     {"newton_steps", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.newton_steps; }},
 };
 

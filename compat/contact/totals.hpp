@@ -21,7 +21,7 @@ struct PrintedTotals {
   double peak_pressure = 0;                               ///< PMAX [N/mm2]
   std::optional<double> temperature = {};                 ///< MAX(T1,T2) [deg C] in contact, if asked for
   int potential = 0, contact = 0, adhesion = 0, slip = 0; ///< NPOT, NCON, NADH, NSLIP: numbers of elements
-  std::optional<int> plastic = {}; ///< NPLAST, where a layer between the bodies can yield
+  std::optional<int> plastic = {};                        ///< NPLAST, where a layer between the bodies can yield
 };
 
 PrintedTotals printed_totals(const Case& c, const ContactStep& step, const ContactStepSolution& solution);

@@ -18,8 +18,7 @@ struct TemperatureEffect {
   /// 0 <= share <= 1 and own >= 0 [K]. There is one solution unless friction rises with heat by more than makes the
   /// heat, share change own >= range; of several the one of the least heat.
   /// `Real` is double, or Dual for the derivatives.
-  template <class Real>
-  Real coefficient(const Real& base, const Real& share, const Real& ahead, const Real& own) const;
+  template <class Real> Real coefficient(const Real& base, const Real& share, const Real& ahead, const Real& own) const;
 
   friend bool operator==(const TemperatureEffect&, const TemperatureEffect&) = default;
 };

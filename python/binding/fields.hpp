@@ -138,12 +138,9 @@ inline constexpr auto fields<Totals> = std::tuple{Field{"fx", &Totals::fx},
                                                   Field{"peak_traction", &Totals::peak_traction}};
 template <>
 inline constexpr auto fields<SolverReport> =
-    std::tuple{Field{"status", &SolverReport::status},
-               Field{"reason", &SolverReport::reason},
-               Field{"residual", &SolverReport::residual},
-               Field{"newton_steps", &SolverReport::newton_steps},
-               Field{"products", &SolverReport::products},
-               Field{"estimated_error", &SolverReport::estimated_error}};
+    std::tuple{Field{"status", &SolverReport::status},     Field{"reason", &SolverReport::reason},
+               Field{"residual", &SolverReport::residual}, Field{"newton_steps", &SolverReport::newton_steps},
+               Field{"products", &SolverReport::products}, Field{"estimated_error", &SolverReport::estimated_error}};
 template <>
 inline constexpr auto fields<SolutionStep> =
     std::tuple{Field{"creepage", &SolutionStep::creepage}, Field{"totals", &SolutionStep::totals},

@@ -85,7 +85,8 @@ void check(const ContactStep& step) {
 /// mu p_n, or the largest that slip can make of it.
 Field bound_of(const ElementFriction& friction, const Field& pressure) {
   Field bound = pressure;
-  if (friction.slip_dependent) friction.slip_dependent->largest(pressure, bound);
+  if (friction.slip_dependent)
+    friction.slip_dependent->largest(pressure, bound);
   else
     for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= friction.coefficients[k];
   return bound;
@@ -258,12 +259,12 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
   return out;
 }
 
-/// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs to
-/// begin near one: rounds, each with the friction that the slip of the last one has, lead from the start to the solution
-/// that belongs to it, and Newton's method is tried on the way. A layer that yields has one solution, found at once.
+/// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs
+/// to begin near one: rounds, each with the bound that the slip of the last one has, lead from the start to the
+/// solution that belongs to it, and Newton's method is tried on the way. Without such friction it is tried before.
 ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& step, SlipFriction& law,
                                                           const TangentialState& previous, TangentialState start) {
-  constexpr int most_rounds = 200, most_steps_of_a_trial = 12;
+  constexpr int most_rounds = 256, most_steps_of_a_trial = 12;
   constexpr double tolerance_of_a_round = 1e-3;
   const Field at_rest = law.static_coefficients();
   long products = 0;
@@ -282,17 +283,17 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
       if (s.slip_friction.yields[k] && s.tangential.state[k] == CellState::slip) ++s.plastic_elements;
     return s;
   };
+  ContactStepSolution out;
   if (!law.falls()) {
-    ContactStepSolution s = solve(step, {at_rest, &law});
-    if (s.tangential.tractions.px.empty()) return s;
-    return finish(std::move(s));
+    out = solve(step, {at_rest, &law});
+    if (out.tangential.tractions.px.empty()) return out;
+    if (out.status != Status::not_converged) return finish(std::move(out));
   }
   ContactStep round = step, trial = step;
   round.motion.tolerance = std::max(tolerance_of_a_round, step.motion.tolerance);
   trial.motion.most_steps = most_steps_of_a_trial;
   Field slip = first_slip(step, start), pressure = start.pressure;
   if (pressure.empty()) pressure = solve_normal_part(step).pressure;
-  ContactStepSolution out;
   for (int n = 1, next_trial = 1;; ++n) {
     const Field coefficients = coefficients_of(law.state(slip, pressure), pressure, at_rest);
     ContactStepSolution s = solve(round, {coefficients});

@@ -56,8 +56,8 @@ struct ContactStep {
 
 /// The traction bound of a step's elements.
 struct ElementFriction {
-  std::span<const double> coefficients;        ///< mu [-]
-  SlipFriction* slip_dependent = nullptr;       ///< in place of mu p_n; mu then is that at rest
+  std::span<const double> coefficients;   ///< mu [-]
+  SlipFriction* slip_dependent = nullptr; ///< in place of mu p_n; mu then is that at rest
 };
 
 struct ContactStepSolution {
@@ -69,8 +69,8 @@ struct ContactStepSolution {
   std::vector<double> friction; ///< traction bound of the elements over their pressure [-]; empty without tractions
   /// Where the bound depends on the slip, else empty.
   SlipFriction::State slip_friction;
-  int plastic_elements = 0;                ///< where it yields; they do not count as slip
-  int alternations = 0;                    ///< with Coupling::alternating: how often both problems were solved
+  int plastic_elements = 0; ///< where it yields; they do not count as slip
+  int alternations = 0;     ///< with Coupling::alternating: how often both problems were solved
 };
 
 /// Temperatures of a solution, from the heat -V p.s; none without thermal bodies or for other than steady

@@ -40,12 +40,13 @@ SlipFriction::SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw>
 }
 
 bool SlipFriction::falls() const {
-  return heating_ || std::any_of(laws_.begin(), laws_.end(), [](const FrictionLaw& law) {
-           return law.kind() != FrictionLaw::Kind::coulomb;
-         });
+  return heating_ || std::any_of(laws_.begin(), laws_.end(),
+                                 [](const FrictionLaw& law) { return law.kind() != FrictionLaw::Kind::coulomb; });
 }
 
-bool SlipFriction::is_constant() const { return !falls() && !layer_.yields(); }
+bool SlipFriction::is_constant() const {
+  return !falls() && !layer_.yields();
+}
 
 std::vector<double> SlipFriction::static_coefficients() const {
   std::vector<double> mu;
@@ -117,8 +118,7 @@ SlipFriction::Element SlipFriction::with_slip(int row, double slip, const Partic
 }
 
 /// The slip l with mu(l) p_n + rho l = |z|.
-double SlipFriction::slip_by_friction(int row, double size, double rho, const Particle& before,
-                                      double pressure) const {
+double SlipFriction::slip_by_friction(int row, double size, double rho, const Particle& before, double pressure) const {
   using Dual1 = Dual<double, 1>;
   constexpr int most = 100;
   double low = 0, high = size / rho, slip = high;
@@ -153,8 +153,7 @@ SlipFriction::Element SlipFriction::with_size(int row, double size, double rho, 
   return with_slip(row, slip, before, pressure);
 }
 
-SlipFriction::State SlipFriction::state(std::span<const double> slip_velocity,
-                                        std::span<const double> pressure) const {
+SlipFriction::State SlipFriction::state(std::span<const double> slip_velocity, std::span<const double> pressure) const {
   const auto n = grid_.count();
   State s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<char>(n)};
   pass(pressure, [&](int row, std::size_t k, const Particle& before) {

@@ -39,11 +39,11 @@ struct FrictionHeating {
 
 /// Friction and a layer's yield stress for the slip that the elements have: the traction bound
 /// q = min(mu(s) p_n, tau_c(u_pl)), (B7), as particles come through the elements one after the other. The friction is
-/// mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s, s0)), where mu' is the coefficient before, static for
-/// particles that come from outside; with heating mu_law has the temperature's effect on top, where the temperature is
-/// that of friction with these very coefficients, slip velocities and pressures. Where the layer's yield stress
-/// tau_c = tau_c0 + k u_pl is the smaller one the slip is plastic deformation, until friction is reached. Cost O(N), with
-/// heating O(mx^2 my).
+/// mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s, s0)), where mu' is the coefficient before, static
+/// for particles that come from outside; with heating mu_law has the temperature's effect on top, where the temperature
+/// is that of friction with these very coefficients, slip velocities and pressures. Where the layer's yield stress
+/// tau_c = tau_c0 + k u_pl is the smaller one the slip is plastic deformation, until friction is reached. Cost O(N),
+/// with heating O(mx^2 my).
 class SlipFriction : public SlipDependentBound {
 public:
   /// How a particle's time passes from one element to the next, or from one step to the next.
@@ -82,8 +82,8 @@ public:
   double least_rho(std::span<const double> pressure) const override;
   void project(std::span<const double> size, std::span<const double> pressure, double rho,
                std::span<double> bound) const override;
-  void linearise(std::span<const double> size, std::span<const double> pressure, double rho,
-                 std::span<double> bound, std::span<double> own) override;
+  void linearise(std::span<const double> size, std::span<const double> pressure, double rho, std::span<double> bound,
+                 std::span<double> own) override;
   bool carry(std::span<const double> size_change, std::span<const double> pressure_change,
              std::span<double> bound_change) const override;
 
@@ -129,9 +129,9 @@ private:
   Passage passage_;
   std::optional<FrictionHeating> heating_;
   std::optional<FlashTemperature> flash_;
-  double hardening_; ///< of the yield stress with the slip [Pa]
-  double rho_ = 0;              ///< of the linearisation
-  std::vector<Slope> slopes_;   ///< of the elements
+  double hardening_;          ///< of the yield stress with the slip [Pa]
+  double rho_ = 0;            ///< of the linearisation
+  std::vector<Slope> slopes_; ///< of the elements
 };
 
 } // namespace microslip

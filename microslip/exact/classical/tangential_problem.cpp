@@ -142,15 +142,17 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     const bool steady = input.motion == ContactMotion::steady;
     const TractionsView before = tractions_of(steady ? nullptr : input.previous);
     const TractionsView start = input.start ? tractions_of(input.start) : before;
-    FrictionNewton::Options options{.tolerance = input.tolerance, .most_steps = input.most_steps, .progress = input.progress};
+    FrictionNewton::Options options{
+        .tolerance = input.tolerance, .most_steps = input.most_steps, .progress = input.progress};
     if (!steady) options.before = before;
     SlipOperator* slip = &slip_operator(input, step);
     std::optional<LeadingEdgeOperator> corrected;
     if (steady && input.leading_edge) slip = &corrected.emplace(*slip, displacement_, step, std::move(entering));
     std::optional<RollingOperator> preconditioned;
     if (steady) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
-    s = newton_.solve({*slip, bound, cx, cy, area, input.force_x, input.force_y, share, {}, input.slip_dependent, input.pressure}, options,
-                      {.px = start.px, .py = start.py});
+    s = newton_.solve(
+        {*slip, bound, cx, cy, area, input.force_x, input.force_y, share, {}, input.slip_dependent, input.pressure},
+        options, {.px = start.px, .py = start.py});
   }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;

@@ -78,8 +78,7 @@ void CoupledEquations::respond(std::span<const double> unknowns, std::span<doubl
     for (double& e : out[2]) e -= delta_unit_ * unknowns[*delta_];
 }
 
-double CoupledEquations::evaluate(std::span<const double> v, std::span<const double> response,
-                                  std::span<double> f) {
+double CoupledEquations::evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f) {
   find_bounds(v, response);
   double norm2 = 0;
   for (std::size_t k = 0; k < n_; ++k) {
@@ -193,7 +192,8 @@ void CoupledEquations::find_bound_changes(std::span<const double> v, std::span<c
     problem_.slip_dependent->carry(sizes_, pressure_change_, q_);
   }
   for (std::size_t k = 0; k < n_; ++k) {
-    const double change = problem_.slip_dependent ? q_[k] : (1 - friction_.beta(k)) * problem_.friction[k] * pressure_change_[k];
+    const double change =
+        problem_.slip_dependent ? q_[k] : (1 - friction_.beta(k)) * problem_.friction[k] * pressure_change_[k];
     bound_change_[k] = change / unit_;
   }
 }

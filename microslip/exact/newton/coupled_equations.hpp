@@ -43,8 +43,7 @@ public:
   /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
   double mean_alpha() const { return mean_alpha_; }
   /// The derivative of F times a vector v of unknowns whose response is given. `damping` as in FrictionEquations.
-  void derivative(std::span<const double> v, std::span<const double> response, double damping,
-                  std::span<double> out);
+  void derivative(std::span<const double> v, std::span<const double> response, double damping, std::span<double> out);
 
   /// Pressure, tractions and slip of the elements in contact, approach and constants; obeys all bounds to rounding.
   CoupledFrictionSolution solution(std::span<const double> v, std::span<const double> response);
@@ -67,9 +66,9 @@ private:
   LinearisedFriction<double> friction_; ///< in units of the tractions
   std::vector<char> in_contact_, under_pressure_;
   double mean_alpha_ = 1;
-  std::vector<double> bound_, bound_change_;     ///< at the last point, in units of the tractions
-  std::vector<double> pressure_change_;          ///< [Pa]
-  std::vector<double> px_, py_;                  ///< [Pa]
+  std::vector<double> bound_, bound_change_;       ///< at the last point, in units of the tractions
+  std::vector<double> pressure_change_;            ///< [Pa]
+  std::vector<double> px_, py_;                    ///< [Pa]
   std::vector<double> sizes_, pressure_, q_, own_; ///< |z|, p_n, q [Pa], dq/d|z| of a slip-dependent bound
 };
 

@@ -12,10 +12,9 @@ namespace microslip {
 
 /// The equations F(x) = 0 of a FrictionProblem as take_newton_steps has them, for its n elements in contact:
 /// p - P_g(p - rho s) = 0 (E16), where P_g projects an element's traction on the disk of radius g and rho is one over
-/// the operator's diagonal, or more where a slip-dependent bound needs it, and, where forces are prescribed, an equation
-/// (E20) for each. Unknowns x are px of these
-/// elements, then py, then the unknown constants of c in units of their own; the response of x is the slip c + D p, sx
-/// and then sy. The derivative is that of LinearisedFriction.
+/// the operator's diagonal, or more where a slip-dependent bound needs it, and, where forces are prescribed, an
+/// equation (E20) for each. Unknowns x are px of these elements, then py, then the unknown constants of c in units of
+/// their own; the response of x is the slip c + D p, sx and then sy. The derivative is that of LinearisedFriction.
 class FrictionEquations {
 public:
   using Real = double;
@@ -73,7 +72,7 @@ private:
   std::array<TractionsView, 2> by_constants_ = {};        ///< derivatives of the tractions, one for each given force
   bool derivatives_known_ = false;                        ///< all of them
   std::array<std::array<double, 2>, 2> force_slope_ = {}; ///< of each force's equation with each constant
-  std::vector<double> g_; ///< if it depends on the slip that of the last point
+  std::vector<double> g_;                                 ///< if it depends on the slip that of the last point
   LinearisedFriction<double> friction_{0};
   std::vector<double> change_;                                ///< of the tractions
   std::vector<double> size_change_;                           ///< of |z|, for a slip-dependent bound

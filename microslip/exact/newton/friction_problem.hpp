@@ -13,8 +13,8 @@
 namespace microslip {
 
 /// The discrete tangential problem in its simplest form, (E2): find p with |p| <= g and, with s = c + D p, p = -g s/|s|
-/// where s is not zero. Where a force is given, the constant part of c in that direction is an unknown too. A bound that
-/// depends on the slip takes the place of g.
+/// where s is not zero. Where a force is given, the constant part of c in that direction is an unknown too. A bound
+/// that depends on the slip takes the place of g.
 struct FrictionProblem {
   SlipOperator& slip_operator;                      ///< D
   std::span<const double> bound;                    ///< g [Pa], >= 0; zero outside the contact

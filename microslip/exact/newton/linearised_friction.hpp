@@ -8,9 +8,9 @@ namespace microslip {
 
 /// The derivative of friction's equations F(p) = p - P_g(z), z = p - rho s (friction_newton.hpp), at a point, element
 /// by element, (E17) to (E19): with n = z/|z|, t orthogonal to n and alpha = g/|z| it is rho ds in adhesion, |z| <= g,
-/// and n.dp along n, (1 - alpha) t.dp + alpha rho t.ds along t in slip. Where the bound q changes with |z|, as that of a
-/// SlipDependentBound, the part along n is between both: (1 - beta) n.dp + beta rho n.ds, beta = dq/d|z|, alpha = q/|z|.
-/// Vectors have the x components of all elements, then the y components. In double or in single precision.
+/// and n.dp along n, (1 - alpha) t.dp + alpha rho t.ds along t in slip. Where the bound q changes with |z|, as that of
+/// a SlipDependentBound, the part along n is between both: (1 - beta) n.dp + beta rho n.ds, beta = dq/d|z|, alpha =
+/// q/|z|. Vectors have the x components of all elements, then the y components. In double or in single precision.
 template <class Real> class LinearisedFriction {
 public:
   explicit LinearisedFriction(std::size_t elements);
@@ -40,7 +40,7 @@ public:
 
 private:
   std::size_t n_;
-  std::vector<Real> nx_, ny_;                            ///< n
+  std::vector<Real> nx_, ny_;                               ///< n
   std::vector<Real> alpha_, root_alpha_, beta_, root_beta_; ///< beta is 1 in adhesion and 0 in slip with a fixed bound
 };
 

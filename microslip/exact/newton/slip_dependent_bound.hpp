@@ -5,9 +5,9 @@
 namespace microslip {
 
 /// A traction bound q that depends on the slip, in place of g in (E15). An element with |z| = |p - rho s| adheres if
-/// |z| does not exceed its bound at rest. Else its traction is q(l) and its slip the l > 0 with q(l) + rho l = |z|, (B8).
-/// What particles bring along from element to element, such as plastic deformation, counts as well: a bound may depend
-/// on |z| of the elements that its particles come through before. Fields have all elements of a grid.
+/// |z| does not exceed its bound at rest. Else its traction is q(l) and its slip the l > 0 with q(l) + rho l = |z|,
+/// (B8). What particles bring along from element to element, such as plastic deformation, counts as well: a bound may
+/// depend on |z| of the elements that its particles come through before. Fields have all elements of a grid.
 class SlipDependentBound {
 public:
   virtual ~SlipDependentBound() = default;
