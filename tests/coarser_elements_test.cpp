@@ -21,7 +21,7 @@ TEST(CoarserElements, CoverTheGrid) {
       EXPECT_NEAR(coarse.x0 - coarse.dx / 2, grid.x0 - grid.dx / 2, 1e-15);
       EXPECT_NEAR(coarse.y0 - coarse.dy / 2, grid.y0 - grid.dy / 2, 1e-15);
       const std::vector<double> gap(grid.count(), 0.75);
-      for (const double value : gap_on_coarser(grid, gap)) EXPECT_NEAR(value, 0.75, 1e-15);
+      for (const double value : mean_on_coarser(grid, gap)) EXPECT_NEAR(value, 0.75, 1e-15);
     }
 }
 

@@ -95,7 +95,7 @@ void EllipticContactSolver::prepare_classical(const EllipticContact& contact, co
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, contact_margin);
   grid_.shape = options_.elements;
   normal_ = unit_load(contact, grid_, progress);
-  tangential_ = std::make_unique<TangentialProblem>(material_, grid_, essential_part(progress, 0, 0));
+  tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
 }
 
 void EllipticContactSolver::prepare_second_order(const EllipticContact& contact, const Progress& progress) {

@@ -205,7 +205,7 @@ const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step
 TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) {
   if (!tangential_ || !(tangential_grid_ == step.grid) || !same_elasticity(tangential_bodies_, step.bodies)) {
     tangential_.reset();
-    tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid, step.motion.progress);
+    tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid);
     tangential_grid_ = step.grid;
     tangential_bodies_ = step.bodies;
   }

@@ -146,7 +146,7 @@ void CoupledContact::find_tangential(const ContactStep& step, const ElementFrict
                                      const TangentialState& previous, const TangentialState& start,
                                      ContactStepSolution& out) {
   const auto n = grid_.count();
-  if (!tangential_) tangential_ = std::make_unique<TangentialProblem>(bodies_, grid_, step.motion.progress);
+  if (!tangential_) tangential_ = std::make_unique<TangentialProblem>(bodies_, grid_);
   const double way = signed_step(step.motion, grid_);
   const Field none(n);
   Field extra_x(n), extra_y(n), bound(n);

@@ -2,8 +2,11 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
+#include "microslip/exact/halfspace/coarser_elements.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/halfspace/rolling_difference.hpp"
 #include "microslip/exact/halfspace/rolling_operator.hpp"
+#include "microslip/exact/halfspace/traction_shares.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +49,18 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   require_between("tolerance", input.tolerance, "-", 1e-14, 1);
 }
 
+/// Elements along an axis that need no start from coarser ones.
+constexpr int largest_coarsest = 16;
+constexpr double tolerance_of_coarser = 1e-3; // of the order of the discretisation error between the grids
+constexpr double share_of_coarser = 0.2;      // of the work
+
+/// A step of whole elements, in elements; else 0.
+int columns_of(double step, const ElementGrid& grid) {
+  constexpr double rounding = 1e-9;
+  const double columns = step / grid.dx, whole = std::round(columns);
+  return std::abs(whole) < grid.mx && std::abs(columns - whole) < rounding ? static_cast<int>(whole) : 0;
+}
+
 TractionsView tractions_of(const TangentialState* state) {
   if (!state) return {};
   return {state->px, state->py};
@@ -60,20 +75,61 @@ bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
   return step >= 0.55 * grid.dx * (1 - rounding) || grid.dx <= grid.dy * (1 + rounding);
 }
 
-TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid, const Progress& progress)
-    : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)),
-      displacement_(TangentialOperator::displacement(bodies, grid, {}, 1, progress)) {}
+TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid)
+    : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)) {}
 
-TangentialOperator& TangentialProblem::slip_operator(const TangentialInput& input, double step) {
-  if (input.motion == ContactMotion::shift) return displacement_;
-  if (!slip_operator_ || motion_ != input.motion || step_ != step) {
-    slip_operator_ = input.motion == ContactMotion::steady
-                         ? TangentialOperator::difference(bodies_, grid_, step, input.progress)
-                         : TangentialOperator::displacement(bodies_, grid_, {}, std::abs(step), input.progress);
+TangentialOperator& TangentialProblem::displacement(const Progress& progress) {
+  if (!displacement_) displacement_ = TangentialOperator::displacement(bodies_, grid_, {}, 1, progress);
+  return *displacement_;
+}
+
+SlipOperator& TangentialProblem::slip_operator(const TangentialInput& input, double step) {
+  if (input.motion == ContactMotion::shift) return displacement(input.progress);
+  if (motion_ != input.motion || step_ != step) {
+    slip_operator_.reset();
+    rolling_.reset();
     motion_ = input.motion;
     step_ = step;
   }
+  const bool transient = input.motion == ContactMotion::transient;
+  const int columns = bodies_.are_elastic() && !transient ? columns_of(step, grid_) : 0;
+  if (columns != 0) return rolling_ ? *rolling_ : rolling_.emplace(bodies_, grid_, columns, input.progress);
+  if (!slip_operator_)
+    slip_operator_ = transient ? TangentialOperator::displacement(bodies_, grid_, {}, std::abs(step), input.progress)
+                               : TangentialOperator::difference(bodies_, grid_, step, input.progress);
   return *slip_operator_;
+}
+
+/// Steady rolling on elements twice as long and wide, solved roughly, gives tractions and constants to begin with. The
+/// step is as many of these elements, and the rigid slip is taken at the same distance.
+TangentialProblem::CoarseStart TangentialProblem::start_from_coarser(std::span<const double> bound,
+                                                                     const TangentialInput& input, double step) {
+  const ElementGrid coarse = coarser_grid(grid_);
+  if (!coarser_) coarser_ = std::make_unique<TangentialProblem>(bodies_, coarse);
+  const double ratio = coarse.dx / grid_.dx;
+  const Field extra_x = mean_on_coarser(grid_, input.extra_x), extra_y = mean_on_coarser(grid_, input.extra_y);
+  TangentialInput on_coarse = input;
+  on_coarse.step = ratio * std::abs(step);
+  on_coarse.spin_offset = input.spin_offset / ratio;
+  on_coarse.extra_x = extra_x, on_coarse.extra_y = extra_y;
+  if (input.leading_edge) on_coarse.leading_edge = {.where_possible = true};
+  on_coarse.tolerance = std::max(tolerance_of_coarser, input.tolerance);
+  CoarseStart start;
+  on_coarse.progress = [&](double done) {
+    return !(start.stopped = input.progress && !input.progress(share_of_coarser * done));
+  };
+  const TangentialSolution s = coarser_->solve(mean_on_coarser(grid_, bound), on_coarse);
+  if (s.forces.status != Status::ok) return start;
+  const TractionShares shares(coarse, s.bound, s.tractions.px, s.tractions.py);
+  start.tractions = VectorField(grid_.count());
+  for (std::size_t k = 0; k < grid_.count(); ++k) {
+    if (!(bound[k] > 0)) continue;
+    const Vec2 share = shares.at(grid_.x(static_cast<int>(k % grid_.mx)), grid_.y(static_cast<int>(k / grid_.mx)));
+    start.tractions.x[k] = bound[k] * share.x;
+    start.tractions.y[k] = bound[k] * share.y;
+  }
+  start.constants = Vec2{s.creepage.longitudinal, s.creepage.lateral};
+  return start;
 }
 
 /// Slip without tractions: rigid slip, and what a particle loses of its previous displacement.
@@ -90,7 +146,7 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   TangentialOperator::displacement(bodies_, grid_, way, length, input.progress).apply(before.px, before.py, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
-    displacement_.apply(before.px, before.py, here_x, here_y);
+    displacement(input.progress).apply(before.px, before.py, here_x, here_y);
     for (const EnteringElement& e : entering) { // (R16)
       const auto at_edge = [&](const Field& u) {
         return u[e.ahead] + e.extrapolation * (u[e.ahead] - u[e.further_ahead]);
@@ -138,26 +194,39 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
       s.py[k] = bound[k] * input.force_y.value_or(0) / wanted;
     }
   } else {
-    // A shift or a step of rolling changes what was there before, so that is where to begin.
     const bool steady = input.motion == ContactMotion::steady;
-    const TractionsView before = tractions_of(steady ? nullptr : input.previous);
-    const TractionsView start = input.start ? tractions_of(input.start) : before;
     FrictionNewton::Options options{
         .tolerance = input.tolerance, .most_steps = input.most_steps, .progress = input.progress};
-    if (!steady) options.before = before;
+    FrictionStart start;
+    CoarseStart coarse;
+    if (input.start) {
+      start = {.px = input.start->px, .py = input.start->py};
+    } else if (!steady && input.previous) { // a step changes what was there before, so that is where to begin
+      start = {.px = input.previous->px, .py = input.previous->py};
+    } else if (steady && std::max(grid_.mx, grid_.my) > largest_coarsest) {
+      coarse = start_from_coarser(bound, input, step);
+      start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
+      options.progress = part(input.progress, share_of_coarser, 1);
+      if (coarse.stopped) options.progress = [](double) { return false; };
+    }
+    if (!steady) options.before = tractions_of(input.previous);
     SlipOperator* slip = &slip_operator(input, step);
     std::optional<LeadingEdgeOperator> corrected;
-    if (steady && input.leading_edge) slip = &corrected.emplace(*slip, displacement_, step, std::move(entering));
+    if (steady && input.leading_edge)
+      slip = &corrected.emplace(*slip, displacement(input.progress), step, std::move(entering));
     std::optional<RollingOperator> preconditioned;
     if (steady) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
     s = newton_.solve(
         {*slip, bound, cx, cy, area, input.force_x, input.force_y, share, {}, input.slip_dependent, input.pressure},
-        options, {.px = start.px, .py = start.py});
+        options, start);
   }
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
   out.ux.resize(n), out.uy.resize(n);
-  displacement_.apply(s.px, s.py, out.ux, out.uy);
+  if (rolling_)
+    rolling_->displacement(s.px, s.py, out.ux, out.uy);
+  else
+    displacement(input.progress).apply(s.px, s.py, out.ux, out.uy);
   find_totals(grid_, input, std::move(s), out);
   return out;
 }

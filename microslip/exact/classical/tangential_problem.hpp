@@ -3,11 +3,14 @@
 #include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/contact/surface_fields.hpp"
+#include "microslip/contact/vector_field.hpp"
 #include "microslip/exact/halfspace/leading_edge.hpp"
+#include "microslip/exact/halfspace/rolling_difference.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 #include "microslip/simplified/options.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace microslip {
@@ -82,7 +85,7 @@ struct TangentialSolution {
 class TangentialProblem {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
-  TangentialProblem(const Bodies& bodies, const ElementGrid& grid, const Progress& progress = {});
+  TangentialProblem(const Bodies& bodies, const ElementGrid& grid);
 
   /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
   /// converging and a force beyond friction are statuses; input so large that a total overflows gives
@@ -90,15 +93,27 @@ public:
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
 private:
-  TangentialOperator& slip_operator(const TangentialInput& input, double step);
+  TangentialOperator& displacement(const Progress& progress);
+  SlipOperator& slip_operator(const TangentialInput& input, double step);
+
+  /// What the solution on coarser elements hands over; no tractions if there is none.
+  struct CoarseStart {
+    VectorField tractions;
+    std::optional<Vec2> constants;
+    bool stopped = false; ///< by the progress function
+  };
+  CoarseStart start_from_coarser(std::span<const double> bound, const TangentialInput& input, double step);
 
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 
   Bodies bodies_;
   ElementGrid grid_;
-  TangentialOperator displacement_;
-  std::optional<TangentialOperator> slip_operator_; ///< kept for the next problem of the same motion and step
+  std::optional<TangentialOperator> displacement_; ///< made when it is first needed
+  /// Either is kept for the next problem of the same motion and step.
+  std::optional<TangentialOperator> slip_operator_;
+  std::optional<RollingDifference> rolling_;   ///< in steady rolling of elastic bodies with steps of whole elements
+  std::unique_ptr<TangentialProblem> coarser_; ///< on elements twice as long and wide, for steady rolling
   ContactMotion motion_ = ContactMotion::shift;
   double step_ = 0; ///< with its sign
   FrictionNewton newton_;

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "microslip/contact/vector_field.hpp"
-#include "microslip/exact/fitted/second_order_rolling.hpp"
+#include "microslip/exact/fitted/nested_rolling.hpp"
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace microslip {
 
@@ -14,29 +15,21 @@ public:
   /// Throws Stopped if `progress` returns false.
   HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my, const Progress& progress = {});
 
-  const FittedContact& contact() const { return rolling_.contact(); }
+  const FittedContact& contact() const { return rolling_->contact(); }
   /// The traction bound of each element [Pa].
   std::vector<double> bound(const EllipticContact& contact) const;
 
-  /// Creepages and spin of the contact, or forces [N] in place of its creepages. Newton steps and products are
-  /// those on the finest grid. `progress` is told of all grids. False ends the solve on the finest one with status
-  /// not_converged; before, it throws Stopped.
+  /// Creepages and spin of the contact, or forces [N] in place of its creepages. Newton steps, products and progress as
+  /// in NestedRolling.
   SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,
                             std::optional<double> force_y, double tolerance, const Progress& progress = {});
 
   /// As SecondOrderRolling::differentiate, for a solution with creepages given.
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
-                                                double tolerance, const Progress& progress = {}) {
-    return rolling_.differentiate(bound(contact), solution, tolerance, progress);
-  }
+                                                double tolerance, const Progress& progress = {});
 
 private:
-  VectorField from_fastsim2(const EllipticContact& contact, std::span<const double> bound) const;
-  VectorField derivative(const EllipticContact& contact, int direction, std::span<const double> bound,
-                         const VectorField& start) const;
-
-  SecondOrderRolling rolling_;
-  std::unique_ptr<HertzianRolling> coarser_;
+  std::unique_ptr<NestedRolling> rolling_;
 };
 
 } // namespace microslip

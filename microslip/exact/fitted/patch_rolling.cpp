@@ -2,8 +2,11 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
+#include "microslip/exact/halfspace/coarser_elements.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace microslip {
@@ -16,6 +19,63 @@ std::vector<double> mirrored(const ElementGrid& grid, const std::vector<double>&
   std::vector<double> image(field.size());
   for (std::size_t k = 0; k < field.size(); ++k) image[k + grid.mx - 1 - 2 * (k % grid.mx)] = field[k];
   return image;
+}
+
+/// A pressure on a grid.
+struct PressureField {
+  ElementGrid grid;
+  std::vector<double> pressure;
+};
+
+/// The rows and columns that are in contact.
+struct Extent {
+  int left, right, low, high;
+
+  int shortest() const { return std::min(right - left, high - low) + 1; }
+};
+
+Extent extent_of(const PressureField& f) {
+  Extent e{f.grid.mx, -1, f.grid.my, -1};
+  for (std::size_t k = 0; k < f.pressure.size(); ++k) {
+    if (!(f.pressure[k] > 0)) continue;
+    const int i = static_cast<int>(k % f.grid.mx), j = static_cast<int>(k / f.grid.mx);
+    e.left = std::min(e.left, i), e.right = std::max(e.right, i);
+    e.low = std::min(e.low, j), e.high = std::max(e.high, j);
+  }
+  return e;
+}
+
+/// On elements twice as long and wide around the contact: the root of the mean square, as p_n^2 falls linearly to zero
+/// at the edges.
+PressureField coarser(const PressureField& fine, const Extent& contact) {
+  constexpr int columns_to_spare = 8; // which are half as many coarser ones
+  PressureField around{fine.grid, {}};
+  ElementGrid& grid = around.grid;
+  grid.mx = contact.right - contact.left + 1 + 2 * columns_to_spare;
+  grid.my = contact.high - contact.low + 1;
+  grid.x0 = fine.grid.x(contact.left - columns_to_spare);
+  grid.y0 = fine.grid.y(contact.low);
+  around.pressure.assign(grid.count(), 0);
+  for (int j = contact.low; j <= contact.high; ++j)
+    for (int i = contact.left; i <= contact.right; ++i) {
+      const double p = fine.pressure[static_cast<std::size_t>(j) * fine.grid.mx + i];
+      around.pressure[static_cast<std::size_t>(j - contact.low) * grid.mx + i - contact.left + columns_to_spare] =
+          p * p;
+    }
+  PressureField coarse{coarser_grid(grid), mean_on_coarser(grid, around.pressure)};
+  for (double& p : coarse.pressure) p = std::sqrt(p);
+  return coarse;
+}
+
+/// Elements fitted to the contact, and to coarser ones as long as these have enough elements.
+std::unique_ptr<NestedRolling> nested(const CombinedMaterial& material, const PressureField& field,
+                                      const Progress& progress) {
+  constexpr int smallest_with_coarser = 16; // elements across
+  const Extent contact = extent_of(field);
+  std::unique_ptr<NestedRolling> on_coarser;
+  if (contact.shortest() >= smallest_with_coarser) on_coarser = nested(material, coarser(field, contact), progress);
+  return std::make_unique<NestedRolling>(material, fit_contact(field.grid, field.pressure), std::move(on_coarser),
+                                         progress);
 }
 
 void check(const PatchRollingMotion& motion) {
@@ -42,11 +102,11 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
     const Progress essential = essential_part(progress, 0, 1);
     normal_ = NormalProblem(material, grid, essential).solve(gap, load, normal_tolerance, essential);
     if (normal_.contact_elements == 0) return;
-    rolling_.emplace(material,
-                     direction == RollingDirection::forward
-                         ? fit_contact(grid, normal_.pressure)
-                         : fit_contact(mirrored(grid), mirrored(grid, normal_.pressure)),
-                     essential);
+    const bool forward = direction == RollingDirection::forward;
+    rolling_ = nested(material,
+                      forward ? PressureField{grid, normal_.pressure}
+                              : PressureField{mirrored(grid), mirrored(grid, normal_.pressure)},
+                      essential);
   } catch (const Stopped&) {
     normal_ = {};
     normal_.status = Status::not_converged;
@@ -62,9 +122,7 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
     add_reason(nothing.report);
     return nothing;
   }
-  const FittedContact& contact = rolling_->contact();
-  std::vector<double> bound = contact.load_share;
-  for (double& g : bound) g *= motion.friction * normal_.normal_force;
+  const double capacity = motion.friction * normal_.normal_force;
   const double side = direction_ == RollingDirection::forward ? 1 : -1;
   SecondOrderInput input{
       .creepage = {side * motion.creepage.longitudinal, motion.creepage.lateral, side * motion.creepage.spin},
@@ -74,7 +132,8 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
       .progress = motion.progress,
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side;
-  ContactSolution out = contact_solution(contact, rolling_->solve(bound, input),
+  const std::vector<double> bound = rolling_->bound(capacity);
+  ContactSolution out = contact_solution(rolling_->contact(), rolling_->solve(capacity, input),
                                          {.bound = bound,
                                           .normal_force = normal_.normal_force,
                                           .approach = normal_.approach,

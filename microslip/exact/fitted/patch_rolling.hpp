@@ -3,9 +3,10 @@
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/contact/normal_load.hpp"
-#include "microslip/exact/fitted/second_order_rolling.hpp"
+#include "microslip/exact/fitted/nested_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,11 +26,11 @@ struct PatchRollingMotion {
 
 /// Steady rolling of elastically similar bodies of any shape, cylinders too, at second order (SecondOrderRolling): the
 /// normal problem on a regular grid, elements fitted to the edges of its contact area (fit_contact), the tangential
-/// problem on them. Where the edge is smooth the error of the forces falls with a mean order of 1.7 to 2.2; in a line
-/// contact, where one row alone tells the edges, of 1.5. It is only so on grids that resolve how p_n grows from the
-/// edge: beside a side where the gap steepens abruptly the edge is located badly on coarse grids, with errors of .03
-/// at 12 elements across and .003 at 32. A gap between patches shorter than two elements, or a neck, is resolved by its
-/// elements alone, without an order.
+/// problem on them, started from coarser elements (NestedRolling). Where the edge is smooth the error of the forces
+/// falls with a mean order of 1.7 to 2.2; in a line contact, where one row alone tells the edges, of 1.5. It is only so
+/// on grids that resolve how p_n grows from the edge: beside a side where the gap steepens abruptly the edge is located
+/// badly on coarse grids, with errors of .03 at 12 elements across and .003 at 32. A gap between patches shorter than
+/// two elements, or a neck, is resolved by its elements alone, without an order.
 class PatchRolling {
 public:
   /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, for dissimilar bodies,
@@ -50,7 +51,7 @@ public:
 private:
   RollingDirection direction_;
   NormalSolution normal_;
-  std::optional<SecondOrderRolling> rolling_;
+  std::unique_ptr<NestedRolling> rolling_; ///< none without contact
 };
 
 } // namespace microslip

@@ -39,7 +39,8 @@ ElementGrid coarser_grid(const ElementGrid& grid) {
   return coarse;
 }
 
-std::vector<double> gap_on_coarser(const ElementGrid& grid, std::span<const double> gap) {
+std::vector<double> mean_on_coarser(const ElementGrid& grid, std::span<const double> field) {
+  if (field.empty()) return {};
   const int mx = coarser(grid.mx), my = coarser(grid.my), sx = step_of(grid.mx), sy = step_of(grid.my);
   std::vector<double> coarse(static_cast<std::size_t>(mx) * my);
   for (int j = 0; j < my; ++j)
@@ -48,7 +49,7 @@ std::vector<double> gap_on_coarser(const ElementGrid& grid, std::span<const doub
       double& mean = coarse[static_cast<std::size_t>(j) * mx + i];
       for (int l = 0; l < rows; ++l)
         for (int k = 0; k < columns; ++k)
-          mean += gap[static_cast<std::size_t>(sy * j + l) * grid.mx + sx * i + k] / (rows * columns);
+          mean += field[static_cast<std::size_t>(sy * j + l) * grid.mx + sx * i + k] / (rows * columns);
     }
   return coarse;
 }

@@ -11,8 +11,8 @@ namespace microslip {
 /// of elements is odd the last coarse ones reach half their length beyond the grid.
 ElementGrid coarser_grid(const ElementGrid& grid);
 
-/// The mean of the gap [m] over the elements of `grid` in each coarser one.
-std::vector<double> gap_on_coarser(const ElementGrid& grid, std::span<const double> gap);
+/// The mean of a field over the elements of `grid` in each coarser one; of an empty field nothing.
+std::vector<double> mean_on_coarser(const ElementGrid& grid, std::span<const double> field);
 
 /// The pressure [Pa] on the elements of `grid` from that on the coarser ones. Interpolates p_n^2, which falls linearly
 /// to zero at the edge of a contact.

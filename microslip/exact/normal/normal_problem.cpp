@@ -263,7 +263,7 @@ NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const No
     bool stopped = false;
     const Progress on_coarser = [&](double) { return !(stopped = progress && !progress(0)); };
     const NormalSolution coarse =
-        coarser_->solve_nested(gap_on_coarser(grid_, gap), load, std::max(tolerance, coarse_tolerance),
+        coarser_->solve_nested(mean_on_coarser(grid_, gap), load, std::max(tolerance, coarse_tolerance),
                                progress ? on_coarser : Progress(), coarser_products);
     if (stopped) return iteration.stop();
     const double share = static_cast<double>(coarse.pressure.size()) / static_cast<double>(gap.size());

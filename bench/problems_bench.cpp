@@ -1,0 +1,209 @@
+// What each kind of problem costs beside steady rolling of a Hertzian contact with as many elements in contact, one
+// thread (OMP_NUM_THREADS=1). Prints a Markdown table of processor time, which other work on the machine changes less
+// than elapsed time; what counts are ratios within one run, steps, products and exponents.
+//   problems_bench [WORD] [most elements across; default 254]   only problems whose name has WORD
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/exact/fitted/hertzian_rolling.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace microslip;
+
+/// What a problem takes. Where nothing is kept from one problem to the next the time of setting up is 0.
+struct Figures {
+  std::size_t elements = 0; ///< in contact
+  double set_up = 0;        ///< what depends on the contact only: coefficients, transforms, pressures, edges [s]
+  double solve = 0;         ///< what is left when that is known [s]
+  int newton_steps = 0;
+  long products = 0;
+  bool solved = false;
+
+  double total() const { return set_up + solve; }
+};
+
+struct Problem {
+  const char* name;
+  std::vector<int> sizes;                ///< elements across the contact
+  std::function<Figures(int)> solve_one; ///< with so many
+};
+
+/// Processor time of all threads [s].
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Seconds for what `make` does and then for `use` of what it has made: the shortest of some runs of each.
+template <class Make, class Use> void measure(Figures& figures, const Make& make, const Use& use) {
+  constexpr double enough = 0.3; // seconds in which to find the shortest run
+  figures.set_up = figures.solve = HUGE_VAL;
+  const double begin = processor_time();
+  do {
+    const double start = processor_time();
+    auto made = make();
+    const double ready = processor_time();
+    use(made);
+    figures.set_up = std::min(figures.set_up, ready - start);
+    figures.solve = std::min(figures.solve, processor_time() - ready);
+  } while (processor_time() - begin < enough);
+}
+
+/// A contact of steel that slides in part, with creepages in all directions.
+constexpr CombinedMaterial steel{82e9, 0.28, 0};
+constexpr double semi_axis_x = 5e-3, semi_axis_y = 7e-3, load = 50e3, friction = 0.3;
+constexpr Creepage creepage{-6e-4, 4e-4, 0.1};
+
+const HertzContact& hertz() {
+  static const HertzContact contact = hertz_from_ellipse(semi_axis_x, semi_axis_y, steel, load);
+  return contact;
+}
+
+/// n elements across the ellipse in each direction, and a margin for what the skewness adds.
+ElementGrid grid_of(int n, double skewness) {
+  return ElementGrid::across_ellipse(semi_axis_x, semi_axis_y, n, 4 + static_cast<int>(skewness * n));
+}
+
+/// The ellipse's gap, or one with an egg-shaped contact of about the same size.
+std::vector<double> gap_on(const ElementGrid& grid, double skewness) {
+  std::vector<double> gap;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const double x = grid.x(i), y = grid.y(j);
+      gap.push_back(hertz().gap.x * x * x * (1 + skewness * (x / semi_axis_x + y / semi_axis_y)) +
+                    hertz().gap.y * y * y);
+    }
+  return gap;
+}
+constexpr double egg = 0.15;
+
+Figures ellipse(int n) {
+  const EllipticContact contact{.a = semi_axis_x,
+                                .b = semi_axis_y,
+                                .shear_modulus = steel.shear_modulus,
+                                .poisson_ratio = steel.poisson_ratio,
+                                .normal_force = load,
+                                .friction = FrictionLaw::coulomb(friction),
+                                .creepage = creepage};
+  Figures figures;
+  measure(
+      figures, [&] { return HertzianRolling(semi_axis_x, semi_axis_y, steel, n, n); },
+      [&](HertzianRolling& rolling) {
+        const SecondOrderSolution s = rolling.solve(contact, {}, {}, 1e-6);
+        figures.elements = rolling.contact().elements.size();
+        figures.newton_steps = s.friction.newton_steps;
+        figures.products = s.friction.products;
+        figures.solved = s.friction.status == Status::ok;
+      });
+  return figures;
+}
+
+Figures patch(int n, double skewness) {
+  const ElementGrid grid = grid_of(n, skewness);
+  const std::vector<double> gap = gap_on(grid, skewness);
+  Figures figures;
+  measure(
+      figures, [&] { return PatchRolling(steel, grid, gap, {NormalLoad::Given::force, load}); },
+      [&](PatchRolling& rolling) {
+        const ContactSolution s = rolling.solve({.friction = friction, .creepage = creepage});
+        figures.elements = rolling.contact()->elements.size();
+        figures.newton_steps = s.report.newton_steps;
+        figures.products = s.report.products;
+        figures.solved = s.report.status == Status::ok;
+      });
+  return figures;
+}
+
+/// The classical discretisation. Solved twice, the second time with what the first has left.
+Figures classical(int n, double skewness) {
+  ContactStep step;
+  step.grid = grid_of(n, skewness);
+  step.bodies = steel;
+  step.gap = gap_on(step.grid, skewness);
+  step.load = {NormalLoad::Given::force, load};
+  step.friction = {FrictionLaw::coulomb(friction)};
+  step.motion.creepage = creepage;
+  step.motion.tolerance = 1e-8;
+  Figures figures;
+  measure(
+      figures,
+      [&] {
+        ContactSequence sequence;
+        sequence.solve(step);
+        return sequence;
+      },
+      [&](ContactSequence& sequence) {
+        const ContactStepSolution s = sequence.solve(step);
+        figures.elements = static_cast<std::size_t>(s.contact_elements);
+        figures.newton_steps = s.tangential.newton_steps;
+        figures.products = s.tangential.products;
+        figures.solved = s.status == Status::ok;
+      });
+  figures.set_up -= figures.solve;
+  return figures;
+}
+
+const std::vector<Problem>& problems() {
+  static const std::vector<int> growing = {64, 128, 254, 506};
+  static const std::vector<Problem> all = {
+      {"steady, ellipse, second order", growing, ellipse},
+      {"steady, gap of the ellipse, classical", growing, [](int n) { return classical(n, 0); }},
+      {"steady, egg, classical", growing, [](int n) { return classical(n, egg); }},
+      {"steady, gap of the ellipse, second order", {20, 96}, [](int n) { return patch(n, 0); }},
+      {"steady, egg, second order", {20, 96, 254}, [](int n) { return patch(n, egg); }},
+  };
+  return all;
+}
+
+/// How the time grows with the elements, between the smallest size and the largest.
+double growth_exponent(const Figures& small, const Figures& large) {
+  return std::log(large.total() / small.total()) /
+         std::log(static_cast<double>(large.elements) / static_cast<double>(small.elements));
+}
+
+/// Of as many elements across.
+const Figures& hertzian(int n) {
+  static std::map<int, Figures> known;
+  const auto found = known.find(n);
+  return found != known.end() ? found->second : known[n] = ellipse(n);
+}
+
+void print(const Problem& problem, int most_across) {
+  Figures first, last;
+  for (const int n : problem.sizes) {
+    if (n > most_across) break;
+    last = problem.solve_one(n);
+    if (first.elements == 0) first = last;
+    const Figures& h = hertzian(n);
+    std::printf("| %s | %zu | %.4f | %.4f | %d | %ld | %.1f | %.1f |%s\n", problem.name, last.elements, last.set_up,
+                last.solve, last.newton_steps, last.products, last.solve / h.solve, last.total() / h.total(),
+                last.solved ? "" : " not solved");
+    std::fflush(stdout);
+  }
+  if (last.elements > first.elements)
+    std::printf("| %s | growth: N^%.2f | | | | | | |\n", problem.name, growth_exponent(first, last));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  const int most_across = argc > 2 ? std::atoi(argv[2]) : 254;
+  std::printf("| problem | elements in contact | set-up [s] | solve [s] | Newton steps | products | solve / ellipse's | "
+              "all / ellipse's |\n|---|---|---|---|---|---|---|---|\n");
+  for (const Problem& problem : problems())
+    if (std::string(problem.name).find(word) != std::string::npos) print(problem, most_across);
+}

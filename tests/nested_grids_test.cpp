@@ -1,0 +1,138 @@
+// Steady rolling from coarser grids: the solution is that without them, and Newton's steps do not grow with the grid,
+// whatever the shape of the contact.
+
+#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "tangential_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+/// An egg and beside it a smaller patch.
+Problem two_patches(int n, double ratio) {
+  const EllipticContact c = steel_contact(ratio);
+  const CombinedMaterial material{c.shear_modulus, c.poisson_ratio, 0};
+  const GapCurvatures curvature = hertz_from_ellipse(c.a, c.b, material, c.normal_force).gap;
+  Problem p{material, ElementGrid::across_ellipse(1.3 * c.a, 2.2 * c.b, n, 2 * n, 4), {}, 0, c.a};
+  Field gap;
+  for (int j = 0; j < p.grid.my; ++j)
+    for (int i = 0; i < p.grid.mx; ++i) {
+      const double x = p.grid.x(i), y = p.grid.y(j) + 0.9 * c.b, beside = y - 2.1 * c.b;
+      const double egg = curvature.x * x * x * (1 + 0.2 * x / c.a + 0.15 * y / c.b) + curvature.y * y * y;
+      gap.push_back(std::min(egg, curvature.x * x * x + 2 * curvature.y * beside * beside + 3e-6));
+    }
+  p.bound = NormalProblem(material, p.grid).solve(gap, {NormalLoad::Given::force, c.normal_force}).pressure;
+  for (double& g : p.bound) g *= 0.3;
+  p.capacity = 0.3 * c.normal_force;
+  return p;
+}
+
+TangentialInput input_for(double ratio, double xi, double eta, double phi) {
+  TangentialInput input;
+  input.creepage = scaled_creepage(steel_contact(ratio), xi, eta, phi);
+  input.tolerance = 1e-8;
+  return input;
+}
+
+TEST(NestedGrids, TheSolutionIsThatFromZeroTractions) {
+  const Problem p = two_patches(32, 1);
+  const TangentialState zero{.px = Field(p.grid.count()), .py = Field(p.grid.count())};
+  for (TangentialInput input : {input_for(1, 0.3, 0.2, 0.1), input_for(1, -0.1, 0, 0.6)})
+    for (const bool backward : {false, true})
+      for (const bool corrected : {false, true})
+        for (const double step : {1.0, 1.4}) {
+          input.direction = backward ? RollingDirection::backward : RollingDirection::forward;
+          if (corrected) input.leading_edge.emplace();
+          input.step = step * p.grid.dx;
+          const TangentialSolution nested = solve(p, input);
+          input.start = &zero;
+          const TangentialSolution direct = solve(p, input);
+          input.start = nullptr;
+          input.leading_edge.reset();
+          EXPECT_EQ(nested.forces.status, Status::ok);
+          EXPECT_LE(nested.newton_steps, direct.newton_steps);
+          EXPECT_NEAR(nested.forces.fx, direct.forces.fx, 1e-7 * p.capacity);
+          EXPECT_NEAR(nested.forces.fy, direct.forces.fy, 1e-7 * p.capacity);
+          for (std::size_t k = 0; k < p.grid.count(); ++k)
+            EXPECT_NEAR(nested.ux[k], direct.ux[k], 1e-6 * std::abs(direct.ux[p.grid.count() / 2 + p.grid.mx / 2]));
+        }
+}
+
+TEST(NestedGrids, NewtonStepsDoNotGrowWithTheGrid) {
+  for (const double ratio : {0.3, 1.0, 5.0})
+    for (const TangentialInput& input : {input_for(ratio, 0.3, 0.2, 0.1), input_for(ratio, -0.1, 0, 0.6)})
+      for (const int n : {24, 48, 96}) {
+        const TangentialSolution s = solve(two_patches(n, ratio), input);
+        EXPECT_EQ(s.forces.status, Status::ok);
+        EXPECT_LE(s.newton_steps, 12) << ratio << ' ' << n;
+      }
+}
+
+TEST(NestedGrids, NewtonStepsDoNotGrowWithForcesPrescribed) {
+  for (const double ratio : {0.3, 1.0, 5.0})
+    for (const int n : {24, 48, 96}) {
+      const Problem p = two_patches(n, ratio);
+      TangentialInput input = input_for(ratio, 0.3, 0.2, 0.1);
+      const TangentialSolution by_creepage = solve(p, input);
+      const Creepage wanted = input.creepage;
+      input.creepage.longitudinal = input.creepage.lateral = 0;
+      input.force_x = by_creepage.forces.fx;
+      input.force_y = by_creepage.forces.fy;
+      const TangentialSolution by_force = solve(p, input);
+      EXPECT_EQ(by_force.forces.status, Status::ok);
+      EXPECT_LE(by_force.newton_steps, 12) << ratio << ' ' << n;
+      EXPECT_NEAR(by_force.creepage.longitudinal, wanted.longitudinal, 1e-5 * std::abs(wanted.longitudinal));
+      EXPECT_NEAR(by_force.creepage.lateral, wanted.lateral, 1e-5 * std::abs(wanted.lateral));
+    }
+}
+
+TEST(NestedGrids, ExtraSlipIsPartOfTheStart) {
+  const Problem p = two_patches(64, 1);
+  TangentialInput input = input_for(1, 0, 0, 0);
+  Field extra_x, extra_y;
+  const Creepage unit = scaled_creepage(steel_contact(1), 0.3, 0.3, 0);
+  for (std::size_t k = 0; k < p.grid.count(); ++k) {
+    extra_x.push_back(unit.longitudinal * std::cos(p.grid.y(static_cast<int>(k / p.grid.mx)) / 4e-3));
+    extra_y.push_back(unit.lateral * std::sin(p.grid.x(static_cast<int>(k % p.grid.mx)) / 4e-3));
+  }
+  input.extra_x = extra_x, input.extra_y = extra_y;
+  const TangentialSolution s = solve(p, input);
+  EXPECT_EQ(s.forces.status, Status::ok);
+  EXPECT_LE(s.newton_steps, 8);
+}
+
+TEST(NestedGrids, PatchesTakeAsManyStepsOnEveryGrid) {
+  for (const double ratio : {0.3, 1.0, 5.0})
+    for (const int n : {24, 48, 96}) {
+      const EllipticContact c = steel_contact(ratio);
+      const CombinedMaterial material{c.shear_modulus, c.poisson_ratio, 0};
+      const GapCurvatures curvature = hertz_from_ellipse(c.a, c.b, material, c.normal_force).gap;
+      const ElementGrid grid = ElementGrid::across_ellipse(c.a, c.b, n, 5 + n / 4);
+      Field gap;
+      for (std::size_t k = 0; k < grid.count(); ++k) {
+        const double x = grid.x(static_cast<int>(k % grid.mx)), y = grid.y(static_cast<int>(k / grid.mx));
+        gap.push_back(curvature.x * x * x * (1 + 0.2 * x / c.a + 0.15 * y / c.b) + curvature.y * y * y);
+      }
+      for (const auto& [xi, eta, phi] : {std::array{0.3, 0.2, 0.1}, std::array{-0.1, 0.0, 0.6}})
+        for (const auto direction : {forward, backward}) {
+          PatchRolling rolling(material, grid, gap, {NormalLoad::Given::force, c.normal_force}, direction);
+          PatchRollingMotion motion{.friction = 0.3, .creepage = scaled_creepage(c, xi, eta, phi)};
+          const ContactSolution s = rolling.solve(motion);
+          EXPECT_EQ(s.report.status, Status::ok);
+          EXPECT_LE(s.report.newton_steps, 8) << ratio << ' ' << n;
+          motion.force_x = s.totals.fx;
+          motion.force_y = s.totals.fy;
+          const ContactSolution by_force = rolling.solve(motion);
+          EXPECT_EQ(by_force.report.status, Status::ok);
+          EXPECT_LE(by_force.report.newton_steps, 12) << ratio << ' ' << n;
+        }
+    }
+}
+
+} // namespace
+} // namespace microslip
