@@ -8,6 +8,7 @@
 #include "microslip/exact/newton/friction_newton.hpp"
 #include "microslip/simplified/options.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace microslip {
@@ -89,18 +90,23 @@ public:
   /// Status::invalid_input.
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
-private:
-  TangentialOperator& slip_operator(const TangentialInput& input, double step);
+  /// The same elements elsewhere: (x0, y0) is now the first one's centre [m].
+  void move_to(double x0, double y0) { grid_.x0 = x0, grid_.y0 = y0; }
 
+private:
+  SlipOperator& difference(const TangentialInput& input, double step);
+  void find_displacements(const TangentialState& tractions, Vec2 way, const Progress& progress, std::span<double> ux,
+                          std::span<double> uy);
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 
   Bodies bodies_;
   ElementGrid grid_;
-  TangentialOperator displacement_;
-  std::optional<TangentialOperator> slip_operator_; ///< kept for the next problem of the same motion and step
-  ContactMotion motion_ = ContactMotion::shift;
-  double step_ = 0; ///< with its sign
+  std::unique_ptr<SlipOperator> displacement_;
+  std::optional<TangentialOperator> difference_; ///< kept for the next steady problem of the same step
+  double step_ = 0;                              ///< of it, with its sign
+  std::optional<TangentialOperator> ahead_;      ///< displacements further on, kept for the next step of the same way
+  Vec2 way_ = {};                                ///< of it
   FrictionNewton newton_;
 };
 

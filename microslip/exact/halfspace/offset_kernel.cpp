@@ -158,6 +158,24 @@ TangentialKernel TangentialKernel::difference(const Bodies& bodies, const Elemen
   return tangential_kernel(bodies, grid, difference_over(step), progress);
 }
 
+DisplacementQuadrant displacement_quadrant(const Bodies& bodies, const ElementGrid& grid, const Progress& progress) {
+  check(grid);
+  DisplacementQuadrant quadrant;
+  for (auto* part : {&quadrant.xx, &quadrant.xy, &quadrant.yy}) part->reserve(grid.count());
+  for (int j = 0; j < grid.my; ++j) {
+    go_on(progress, 0);
+    for (int i = 0; i < grid.mx; ++i) {
+      const Influence a = influence_at(bodies.material, grid, i * grid.dx, j * grid.dy);
+      quadrant.xx.push_back(a.xx);
+      quadrant.xy.push_back(a.xy);
+      quadrant.yy.push_back(a.yy);
+    }
+  }
+  quadrant.xx[0] += bodies.layer.flexibility; // sheared where the traction is
+  quadrant.yy[0] += bodies.layer.flexibility;
+  return quadrant;
+}
+
 CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
                                           const Progress& progress) {
   return coupled_kernel(bodies, grid, {.shift = shift, .length = length}, progress);

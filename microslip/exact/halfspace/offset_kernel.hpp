@@ -64,6 +64,16 @@ struct TangentialKernel {
                                      const Progress& progress = {});
 };
 
+/// Displacement differences u = A p (E12) at the offsets 0 .. mx - 1, 0 .. my - 1 of a grid, index j mx + i, of
+/// elastic bodies: xx and yy are even, xy is odd in both components of the offset.
+struct DisplacementQuadrant {
+  std::vector<double> xx, xy, yy;
+
+  double diagonal() const { return (xx[0] + yy[0]) / 2; }
+};
+DisplacementQuadrant displacement_quadrant(const Bodies& bodies, const ElementGrid& grid,
+                                           const Progress& progress = {});
+
 /// The map from tractions and pressure to slip and normal displacement that CoupledOperator applies.
 struct CoupledKernel {
   TangentialKernel slip;
