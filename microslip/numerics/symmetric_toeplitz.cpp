@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include <omp.h>
@@ -18,18 +20,31 @@ namespace {
 constexpr int block = 6;                           // columns next to each other that are read together
 constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
+constexpr double smallest_share = 1e-2;            // of the kernels at 0, in the transform that is inverted
 
-/// Transform of a kernel from its quarter of the padded grid, with the scaling of the transforms there and back.
+/// Transform of a kernel from its quarter of the padded grid.
 std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, Parity parity, std::span<const double> kernel) {
   const int columns = nx / 2 + 1, rows = ny / 2 + 1;
   std::vector<double> quarter(static_cast<std::size_t>(columns) * rows);
-  for (int j = 0; j < my; ++j)
-    std::copy_n(kernel.begin() + static_cast<std::ptrdiff_t>(j) * mx, mx,
+  for (int j = 0; j < std::min(my, rows); ++j)
+    std::copy_n(kernel.begin() + static_cast<std::ptrdiff_t>(j) * mx, std::min(mx, columns),
                 quarter.begin() + static_cast<std::ptrdiff_t>(j) * columns);
   transform_quarter(columns, rows, parity, quarter);
-  for (double& value : quarter) value /= double(nx) * ny;
   return quarter;
 }
+
+/// A symmetric matrix of two rows: `mean` times unity and `difference`, -`difference` on the diagonal, `mixed` beside.
+struct SymmetricPair {
+  double mean, difference, mixed;
+
+  /// With eigenvalues of at least `least` in place of smaller ones.
+  SymmetricPair inverse(double least) const {
+    const double radius = std::hypot(difference, mixed);
+    const double low = 1 / std::max(mean + radius, least), high = 1 / std::max(mean - radius, least);
+    const double turn = radius > 0 ? (low - high) / (2 * radius) : 0;
+    return {(low + high) / 2, turn * difference, turn * mixed};
+  }
+};
 
 /// z = s z + t v and v = s v + conj(t) z with t = d + i m, for complex numbers written out in real ones, which the
 /// compiler vectorises.
@@ -56,8 +71,8 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   fftw::Transforms<Real> rows_forward, rows_backward, columns_forward, columns_backward;
   long products = 0;
 
-  Plans(int x, int y)
-      : mx(x), my(y), nx(fftw::quick_size(2 * x)), ny(fftw::quick_size(2 * y)),
+  Plans(int x, int y, int period_x, int period_y)
+      : mx(x), my(y), nx(fftw::quick_size(period_x)), ny(fftw::quick_size(period_y)),
         field(fftw::allocate<Complex>(field_size())), z(fftw::allocate<Complex>(field_size())),
         threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1),
         work(fftw::allocate<Complex>(threads * 3 * batch_size())),
@@ -67,8 +82,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
         columns_backward(ny, batch, FFTW_BACKWARD, work.get() + batch_size(), work.get() + 2 * batch_size()) {
     std::fill_n(work.get(), threads * 3 * batch_size(), Complex(0));
   }
-  Plans(int x, int y, const Kernels& kernels) : Plans(x, y) { find_spectra(kernels); }
-  template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my) {
+  template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my, other.nx, other.ny) {
     const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
       to.resize(from.size());
       convert(from, factor, to);
@@ -78,7 +92,8 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     scaled(other.mixed, mixed);
   }
 
-  void find_spectra(const Kernels& kernels) {
+  /// What becomes of each wave's pair of the kernels is up to `use`.
+  template <class Use> void find_spectra(const Kernels& kernels, Use use) {
     const auto xx = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.xx);
     const auto yy = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.yy);
     const auto xy = quarter_spectrum(nx, ny, mx, my, Parity::odd, kernels.xy);
@@ -89,9 +104,12 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
         const bool upper = j > ny / 2;
         const std::size_t from = static_cast<std::size_t>(upper ? ny - j : j) * columns + i;
         const std::size_t to = static_cast<std::size_t>(i) * ny + j;
-        mean[to] = static_cast<Real>((xx[from] + yy[from]) / 2);
-        difference[to] = static_cast<Real>((xx[from] - yy[from]) / 2);
-        mixed[to] = static_cast<Real>(upper ? -xy[from] : xy[from]);
+        const SymmetricPair pair =
+            use(SymmetricPair{(xx[from] + yy[from]) / 2, (xx[from] - yy[from]) / 2, upper ? -xy[from] : xy[from]});
+        const double points = double(nx) * ny; // scales the transforms
+        mean[to] = static_cast<Real>(pair.mean / points);
+        difference[to] = static_cast<Real>(pair.difference / points);
+        mixed[to] = static_cast<Real>(pair.mixed / points);
       }
   }
 
@@ -143,7 +161,18 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
 
 template <class Real>
 SymmetricToeplitz<Real>::SymmetricToeplitz(int mx, int my, const Kernels& kernels)
-    : plans_(std::make_unique<Plans>(mx, my, kernels)) {}
+    : plans_(std::make_unique<Plans>(mx, my, 2 * mx, 2 * my)) {
+  plans_->find_spectra(kernels, [](const SymmetricPair& pair) { return pair; });
+}
+template <class Real>
+SymmetricToeplitz<Real>::SymmetricToeplitz(std::unique_ptr<Plans> plans) : plans_(std::move(plans)) {}
+template <class Real>
+SymmetricToeplitz<Real> SymmetricToeplitz<Real>::near_inverse(int mx, int my, const Kernels& kernels) {
+  auto plans = std::make_unique<Plans>(mx, my, mx, my);
+  const double least = smallest_share * (kernels.xx[0] + kernels.yy[0]) / 2;
+  plans->find_spectra(kernels, [least](const SymmetricPair& pair) { return pair.inverse(least); });
+  return SymmetricToeplitz(std::move(plans));
+}
 template <class Real>
 SymmetricToeplitz<Real>::SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor)
     : plans_(std::make_unique<Plans>(*other.plans_, factor)) {}

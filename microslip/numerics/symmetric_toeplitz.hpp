@@ -24,6 +24,11 @@ public:
   };
 
   SymmetricToeplitz(int mx, int my, const Kernels& kernels);
+  /// A symmetric positive map near the inverse of that matrix and of its part on any set of the grid: the inverse,
+  /// restricted to the grid, of the kernels repeated with a period that is hardly larger than the grid. For kernels
+  /// that fall like 1/distance the inverse falls like 1/distance^3, so that padding would gain nothing. Waves at which
+  /// the periodic kernels have next to nothing are damped. A quarter of the cost.
+  static SymmetricToeplitz near_inverse(int mx, int my, const Kernels& kernels);
   /// `factor` times another matrix.
   SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor);
   SymmetricToeplitz(SymmetricToeplitz&&) noexcept;
@@ -43,6 +48,8 @@ public:
 private:
   template <class> friend class SymmetricToeplitz;
   struct Plans;
+  explicit SymmetricToeplitz(std::unique_ptr<Plans> plans);
+
   std::unique_ptr<Plans> plans_;
 };
 

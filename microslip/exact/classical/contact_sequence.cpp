@@ -17,6 +17,12 @@ bool same_elasticity(const Bodies& a, const Bodies& b) {
   return a.material == b.material && a.retarded == b.retarded && a.layer.flexibility == b.layer.flexibility;
 }
 
+/// Wherever the grids lie.
+bool same_elements(const ElementGrid& a, ElementGrid b) {
+  b.x0 = a.x0, b.y0 = a.y0;
+  return a == b;
+}
+
 /// Whether tractions change the pressure, or pressure the slip.
 bool is_coupled(const ContactStep& step) {
   return !step.bodies.are_elastic() || (!step.frictionless && step.bodies.are_coupled());
@@ -194,21 +200,32 @@ const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step
   if (step.given) {
     normal_ = given_normal(step);
   } else {
-    NormalProblem problem(step.bodies.material, step.grid, step.motion.progress);
-    normal_ = solve_normal(problem, step);
+    normal_ = solve_normal(normal_problem(step), step);
   }
   normal_of_ = std::make_unique<ContactStep>(step);
   normal_of_->motion.progress = {};
   return normal_;
 }
 
+NormalProblem& ContactSequence::normal_problem(const ContactStep& step) {
+  if (!normal_problem_ || !same_elements(normal_grid_, step.grid) || !(normal_material_ == step.bodies.material)) {
+    normal_problem_.reset();
+    normal_problem_ = std::make_unique<NormalProblem>(step.bodies.material, step.grid, step.motion.progress);
+    normal_grid_ = step.grid;
+    normal_material_ = step.bodies.material;
+  }
+  return *normal_problem_;
+}
+
 TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) {
-  if (!tangential_ || !(tangential_grid_ == step.grid) || !same_elasticity(tangential_bodies_, step.bodies)) {
+  if (!tangential_ || !same_elements(tangential_grid_, step.grid) ||
+      !same_elasticity(tangential_bodies_, step.bodies)) {
     tangential_.reset();
     tangential_ = std::make_unique<TangentialProblem>(step.bodies, step.grid);
     tangential_grid_ = step.grid;
     tangential_bodies_ = step.bodies;
   }
+  tangential_->move_to(step.grid.x0, step.grid.y0);
   return *tangential_;
 }
 

@@ -27,6 +27,7 @@ private:
   };
 
   const NormalSolution& solve_normal_part(const ContactStep& step);
+  NormalProblem& normal_problem(const ContactStep& step);
   TangentialProblem& tangential_problem(const ContactStep& step);
   CoupledContact& coupled_contact(const ContactStep& step);
   ContactStepSolution solve_similar(const ContactStep& step, const ElementFriction& friction,
@@ -40,6 +41,9 @@ private:
 
   std::unique_ptr<ContactStep> normal_of_; ///< whose normal problem `normal_` solves
   NormalSolution normal_;
+  std::unique_ptr<NormalProblem> normal_problem_;
+  ElementGrid normal_grid_;
+  CombinedMaterial normal_material_ = {};
   std::unique_ptr<TangentialProblem> tangential_;
   ElementGrid tangential_grid_;
   Bodies tangential_bodies_ = {};

@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/coarser_elements.hpp"
+#include "microslip/exact/halfspace/displacement_operator.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 #include "microslip/exact/halfspace/rolling_difference.hpp"
 #include "microslip/exact/halfspace/rolling_operator.hpp"
@@ -66,6 +67,59 @@ TractionsView tractions_of(const TangentialState* state) {
   return {state->px, state->py};
 }
 
+std::unique_ptr<SlipOperator> displacement_operator(const Bodies& bodies, const ElementGrid& grid,
+                                                    const Progress& progress) {
+  if (bodies.are_elastic()) return std::make_unique<DisplacementOperator>(bodies, grid, progress);
+  return std::make_unique<TangentialOperator>(TangentialOperator::displacement(bodies, grid, {}, 1, progress));
+}
+
+/// The slip D = A/length of a step with a displacement operator A, which it refers to.
+class StepOperator : public SlipOperator {
+public:
+  StepOperator(SlipOperator& displacement, double length) : displacement_(displacement), length_(length) {}
+
+  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+             std::span<double> sy) override {
+    displacement_.apply(px, py, sx, sy);
+    for (const auto s : {sx, sy})
+      for (double& value : s) value /= length_;
+  }
+  bool precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
+                    std::span<double> qy) override {
+    return displacement_.precondition(px, py, qx, qy);
+  }
+  double diagonal() const override { return displacement_.diagonal() / length_; }
+  double scale() const override { return displacement_.scale() / length_; }
+  long products() const override { return displacement_.products(); }
+
+private:
+  SlipOperator& displacement_;
+  double length_;
+};
+
+/// A field of the grid moved by so many elements; none if something would leave the grid.
+std::optional<Field> moved(const Field& field, const ElementGrid& grid, int columns, int rows) {
+  Field result(field.size());
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const double value = field[static_cast<std::size_t>(j) * grid.mx + i];
+      const int column = i + columns, row = j + rows;
+      const bool inside = column >= 0 && column < grid.mx && row >= 0 && row < grid.my;
+      if (!inside && value != 0) return {};
+      if (inside) result[static_cast<std::size_t>(row) * grid.mx + column] = value;
+    }
+  return result;
+}
+
+/// How many elements go into a distance; none if that is not a whole number, or more than the grid has.
+std::optional<int> whole_elements(double distance, double size, int most) {
+  constexpr double rounding = 1e-12;
+  const double elements = distance / size, nearest = std::round(elements);
+  if (!(std::abs(elements - nearest) <= rounding * std::max(1.0, std::abs(nearest))) || std::abs(nearest) > most)
+    return {};
+  return static_cast<int>(nearest);
+}
+
 } // namespace
 
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
@@ -78,26 +132,44 @@ bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
 TangentialProblem::TangentialProblem(const Bodies& bodies, const ElementGrid& grid)
     : bodies_(bodies), grid_(require_memory(ContactProblem::tangential, grid)) {}
 
-TangentialOperator& TangentialProblem::displacement(const Progress& progress) {
-  if (!displacement_) displacement_ = TangentialOperator::displacement(bodies_, grid_, {}, 1, progress);
+void TangentialProblem::move_to(double x0, double y0) {
+  grid_.x0 = x0, grid_.y0 = y0;
+  if (!coarser_) return;
+  const ElementGrid coarse = coarser_grid(grid_);
+  coarser_->move_to(coarse.x0, coarse.y0);
+}
+
+SlipOperator& TangentialProblem::displacement(const Progress& progress) {
+  if (!displacement_) displacement_ = displacement_operator(bodies_, grid_, progress);
   return *displacement_;
 }
 
-SlipOperator& TangentialProblem::slip_operator(const TangentialInput& input, double step) {
-  if (input.motion == ContactMotion::shift) return displacement(input.progress);
-  if (motion_ != input.motion || step_ != step) {
-    slip_operator_.reset();
+SlipOperator& TangentialProblem::difference(const TangentialInput& input, double step) {
+  if (step_ != step) {
+    difference_.reset();
     rolling_.reset();
-    motion_ = input.motion;
     step_ = step;
   }
-  const bool transient = input.motion == ContactMotion::transient;
-  const int columns = bodies_.are_elastic() && !transient ? columns_of(step, grid_) : 0;
+  const int columns = bodies_.are_elastic() ? columns_of(step, grid_) : 0;
   if (columns != 0) return rolling_ ? *rolling_ : rolling_.emplace(bodies_, grid_, columns, input.progress);
-  if (!slip_operator_)
-    slip_operator_ = transient ? TangentialOperator::displacement(bodies_, grid_, {}, std::abs(step), input.progress)
-                               : TangentialOperator::difference(bodies_, grid_, step, input.progress);
-  return *slip_operator_;
+  if (!difference_) difference_ = TangentialOperator::difference(bodies_, grid_, step, input.progress);
+  return *difference_;
+}
+
+/// Of tractions at the points `way` further. Where these are elements' centres, those of tractions that far behind at
+/// the elements.
+void TangentialProblem::find_displacements(const TangentialState& tractions, Vec2 way, const Progress& progress,
+                                           std::span<double> ux, std::span<double> uy) {
+  const auto columns = whole_elements(-way.x, grid_.dx, grid_.mx), rows = whole_elements(-way.y, grid_.dy, grid_.my);
+  if (columns && rows) {
+    const auto px = moved(tractions.px, grid_, *columns, *rows), py = moved(tractions.py, grid_, *columns, *rows);
+    if (px && py) return displacement(progress).apply(*px, *py, ux, uy);
+  }
+  if (!ahead_ || way_.x != way.x || way_.y != way.y) {
+    ahead_ = TangentialOperator::displacement(bodies_, grid_, way, 1, progress);
+    way_ = way;
+  }
+  ahead_->apply(tractions.px, tractions.py, ux, uy);
 }
 
 /// Steady rolling on elements twice as long and wide, solved roughly, gives tractions and constants to begin with. The
@@ -143,7 +215,7 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   const double length = shift ? 1 : std::abs(step);
   Field ux(cx.size()), uy(cx.size());
   const Vec2 way = way_of(input, shift ? 0 : step);
-  TangentialOperator::displacement(bodies_, grid_, way, length, input.progress).apply(before.px, before.py, ux, uy);
+  find_displacements(before, way, input.progress, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
     displacement(input.progress).apply(before.px, before.py, here_x, here_y);
@@ -151,11 +223,11 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
       const auto at_edge = [&](const Field& u) {
         return u[e.ahead] + e.extrapolation * (u[e.ahead] - u[e.further_ahead]);
       };
-      ux[e.element] = at_edge(here_x) / length;
-      uy[e.element] = at_edge(here_y) / length;
+      ux[e.element] = at_edge(here_x);
+      uy[e.element] = at_edge(here_y);
     }
   }
-  for (std::size_t k = 0; k < cx.size(); ++k) cx[k] -= ux[k], cy[k] -= uy[k];
+  for (std::size_t k = 0; k < cx.size(); ++k) cx[k] -= ux[k] / length, cy[k] -= uy[k] / length;
 }
 
 TangentialSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
@@ -210,7 +282,9 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
       if (coarse.stopped) options.progress = [](double) { return false; };
     }
     if (!steady) options.before = tractions_of(input.previous);
-    SlipOperator* slip = &slip_operator(input, step);
+    SlipOperator* slip = steady ? &difference(input, step) : &displacement(input.progress);
+    std::optional<StepOperator> of_step;
+    if (input.motion == ContactMotion::transient) slip = &of_step.emplace(*slip, std::abs(step));
     std::optional<LeadingEdgeOperator> corrected;
     if (steady && input.leading_edge)
       slip = &corrected.emplace(*slip, displacement(input.progress), step, std::move(entering));
@@ -223,7 +297,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
   out.ux.resize(n), out.uy.resize(n);
-  if (rolling_)
+  if (input.motion == ContactMotion::steady && rolling_)
     rolling_->displacement(s.px, s.py, out.ux, out.uy);
   else
     displacement(input.progress).apply(s.px, s.py, out.ux, out.uy);

@@ -92,9 +92,12 @@ public:
   /// Status::invalid_input.
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
+  /// The same elements elsewhere: (x0, y0) is now the first one's centre [m].
+  void move_to(double x0, double y0);
+
 private:
-  TangentialOperator& displacement(const Progress& progress);
-  SlipOperator& slip_operator(const TangentialInput& input, double step);
+  SlipOperator& displacement(const Progress& progress);
+  SlipOperator& difference(const TangentialInput& input, double step);
 
   /// What the solution on coarser elements hands over; no tractions if there is none.
   struct CoarseStart {
@@ -104,18 +107,23 @@ private:
   };
   CoarseStart start_from_coarser(std::span<const double> bound, const TangentialInput& input, double step);
 
+private:
+  SlipOperator& difference(const TangentialInput& input, double step);
+  void find_displacements(const TangentialState& tractions, Vec2 way, const Progress& progress, std::span<double> ux,
+                          std::span<double> uy);
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 
   Bodies bodies_;
   ElementGrid grid_;
-  std::optional<TangentialOperator> displacement_; ///< made when it is first needed
-  /// Either is kept for the next problem of the same motion and step.
-  std::optional<TangentialOperator> slip_operator_;
-  std::optional<RollingDifference> rolling_;   ///< in steady rolling of elastic bodies with steps of whole elements
+  std::unique_ptr<SlipOperator> displacement_; ///< made when it is first needed
+  /// Either is kept for the next steady problem of the same step.
+  std::optional<TangentialOperator> difference_;
+  std::optional<RollingDifference> rolling_;   ///< of elastic bodies with steps of whole elements
+  double step_ = 0;                            ///< of it, with its sign
   std::unique_ptr<TangentialProblem> coarser_; ///< on elements twice as long and wide, for steady rolling
-  ContactMotion motion_ = ContactMotion::shift;
-  double step_ = 0; ///< with its sign
+  std::optional<TangentialOperator> ahead_;    ///< displacements further on, kept for the next step of the same way
+  Vec2 way_ = {};                              ///< of it
   FrictionNewton newton_;
 };
 

@@ -14,7 +14,7 @@ public:
   virtual void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
                      std::span<double> sy) = 0;
 
-  /// q = M^-1 p, where M is near D over its diagonal: a right preconditioner for linear systems with D. Counts for
+  /// q = M^-1 p, where M is near D over its scale: a right preconditioner for linear systems with D. Counts for
   /// elements in contact; p is zero elsewhere. Returns false, with q as it was, if there is none.
   virtual bool precondition(std::span<const double> /*px*/, std::span<const double> /*py*/, std::span<double> /*qx*/,
                             std::span<double> /*qy*/) {
@@ -23,6 +23,10 @@ public:
 
   /// Diagonal entry of an interior element, the mean of D_xx and D_yy.
   virtual double diagonal() const = 0;
+
+  /// What D makes of tractions that vary over middling distances: where to tell adhesion from slip, z = p - s/scale,
+  /// predicts best. Where all tractions have slip of about the same size, the diagonal.
+  virtual double scale() const { return diagonal(); }
 
   /// Number of products with D so far.
   virtual long products() const = 0;

@@ -7,8 +7,10 @@
 
 namespace microslip {
 
+using Field = std::vector<double>;
+
 FrictionEquations::FrictionEquations(const FrictionProblem& problem)
-    : problem_(problem), rho_(1 / problem.slip_operator.diagonal()), wide_px_(problem.bound.size()), wide_py_(wide_px_),
+    : problem_(problem), rho_(1 / problem.slip_operator.scale()), wide_px_(problem.bound.size()), wide_py_(wide_px_),
       wide_sx_(wide_px_), wide_sy_(wide_px_) {
   for (std::size_t k = 0; k < problem.bound.size(); ++k)
     if (problem.bound[k] > 0) elements_.push_back(k);
@@ -26,7 +28,7 @@ FrictionEquations::FrictionEquations(const FrictionProblem& problem)
   friction_ = LinearisedFriction<double>(n_);
   change_.resize(2 * n_);
   if (!problem.slip_dependent) return;
-  rho_ = std::max(rho_, problem.slip_dependent->least_rho(problem.pressure));
+  rho_ = std::max(1 / problem.slip_operator.diagonal(), problem.slip_dependent->least_rho(problem.pressure));
   size_change_.resize(n_);
   for (auto* field : {&wide_size_, &wide_bound_, &wide_own_}) field->resize(problem.bound.size());
 }
@@ -54,7 +56,10 @@ void FrictionEquations::start(const FrictionStart& from, std::span<double> unkno
   }
   for (std::size_t f = 0; f < forces_.size() && from.constants; ++f)
     unknowns[2 * n_ + f] = (forces_[f] == 0 ? from.constants->x : from.constants->y) / unit_[f];
-  respond(unknowns, slip);
+  if (from.px.empty() && !from.constants)
+    std::fill(slip.begin(), slip.end(), 0.0);
+  else
+    respond(unknowns, slip);
   add_constants(slip);
   if (!from.constants) choose_constants(unknowns, slip);
 }
@@ -73,9 +78,15 @@ void FrictionEquations::respond(std::span<const double> unknowns, std::span<doub
 double FrictionEquations::evaluate(std::span<const double> unknowns, std::span<const double> slip,
                                    std::span<double> f) {
   find_bounds(unknowns, slip);
+  return evaluate(rho_, unknowns, slip, f);
+}
+
+/// With the bounds of the last point.
+double FrictionEquations::evaluate(double rho, std::span<const double> unknowns, std::span<const double> slip,
+                                   std::span<double> f) const {
   double norm2 = 0;
   for (std::size_t k = 0; k < n_; ++k) {
-    const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
+    const double zx = unknowns[k] - rho * slip[k], zy = unknowns[n_ + k] - rho * slip[n_ + k];
     const double scale = project_on_disk(zx, zy, g_[k]).scale;
     f[k] = unknowns[k] - scale * zx;
     f[n_ + k] = unknowns[n_ + k] - scale * zy;
@@ -104,6 +115,7 @@ void FrictionEquations::linearise(std::span<const double> unknowns, std::span<co
     else
       friction_.set(k, zx, zy, g_[k]);
   }
+  if (!derivatives_given_) estimate_derivatives();
 }
 
 void FrictionEquations::derivative(std::span<const double> v, std::span<const double> slip_change, double damping,
@@ -142,6 +154,8 @@ FrictionSolution FrictionEquations::solution(std::span<const double> unknowns, s
   }
   for (std::size_t i = 0; i < forces_.size(); ++i)
     (forces_[i] == 0 ? s.constant_x : s.constant_y) = unit_[i] * unknowns[2 * n_ + i];
+  Field f(size());
+  s.residual = scale_ > 0 ? evaluate(strictness() * rho_, unknowns, slip, f) / scale_ : 0;
   return s;
 }
 
@@ -176,14 +190,21 @@ void FrictionEquations::choose_constants(std::span<double> unknowns, std::span<d
 /// By the operator's preconditioner, for the part of the tractions that slip can change.
 void FrictionEquations::precondition_tractions(std::span<double> unknowns) {
   friction_.free_part(unknowns, change_);
-  spread(change_);
-  if (!problem_.slip_operator.precondition(wide_px_, wide_py_, wide_sx_, wide_sy_)) return;
-  for (std::size_t k = 0; k < n_; ++k) {
-    change_[k] = wide_sx_[elements_[k]] - change_[k];
-    change_[n_ + k] = wide_sy_[elements_[k]] - change_[n_ + k];
-  }
+  if (!apply_preconditioner()) return;
   friction_.free_part(change_, change_);
   for (std::size_t k = 0; k < 2 * n_; ++k) unknowns[k] += change_[k];
+}
+
+/// change_ = (M^-1/(rho scale) - 1) change_, so that M is near rho D; false if there is no preconditioner.
+bool FrictionEquations::apply_preconditioner() {
+  spread(change_);
+  if (!problem_.slip_operator.precondition(wide_px_, wide_py_, wide_sx_, wide_sy_)) return false;
+  const double share = 1 / (rho_ * problem_.slip_operator.scale());
+  for (std::size_t k = 0; k < n_; ++k) {
+    change_[k] = share * wide_sx_[elements_[k]] - change_[k];
+    change_[n_ + k] = share * wide_sy_[elements_[k]] - change_[n_ + k];
+  }
+  return true;
 }
 
 /// Replaces the unknown constants by what the equations of the forces require (E37): with the tractions' derivatives
@@ -205,8 +226,8 @@ void FrictionEquations::satisfy_forces(std::span<double> unknowns) const {
     unknowns[2 * n_ + f] = constants[f];
     const double constant = unit_[f] * constants[f];
     for (std::size_t k = 0; k < n_; ++k) {
-      unknowns[k] += constant * by_constants_[f].px[elements_[k]];
-      unknowns[n_ + k] += constant * by_constants_[f].py[elements_[k]];
+      unknowns[k] += constant * by_constants_[f][k];
+      unknowns[n_ + k] += constant * by_constants_[f][n_ + k];
     }
   }
 }
@@ -221,27 +242,54 @@ double FrictionEquations::mean_force(std::size_t i, std::span<const double> px, 
 
 /// Also makes a unit of each constant one that changes its force's equation by one.
 void FrictionEquations::use_derivatives(const std::array<TractionsView, 2>& by_constants) {
-  constexpr double least_determinant = 0.1; // else one constant does what the other does
-  derivatives_known_ = !forces_.empty() && n_ > 0;
-  for (std::size_t f = 0; f < forces_.size() && derivatives_known_; ++f) {
-    by_constants_[f] = by_constants[forces_[f]];
-    derivatives_known_ = !by_constants_[f].px.empty();
-  }
-  if (!derivatives_known_) return;
-  std::vector<double> px(n_), py(n_);
-  std::array<double, 2> unit = {};
+  derivatives_given_ = !forces_.empty() && n_ > 0 &&
+                       std::all_of(forces_.begin(), forces_.end(), [&](auto f) { return !by_constants[f].px.empty(); });
+  derivatives_known_ = false;
+  if (!derivatives_given_) return;
   for (std::size_t f = 0; f < forces_.size(); ++f) {
-    for (std::size_t k = 0; k < n_; ++k)
-      px[k] = by_constants_[f].px[elements_[k]], py[k] = by_constants_[f].py[elements_[k]];
-    const double own = mean_force(f, px, py);
-    unit[f] = 1 / std::abs(own);
-    for (std::size_t i = 0; i < forces_.size(); ++i) force_slope_[i][f] = unit[f] * mean_force(i, px, py);
-    derivatives_known_ = derivatives_known_ && own != 0;
+    const TractionsView& by = by_constants[forces_[f]];
+    by_constants_[f].resize(2 * n_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      by_constants_[f][k] = by.px[elements_[k]];
+      by_constants_[f][n_ + k] = by.py[elements_[k]];
+    }
   }
-  const auto& m = force_slope_;
-  if (forces_.size() == 2 && !(std::abs(m[0][0] * m[1][1] - m[0][1] * m[1][0]) > least_determinant))
-    derivatives_known_ = false;
-  if (derivatives_known_) unit_ = unit;
+  const auto unit = unit_;
+  unit_ = {1, 1};
+  find_force_slopes();
+  for (std::size_t f = 0; f < forces_.size(); ++f) unit_[f] = 1 / std::abs(force_slope_[f][f]);
+  derivatives_known_ = find_force_slopes();
+  if (!derivatives_known_) unit_ = unit;
+}
+
+/// By the operator's preconditioner: the slip of the tractions' change is to undo that of the constant.
+void FrictionEquations::estimate_derivatives() {
+  derivatives_known_ = false;
+  for (std::size_t f = 0; f < forces_.size() && n_ > 0; ++f) {
+    Field& by = by_constants_[f];
+    by.assign(2 * n_, 0.0);
+    for (std::size_t k = 0; k < n_; ++k) by[forces_[f] * n_ + k] = -rho_ * share(k);
+    friction_.free_part(by, by);
+    change_ = by;
+    if (!apply_preconditioner()) return;
+    for (std::size_t k = 0; k < 2 * n_; ++k) by[k] += change_[k];
+    friction_.free_part(by, by);
+  }
+  derivatives_known_ = !forces_.empty() && n_ > 0 && find_force_slopes();
+}
+
+/// Of the forces' equations with the constants. False if a force does not depend on its constant, or one constant does
+/// what the other does.
+bool FrictionEquations::find_force_slopes() {
+  constexpr double least_determinant = 0.1; // over the product of the diagonal entries
+  auto& m = force_slope_;
+  for (std::size_t f = 0; f < forces_.size(); ++f) {
+    const std::span<const double> by = by_constants_[f];
+    for (std::size_t i = 0; i < forces_.size(); ++i) m[i][f] = unit_[f] * mean_force(i, by.first(n_), by.subspan(n_));
+  }
+  if (forces_.size() == 1) return m[0][0] != 0;
+  const double product = m[0][0] * m[1][1];
+  return std::abs(product - m[0][1] * m[1][0]) > least_determinant * std::abs(product);
 }
 
 } // namespace microslip

@@ -3,6 +3,7 @@
 #include "microslip/exact/newton/friction_problem.hpp"
 #include "microslip/exact/newton/linearised_friction.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -12,7 +13,7 @@ namespace microslip {
 
 /// The equations F(x) = 0 of a FrictionProblem as take_newton_steps has them, for its n elements in contact:
 /// p - P_g(p - rho s) = 0 (E16), where P_g projects an element's traction on the disk of radius g and rho is one over
-/// the operator's diagonal, or more where a slip-dependent bound needs it, and, where forces are prescribed, an
+/// the operator's scale, or more where a slip-dependent bound needs it, and, where forces are prescribed, an
 /// equation (E20) for each. Unknowns x are px of these elements, then py, then the unknown constants of c in units of
 /// their own; the response of x is the slip c + D p, sx and then sy. The derivative is that of LinearisedFriction.
 class FrictionEquations {
@@ -25,14 +26,18 @@ public:
   std::size_t responses() const { return 2 * n_; }
   /// |g|, in which |F| counts.
   double scale() const { return scale_; }
+  /// How much smaller |F| must be for |p - P_g(p - s/D_kk)| to be as small as wanted, with the operator's diagonal, in
+  /// which a solution's residual is told: F grows at most as rho does.
+  double strictness() const { return std::max(1.0, 1 / (rho_ * problem_.slip_operator.diagonal())); }
 
-  /// Unknowns and slip to begin with. The derivatives of `from` hold until the next start.
+  /// Unknowns and slip to begin with. The derivatives of `from`, if it has them, hold until the next start.
   void start(const FrictionStart& from, std::span<double> unknowns, std::span<double> slip);
   /// The change D dp + constants of the slip for a change of the unknowns. One product.
   void respond(std::span<const double> unknowns, std::span<double> slip_change);
   /// F; returns its norm.
   double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f);
-  /// Fixes adhesion, slip and directions for the derivative at this point.
+  /// Fixes adhesion, slip and directions for the derivative at this point, and estimates the tractions' derivatives
+  /// with respect to unknown constants if they are not given.
   void linearise(std::span<const double> unknowns, std::span<const double> slip);
   /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
   double mean_alpha() const { return friction_.mean_alpha(); }
@@ -43,20 +48,25 @@ public:
   /// The linear systems' right preconditioner: turns a vector that GMRES works with into unknowns.
   void precondition(std::span<double> unknowns);
 
-  /// Tractions P_g(p - rho s), which differ from p by the residual and obey the bound to rounding, slip, states and
-  /// constants.
+  /// Tractions P_g(p - rho s), which differ from p by F and obey the bound to rounding, slip, states, constants, and
+  /// the residual.
   FrictionSolution solution(std::span<const double> unknowns, std::span<const double> slip);
 
 private:
+  double evaluate(double rho, std::span<const double> unknowns, std::span<const double> slip,
+                  std::span<double> f) const;
   void find_sizes(std::span<const double> unknowns, std::span<const double> slip);
   void find_bounds(std::span<const double> unknowns, std::span<const double> slip);
   void spread(std::span<const double> tractions);
   void add_constants(std::span<double> slip) const;
   void choose_constants(std::span<double> unknowns, std::span<double> slip) const;
   void precondition_tractions(std::span<double> unknowns);
+  bool apply_preconditioner();
   void satisfy_forces(std::span<double> unknowns) const;
   double mean_force(std::size_t i, std::span<const double> px, std::span<const double> py) const;
   void use_derivatives(const std::array<TractionsView, 2>& by_constants);
+  void estimate_derivatives();
+  bool find_force_slopes();
 
   double share(std::size_t k) const {
     return problem_.constant_share.empty() ? 1 : problem_.constant_share[elements_[k]];
@@ -67,12 +77,13 @@ private:
   double rho_, scale_ = 0;
   std::array<double, 2> unit_ = {}; ///< of the unknown constants
   std::size_t n_ = 0;
-  std::vector<std::size_t> elements_;                     ///< in contact
-  std::vector<std::size_t> forces_;                       ///< directions in which the force is given
-  std::array<TractionsView, 2> by_constants_ = {};        ///< derivatives of the tractions, one for each given force
-  bool derivatives_known_ = false;                        ///< all of them
-  std::array<std::array<double, 2>, 2> force_slope_ = {}; ///< of each force's equation with each constant
-  std::vector<double> g_;                                 ///< if it depends on the slip that of the last point
+  std::vector<std::size_t> elements_; ///< in contact
+  std::vector<std::size_t> forces_;   ///< directions in which the force is given
+  /// Derivatives of the tractions with respect to the constants of the given forces, px and then py.
+  std::array<std::vector<double>, 2> by_constants_ = {};
+  bool derivatives_given_ = false, derivatives_known_ = false; ///< all of them
+  std::array<std::array<double, 2>, 2> force_slope_ = {};      ///< of each force's equation with each constant
+  std::vector<double> g_;                                      ///< if it depends on the slip that of the last point
   LinearisedFriction<double> friction_{0};
   std::vector<double> change_;                                ///< of the tractions
   std::vector<double> size_change_;                           ///< of |z|, for a slip-dependent bound

@@ -15,6 +15,12 @@ using Field = std::vector<double>;
 /// Of |F| over |g|: what rounding leaves of it on fine grids.
 constexpr double least_goal = 1e-12;
 
+/// Whether a start is nothing but these tractions.
+bool is(const FrictionStart& start, const TractionsView& tractions) {
+  return start.px.data() == tractions.px.data() && start.px.size() == tractions.px.size() && !start.constants &&
+         start.by_constants[0].px.empty() && start.by_constants[1].px.empty();
+}
+
 } // namespace
 
 FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options,
@@ -28,7 +34,8 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
     const double change = equations.evaluate(x, slip, f);
     goal = std::min(goal, std::max(options.tolerance * change, least_goal * equations.scale()));
   }
-  equations.start(start, x, slip);
+  goal = std::max(goal / equations.strictness(), std::min(goal, least_goal * equations.scale()));
+  if (!options.before || !is(start, *options.before)) equations.start(start, x, slip);
   const NewtonLimits limits{goal, options.most_steps, options.progress};
   NewtonState state;
   take_newton_steps(equations, gmres_, limits, x, slip, state);
@@ -45,7 +52,6 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   }
   FrictionSolution s = equations.solution(x, slip);
   s.newton_steps = steps;
-  s.residual = equations.scale() > 0 ? state.norm / equations.scale() : 0;
   s.products = problem.slip_operator.products() - products_before;
   s.status = state.norm <= goal ? Status::ok : Status::not_converged;
   return s;
