@@ -108,7 +108,6 @@ private:
   CoarseStart start_from_coarser(std::span<const double> bound, const TangentialInput& input, double step);
 
 private:
-  SlipOperator& difference(const TangentialInput& input, double step);
   void find_displacements(const TangentialState& tractions, Vec2 way, const Progress& progress, std::span<double> ux,
                           std::span<double> uy);
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
