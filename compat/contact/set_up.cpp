@@ -286,8 +286,17 @@ bool corrects_leading_edge(const Case& c, const ContactStep& step) {
 }
 
 StepStart start_of(Continuation digit) {
-  if (digit == Continuation::previous) return StepStart::previous;
-  return digit == Continuation::repeated ? StepStart::repeated : StepStart::fresh;
+  switch (digit) {
+  case Continuation::previous:
+    return StepStart::previous;
+  case Continuation::previous_pressure:
+    return StepStart::pressure;
+  case Continuation::repeated:
+    return StepStart::repeated;
+  case Continuation::nothing:
+    break;
+  }
+  return StepStart::fresh;
 }
 
 void set_motion(const Case& c, ContactStep& step) {
