@@ -77,6 +77,8 @@ constexpr Rule rules[] = {
      }},
     {"solution.slope_reduction", "FaStrip has none, solution.theory = \"fastrip\"",
      [](Problem, How m) { return is_fastrip(m) && has_slope_reduction(m); }},
+    {"solution.precision", "single is for FASTSIM and FASTSIM2",
+     [](Problem, How m) { return m.precision == Precision::single && (is_exact(m) || is_fastrip(m)); }},
     {"solution.accuracy", needs_exact, [](Problem, How m) { return !is_exact(m) && m.accuracy.has_value(); }},
     {"solution.discretisation", needs_exact,
      [](Problem, How m) { return !is_exact(m) && m.discretisation.has_value(); }},
@@ -194,6 +196,7 @@ SimplifiedOptions simplified_options(const Method& method, RollingDirection dire
   options.flexibility = method.flexibility.value_or(options.flexibility);
   options.creepage_table = method.coefficients;
   options.slope_reduction = method.slope_reduction;
+  options.precision = method.precision;
   options.direction = direction;
   return options;
 }

@@ -28,6 +28,7 @@ struct Method {
   std::optional<FlexibilityModel> flexibility = {}; ///< none: three, blended for FaStrip
   CreepageTable coefficients = CreepageTable::kalker;
   SlopeReduction slope_reduction = {};
+  Precision precision = Precision::full; ///< of the forces of many contacts
 };
 
 /// Something in a problem that its method, or another part of the problem, does not allow.

@@ -6,7 +6,7 @@
 namespace microslip::detail {
 
 /// Kernels may read and write arrays over rows beyond the last row, up to a multiple of this.
-inline constexpr int widest_group = 32;
+inline constexpr int widest_group = 64;
 /// Derivatives of a row's numbers: to xi, eta, phi ...
 inline constexpr int creepage_partials = 3;
 /// ... and Fn.
@@ -53,9 +53,10 @@ using MarchingKernel = void (*)(const MarchingRows&);
 
 /// The kernels of one marching scheme for one instruction set. Those with a table march one vector of rows at a time.
 struct MarchingKernels {
-  int width = 0;                        ///< rows in a vector
-  MarchingKernel forces = nullptr;      ///< bound as profile
-  MarchingKernel derivatives = nullptr; ///< bound as profile, to the creepages
+  int width = 0;                             ///< rows in a vector
+  MarchingKernel forces = nullptr;           ///< bound as profile
+  MarchingKernel forces_in_single = nullptr; ///< the same in single precision
+  MarchingKernel derivatives = nullptr;      ///< bound as profile, to the creepages
   MarchingKernel forces_with_table = nullptr;
   MarchingKernel derivatives_with_table = nullptr; ///< to the creepages and the load
   MarchingKernel fields_with_table = nullptr;      ///< recording every cell
