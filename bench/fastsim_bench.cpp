@@ -93,6 +93,9 @@ void register_all() {
   add("plain_fastsim2_10x10", plain_scalar, 2, 10, 10);
   add("fastsim_80x20_batch", batch, RowSolver(Fastsim(grid(80, 20))));
   add("fastsim2_10x10_batch", batch, RowSolver(Fastsim2(grid(10, 10))));
+  SimplifiedOptions single = grid(10, 10);
+  single.precision = Precision::single;
+  add("fastsim2_10x10_batch_single", batch, RowSolver(Fastsim2(single)));
   add("fastsim2_10x10_one_by_one", one_by_one, RowSolver(Fastsim2(grid(10, 10))));
   add("fastsim2_10x10_derivatives", derivatives, RowSolver(Fastsim2(grid(10, 10))));
   for (const auto& [name, set] :
@@ -115,13 +118,15 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&table);
   std::printf("\n");
   for (const char* name : {"plain_fastsim_80x20", "plain_fastsim2_10x10", "fastsim_80x20_batch", "fastsim2_10x10_batch",
-                           "fastsim2_10x10_one_by_one", "fastsim2_10x10_derivatives", "fastsim2_10x10_batch_baseline",
-                           "fastsim2_10x10_batch_avx2", "fastsim2_10x10_batch_avx512"})
+                           "fastsim2_10x10_batch_single", "fastsim2_10x10_one_by_one", "fastsim2_10x10_derivatives",
+                           "fastsim2_10x10_batch_baseline", "fastsim2_10x10_batch_avx2", "fastsim2_10x10_batch_avx512"})
     table.nanoseconds(name);
   std::printf("\n");
   table.ratio("plain FASTSIM 80 x 20 / FASTSIM2 10 x 10 in a batch", "plain_fastsim_80x20", "fastsim2_10x10_batch",
               ">= 30");
   table.ratio("plain FASTSIM2 10 x 10 / the same in a batch", "plain_fastsim2_10x10", "fastsim2_10x10_batch", ">= 5");
+  table.ratio("a batch in single precision / in double", "fastsim2_10x10_batch_single", "fastsim2_10x10_batch",
+              "<= .5");
   table.ratio("one call alone / in a batch", "fastsim2_10x10_one_by_one", "fastsim2_10x10_batch", "<= 3");
   table.ratio("derivatives / forces", "fastsim2_10x10_derivatives", "fastsim2_10x10_batch", "<= 4");
   return 0;

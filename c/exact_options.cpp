@@ -37,7 +37,7 @@ InterfaceLayer layer_of(const microslip_exact_options& o) {
 /// Of both bodies, rolling with a velocity [m/s] that is negative along -x.
 Bodies materials_of(const microslip_exact_options& o, double velocity) {
   const auto material = [](const microslip_exact_body& b) { return Material{b.shear_modulus, b.poisson_ratio}; };
-  const auto creep = [](const microslip_exact_body& b) { return Creep{b.creep_ratio, b.creep_time}; };
+  const auto creep = [](const microslip_exact_body& b) { return MaterialCreep{b.creep_ratio, b.creep_time}; };
   return viscoelastic(material(o.body1), creep(o.body1), material(o.body2), creep(o.body2), velocity);
 }
 
@@ -109,8 +109,8 @@ Method method_of(const microslip_exact_options& o) {
   Method method{.theory = Theory::exact, .mx = o.mx, .my = o.my, .tolerance = o.tolerance};
   if (choice<Discretisation>("discretisation", o.discretisation, 2) == Discretisation::classical)
     method.discretisation = Discretisation::classical;
-  if (choice<ElementShape>("elements", o.elements, 2) == ElementShape::bilinear)
-    method.elements = ElementShape::bilinear;
+  const auto elements = choice<ElementShape>("elements", o.elements, 2);
+  if (elements != ElementShape::constant) method.elements = elements;
   if (choice<Coupling>("coupling", o.coupling, 2) == Coupling::alternating) method.coupling = Coupling::alternating;
   if (choice<SlipStart>("slip_start", o.slip_start, 2) == SlipStart::above) method.slip_start = SlipStart::above;
   if (o.accuracy != 0) method.accuracy = o.accuracy;

@@ -13,6 +13,8 @@ namespace {
 
 /// Contacts that are handed over together: more than the solver marches together on 10 x 10 cells.
 constexpr std::size_t chunk = 64;
+/// Bytes of the options' first version.
+constexpr std::size_t oldest_options = offsetof(microslip_fastsim2_options, precision);
 
 microslip_fastsim2_options default_options() {
   const SimplifiedOptions o;
@@ -25,7 +27,8 @@ microslip_fastsim2_options default_options() {
           .direction = static_cast<int>(o.direction),
           .slope_initial = o.slope_reduction.initial,
           .slope_at_infinity = o.slope_reduction.at_infinity,
-          .slope_decay = o.slope_reduction.decay};
+          .slope_decay = o.slope_reduction.decay,
+          .precision = static_cast<int>(o.precision)};
 }
 
 SimplifiedOptions options_of(const microslip_fastsim2_options& o) {
@@ -35,13 +38,15 @@ SimplifiedOptions options_of(const microslip_fastsim2_options& o) {
           .flexibility = choice<FlexibilityModel>("flexibility", o.flexibility, 3),
           .creepage_table = choice<CreepageTable>("coefficients", o.coefficients, 2),
           .slope_reduction = {o.slope_initial, o.slope_at_infinity, o.slope_decay},
-          .direction = choice<RollingDirection>("direction", o.direction, 2)};
+          .direction = choice<RollingDirection>("direction", o.direction, 2),
+          .precision = choice<Precision>("precision", o.precision, 2)};
 }
 static_assert(static_cast<int>(TractionBound::elliptic) == MICROSLIP_ELLIPTIC);
 static_assert(static_cast<int>(FlexibilityModel::one) == MICROSLIP_ONE);
 static_assert(static_cast<int>(FlexibilityModel::blended) == MICROSLIP_BLENDED);
 static_assert(static_cast<int>(CreepageTable::computed) == MICROSLIP_COMPUTED);
 static_assert(static_cast<int>(RollingDirection::backward) == MICROSLIP_BACKWARD);
+static_assert(static_cast<int>(Precision::single) == MICROSLIP_SINGLE);
 
 } // namespace
 
@@ -93,14 +98,14 @@ const ContactSolution& solution_of(const microslip_fastsim2* solver) {
 } // namespace
 
 microslip_code microslip_fastsim2_options_init(microslip_fastsim2_options* options, size_t size) {
-  return guarded(nullptr, [&] { write_growing("options", default_options(), options, size); });
+  return guarded(nullptr, [&] { write_growing("options", default_options(), options, size, oldest_options); });
 }
 
 microslip_code microslip_fastsim2_create(const microslip_fastsim2_options* options, microslip_fastsim2** solver,
                                          microslip_error* error) {
   return guarded(error, [&] {
     require_pointer("solver", solver);
-    const auto known = options ? read_growing("options", options) : default_options();
+    const auto known = options ? read_growing("options", options, oldest_options) : default_options();
     *solver = new microslip_fastsim2{Fastsim2(options_of(known))};
   });
 }

@@ -20,7 +20,7 @@ struct BodyInput {
   double rolling_radius = 0;    ///< [m], in the plane of rolling: positive convex, negative concave, infinite flat
   double transverse_radius = 0; ///< [m], in the lateral plane
   Material material = {};
-  Creep creep = {}; ///< none: an elastic body
+  MaterialCreep creep = {}; ///< none: an elastic body
   std::optional<ThermalBody> thermal = {};
 };
 
@@ -32,7 +32,7 @@ struct RollingCase {
   InterfaceLayer layer = {};               ///< between them
   std::optional<double> normal_force = {}; ///< [N]; either this
   std::optional<double> approach = {};     ///< [m]; or this
-  std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
+  std::string friction_law = {};           ///< one of FrictionLaw::names, or polach
   FrictionLaw friction = {};
   FrictionMemory friction_memory = {};                      ///< of the exact theory
   std::optional<TemperatureEffect> temperature_effect = {}; ///< of the exact theory, with thermal data of both bodies

@@ -297,11 +297,64 @@ TEST(ContactFastsim, GoesOnFromItselfAndFromRestOnly) {
   EXPECT_EQ(cases.at(5).outcome.reasons.at(0), "P = 0 (FASTSIM goes on from FASTSIM only)");
 }
 
+/// A shift of a case, in mm and rad.
+std::string a_shift(const std::string& shift) {
+  return " 3 MODULE\n 221100\n 022220\n 0000331\n 100 100 30 1 1e-7\n 5000. " + shift +
+         "\n .3 .3\n .28 .28 82000. 82000.\n 2.5e-5 1. 1. 1.\n -3\n 24 24 2. 3. 1.2\n";
+}
+
+/// Each spring by itself: p = P_g(-w/L), and the next shift goes on from there.
+TEST(ContactFastsim, ShiftsAreThoseOfSprings) {
+  const std::string next = " 3 MODULE\n 021100\n 100200\n 0100331\n 5000. -.002 .001 0\n";
+  const auto cases = run_cases(a_shift(".003 0 1d-4") + next);
+  const double flexibility = 2.5e-5 * 1e-9; // m/Pa
+  const ElementGrid& grid = cases.at(0).outcome.step.grid;
+  const TangentialSolution &first = cases.at(0).outcome.solution.tangential,
+                           &second = cases.at(1).outcome.solution.tangential;
+  int slips = 0;
+  for (std::size_t k = 0; k < grid.count(); ++k) {
+    const double x = grid.x(static_cast<int>(k) % grid.mx), y = grid.y(static_cast<int>(k) / grid.mx),
+                 g = first.bound[k];
+    Vec2 p;
+    const auto go_on = [&](double wx, double wy) {
+      p = {p.x - wx / flexibility, p.y - wy / flexibility};
+      const double size = std::hypot(p.x, p.y);
+      if (size > g) p = {p.x * g / size, p.y * g / size}, ++slips;
+    };
+    go_on(3e-6 - 1e-4 * y, 1e-4 * x);
+    EXPECT_NEAR(first.tractions.px[k], p.x, 1e-3);
+    EXPECT_NEAR(first.tractions.py[k], p.y, 1e-3);
+    go_on(-2e-6, 1e-6);
+    EXPECT_NEAR(second.tractions.px[k], p.x, 1e-3);
+    EXPECT_NEAR(second.tractions.py[k], p.y, 1e-3);
+  }
+  EXPECT_GT(slips, 500);
+}
+
+TEST(ContactFastsim, FindsTheShiftOfAForce) {
+  const auto cases = run_cases(with(with(a_shift(".6 0 0"), "221100", "221120"), "5000. .6 0 0", "5000. .6 -.3 0"));
+  ASSERT_EQ(cases.at(0).outcome.solution.status, Status::ok);
+  EXPECT_NEAR(cases.at(0).outcome.totals.fx, .6 * .3 * 5000, 1e-3);
+  EXPECT_NEAR(cases.at(0).outcome.totals.fy, -.3 * .3 * 5000, 1e-3);
+}
+
+/// P = 3 does the same step once more, from where it began.
+TEST(ContactFastsim, RepeatsAStep) {
+  const auto step = [](const char* digit, const char* creepages) {
+    return std::string(" 3 MODULE\n ") + digit + "22100\n 100200\n 0100331\n 5000. " + creepages + "\n";
+  };
+  const std::string first = with(simplified({"2", "0", "2"}, ".001 0 0", "2.5e-5 1. 1. 1."), "223100", "222100");
+  const auto cases = run_cases(first + step("0", ".0005 .001 0") + step("3", "0 .002 0") + step("3", ".0005 .001 0"));
+  ASSERT_EQ(cases.at(3).outcome.kind, Outcome::Kind::solved);
+  EXPECT_EQ(cases.at(3).outcome.totals.fx, cases.at(1).outcome.totals.fx);
+  EXPECT_EQ(cases.at(3).outcome.totals.fy, cases.at(1).outcome.totals.fy);
+  EXPECT_NE(cases.at(2).outcome.totals.fx, cases.at(1).outcome.totals.fx);
+}
+
 TEST(ContactFastsim, RefusesWhatContactDoes) {
   const auto reasons = [](const std::string& text) { return run_cases(text).at(0).outcome.reasons; };
-  const std::string shift = " 3 MODULE\n 221100\n 022320\n 0000331\n 100 100 30 1 1e-7\n 5000. 1d-3 0 0\n .3 .3\n"
-                            " .28 .28 82000. 82000.\n 1. 1. 1.\n -3\n 24 24 2. 3. 1.2\n";
-  EXPECT_EQ(reasons(shift).at(0), "T = 1 (a shift with FASTSIM or FaStrip, as in CONTACT)");
+  EXPECT_EQ(reasons(with(with(a_shift("1d-3 0 0"), "022220", "022520"), "2.5e-5 ", "")).at(0),
+            "T = 1 (a shift with FaStrip, as in CONTACT)");
   const std::string strips = with(simplified({"2", "0", "5"}, ".001 0 0"), "223100", "222100");
   EXPECT_EQ(reasons(strips).at(0), "T = 2 (transient rolling with FaStrip, as in CONTACT)");
 }

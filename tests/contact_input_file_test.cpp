@@ -124,8 +124,6 @@ TEST(ContactInputFile, DigitsOutOfRangeAreNamed) {
   expect_message(replaced(first_shift, "0000331", "0000931"),
                  "a.inp:4: digit O of XHGIAOWR = 9: must be one of 0, 1, 2, 3, 4, 5, 6");
   expect_message(replaced(first_shift, "201110", "2201110"), "a.inp:2: PBTNFS = 2201110: must have 6 digits at most");
-  expect_message(replaced(first_shift, "0000331", "0300331"),
-                 "a.inp:4: digit G = 3: must go with T = 3, a solver for steady rolling");
 }
 
 TEST(ContactInputFile, ValuesOutOfRangeAreNamed) {

@@ -155,6 +155,22 @@ TEST(ContactRun, DissimilarBodiesRun) {
   EXPECT_GT(across(unlike), 2 * across(incompressible));
 }
 
+/// P = 1: the pressure is that of the case before, and presses no tractions between unlike bodies any more.
+TEST(ContactRun, GoesOnFromThePressureAlone) {
+  const std::string rubber_on_steel = with(first_shift, ".42 .42 200. 200.", ".42 .28 200. 82000.");
+  const auto still = [](const char* digit) {
+    return std::string(" 3 MODULE\n ") + digit + "01100\n 100000\n 0100331\n 9.1954 0 0 0\n";
+  };
+  const auto cases = run_cases(rubber_on_steel + still("1") + still("2") + still("0"));
+  const auto peak = [&](std::size_t n) {
+    EXPECT_EQ(cases.at(n).outcome.kind, Kind::solved);
+    return cases.at(n).outcome.solution.tangential.peak_traction / cases.at(n).outcome.solution.normal.peak_pressure;
+  };
+  EXPECT_LT(peak(1), 0.1 * peak(2));   // the pressure has changed by what its tractions did to it
+  EXPECT_GT(peak(2), 0.05);            // pressed anew
+  EXPECT_NEAR(peak(3), peak(2), 1e-4); // goes on from there
+}
+
 TEST(ContactRun, SkippedCasesLeaveNoTrace) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string skipped = " 3 MODULE\n 201110\n 100000\n 0100333\n 9.1954 -.1 0 0\n";

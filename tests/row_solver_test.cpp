@@ -70,6 +70,44 @@ std::vector<ContactDerivatives> differentiate_batch(RowSolver solver, const std:
   return derivatives;
 }
 
+/// Forces in single precision are those in double to 1e-5 of mu Fn, whatever the units and the size of the slip.
+TEST(RowSolver, SinglePrecision) {
+  for (const auto scheme : all_schemes)
+    for (const auto& [mx, my] : {std::pair{10, 10}, {3, 17}, {40, 5}}) {
+      SimplifiedOptions options{.mx = mx, .my = my};
+      RowSolver full(scheme, options);
+      options.precision = Precision::single;
+      RowSolver single(scheme, options);
+      for (const double force_unit : {1.0, 1e-12, 1e12})
+        for (const double slip : {1.0, 1e9, 1e60, 0.0}) {
+          std::vector<EllipticContact> contacts = every_nth_case(7);
+          for (EllipticContact& c : contacts) {
+            c.normal_force *= force_unit, c.shear_modulus *= force_unit;
+            c.creepage = {slip * c.creepage.longitudinal, slip * c.creepage.lateral, slip * c.creepage.spin};
+          }
+          const auto wanted = solve_batch(full, contacts), found = solve_batch(single, contacts);
+          for (std::size_t k = 0; k < contacts.size(); ++k) {
+            SCOPED_TRACE(describe(contacts[k]));
+            const double force = friction_force(contacts[k]), area = wanted[k].slip_area + wanted[k].adhesion_area;
+            ASSERT_EQ(found[k].status, Status::ok);
+            ASSERT_NEAR(found[k].fx, wanted[k].fx, 1e-5 * force);
+            ASSERT_NEAR(found[k].fy, wanted[k].fy, 1e-5 * force);
+            ASSERT_NEAR(found[k].mz, wanted[k].mz, 1e-5 * friction_moment(contacts[k]));
+            ASSERT_NEAR(found[k].slip_area, wanted[k].slip_area, 1e-2 * area);
+          }
+        }
+    }
+}
+
+TEST(RowSolver, SinglePrecisionWithoutFrictionAndOfBadInput) {
+  RowSolver single(MarchingScheme::fastsim2, {.precision = Precision::single});
+  EllipticContact contact = every_nth_case(1)[0];
+  contact.friction = FrictionLaw::coulomb(0);
+  EXPECT_EQ(single.solve(contact).fx, 0);
+  contact.a = -1;
+  EXPECT_EQ(single.solve(contact).status, Status::invalid_input);
+}
+
 TEST(RowSolver, InstructionSetsAgreeToTheLastBit) {
   const auto contacts = mixed_contacts();
   for (const RowSolver& solver : all_solvers(5, 9)) {

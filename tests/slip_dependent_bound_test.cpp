@@ -23,9 +23,9 @@ const std::vector<double> size = {3e8, 1e7,   1.1e8, 2.6e8, 1.9e8, 2e7, 9e7, //
 
 const SlipFriction::Passage along_rows = {.time = 1e-3, .speed = 20, .along_rows = true};
 const SlipFriction::Passage in_a_step = {.time = 1e-3,
-                                    .speed = 20,
-                                    .before = std::vector<double>(14, 0.33),
-                                    .deformation_before = std::vector<double>(14, 2e-6)};
+                                         .speed = 20,
+                                         .before = std::vector<double>(14, 0.33),
+                                         .deformation_before = std::vector<double>(14, 2e-6)};
 
 struct Named {
   std::string name;
@@ -35,8 +35,9 @@ struct Named {
 /// Bounds of all kinds; each brings something along, or not.
 std::vector<Named> bounds() {
   const FrictionLaw coulomb[] = {FrictionLaw::coulomb(0.4)};
-  const FrictionLaw falling[] = {FrictionLaw::exponential(0.15, {.drop = 0.25, .half_velocity = 2}),
-                                 FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 1}, {.drop = 0.1, .half_velocity = 3})};
+  const FrictionLaw falling[] = {
+      FrictionLaw::exponential(0.15, {.drop = 0.25, .half_velocity = 2}),
+      FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 1}, {.drop = 0.1, .half_velocity = 3})};
   const ThermalBody steel = {20, 50, 7850, 450};
   const FrictionHeating heating = {{{.change = -0.1, .begin = 30, .range = 300}}, {steel, steel}, 20};
   const FrictionMemory memory = {.distance = 1e-3, .slowest = 0.1};
@@ -93,7 +94,8 @@ TEST(SlipDependentBound, DerivativeAgainstDifferences) {
       };
       std::vector<double> q(14), own(14), rest(14);
       bound.linearise(size, pressure, r, q, own);
-      const bool carries = bound.carry(dsize, with_pressure ? std::span<const double>(dpressure) : std::span<const double>(), rest);
+      const bool carries =
+          bound.carry(dsize, with_pressure ? std::span<const double>(dpressure) : std::span<const double>(), rest);
       EXPECT_TRUE(carries || !with_pressure);
       const std::vector<double> plus = traction(h), minus = traction(-h);
       for (std::size_t k = 0; k < 14; ++k)
@@ -137,7 +139,9 @@ ContactStep sphere(int n, const InterfaceLayer& layer, double friction) {
   return s;
 }
 
-double peak_of(const ContactStepSolution& s) { return s.normal.peak_pressure; }
+double peak_of(const ContactStepSolution& s) {
+  return s.normal.peak_pressure;
+}
 
 void expect_equal(const ContactStepSolution& a, const ContactStepSolution& b, double tolerance) {
   ASSERT_EQ(a.status, Status::ok);
@@ -153,8 +157,8 @@ TEST(YieldingLayer, HasTheLimitsOfAnElasticOne) {
   const double flexibility = 2e-14;
   const auto elastic = ContactSequence().solve(sphere(12, {.flexibility = flexibility}, 0.3));
   const auto strong = ContactSequence().solve(sphere(12, {.flexibility = flexibility, .yield_stress = 1e12}, 0.3));
-  const auto rigid = ContactSequence().solve(
-      sphere(12, {.flexibility = flexibility, .yield_stress = 1e7, .hardening = 1e22}, 0.3));
+  const auto rigid =
+      ContactSequence().solve(sphere(12, {.flexibility = flexibility, .yield_stress = 1e7, .hardening = 1e22}, 0.3));
   expect_equal(elastic, strong, 1e-9);
   expect_equal(elastic, rigid, 1e-6);
 }
@@ -189,10 +193,13 @@ TEST(YieldingLayer, HardensWithTheDeformationOfItsParticles) {
         const double friction = 0.3 * s.normal.pressure[k];
         if (s.normal.pressure[k] > 0 && t.state[k] == CellState::slip) {
           const double grown = deformation + step.grid.dx * slip;
-          const bool yields = layer.yield_stress_after(deformation) < friction && layer.yield_stress_after(grown) < friction;
+          const bool yields =
+              layer.yield_stress_after(deformation) < friction && layer.yield_stress_after(grown) < friction;
           EXPECT_NEAR(p, yields ? layer.yield_stress_after(grown) : friction, 1e-6 * s.normal.peak_pressure);
-          if (yields) deformation = grown;
-          else if (layer.yield_stress_after(deformation) < friction) deformation = (friction - 1e8) / hardening;
+          if (yields)
+            deformation = grown;
+          else if (layer.yield_stress_after(deformation) < friction)
+            deformation = (friction - 1e8) / hardening;
         }
         EXPECT_NEAR(s.slip_friction.deformation[k], deformation, 1e-9);
       }

@@ -14,6 +14,7 @@ module microslip
   integer(c_int), parameter, public :: microslip_parabolic = 0, microslip_elliptic = 1
   integer(c_int), parameter, public :: microslip_three = 0, microslip_one = 1, microslip_blended = 2
   integer(c_int), parameter, public :: microslip_kalker = 0, microslip_computed = 1
+  integer(c_int), parameter, public :: microslip_double = 0, microslip_single = 1
   integer(c_int), parameter, public :: microslip_forward = 0, microslip_backward = 1
   integer(c_int), parameter, public :: microslip_second_order = 0, microslip_classical = 1
   integer(c_int), parameter, public :: microslip_constant = 0, microslip_bilinear = 1
@@ -67,6 +68,7 @@ module microslip
     integer(c_size_t) :: struct_size
     integer(c_int) :: mx, my, bound, flexibility, coefficients, direction
     real(c_double) :: slope_initial, slope_at_infinity, slope_decay
+    integer(c_int) :: precision
   end type
 
   !> A number or a field by its name; microslip_text makes Fortran texts of the pointers.
@@ -371,7 +373,7 @@ module microslip
 
 contains
 
-  !> Version of the library that is running, e.g. "0.1.0".
+  !> Version of the library that is running, e.g. "0.2.0".
   function microslip_version() result(text)
     character(:), allocatable :: text
     interface

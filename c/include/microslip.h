@@ -23,7 +23,7 @@
 #include <stddef.h>
 
 #define MICROSLIP_VERSION_MAJOR 0
-#define MICROSLIP_VERSION_MINOR 1
+#define MICROSLIP_VERSION_MINOR 2
 #define MICROSLIP_VERSION_PATCH 0
 
 #if defined(__GNUC__)
@@ -66,13 +66,13 @@ typedef struct microslip_error {
 
 /* What the library was built from. Texts live as long as the library is loaded. */
 typedef struct microslip_build {
-  const char* version;    /* e.g. "0.1.0" */
+  const char* version;    /* e.g. "0.2.0" */
   const char* commit;     /* short hash, with "-dirty" if there were changes; "unknown" outside a repository */
   const char* compiler;   /* name and version */
   const char* build_type; /* e.g. "Release" */
 } microslip_build;
 
-/* "0.1.0": of the library that is running, while the macros above are of the header. */
+/* "0.2.0": of the library that is running, while the macros above are of the header. */
 MICROSLIP_API const char* microslip_version(void);
 MICROSLIP_API microslip_build microslip_build_info(void);
 /* What a code means, in a few words; never NULL. */
@@ -174,6 +174,7 @@ typedef enum microslip_flexibility {
   MICROSLIP_BLENDED = 2 /* three at small creepages, one at large ones */
 } microslip_flexibility;
 typedef enum microslip_coefficients { MICROSLIP_KALKER = 0, MICROSLIP_COMPUTED = 1 } microslip_coefficients;
+typedef enum microslip_precision { MICROSLIP_DOUBLE = 0, MICROSLIP_SINGLE = 1 } microslip_precision;
 typedef enum microslip_direction { MICROSLIP_FORWARD = 0, MICROSLIP_BACKWARD = 1 } microslip_direction;
 typedef enum microslip_discretisation { MICROSLIP_SECOND_ORDER = 0, MICROSLIP_CLASSICAL = 1 } microslip_discretisation;
 typedef enum microslip_elements { MICROSLIP_CONSTANT = 0, MICROSLIP_BILINEAR = 1 } microslip_elements;
@@ -240,6 +241,7 @@ typedef struct microslip_fastsim2_options {
   double slope_initial;     /* slope reduction: k0 in (0, 1]; 1 */
   double slope_at_infinity; /* alpha in [0, 1]; 1 */
   double slope_decay;       /* beta, >= 0; 0 */
+  int precision; /* a microslip_precision; double. Single: forces of Coulomb friction to 1e-5 mu Fn in half the time */
 } microslip_fastsim2_options;
 
 /* Writes the defaults, and `struct_size`, into the first `size` bytes: pass sizeof *options. */
@@ -343,7 +345,7 @@ typedef struct microslip_exact_motion {
   int steps;         /* of transient rolling, 1 to 1,000,000; 1 */
   double force_x;    /* [N] on body 1 */
   double force_y;    /* [N] on body 1 */
-  double step;       /* the way rolled in a step [m]; 0: an element's length */
+  double step;       /* the distance rolled in a step [m]; 0: an element's length */
 } microslip_exact_motion;
 
 typedef struct microslip_exact_result {

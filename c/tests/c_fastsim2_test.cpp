@@ -65,8 +65,8 @@ TEST(CFastsim2, EveryOptionReachesTheSolver) {
   const EllipticContact contact = every_nth_case(1)[1000];
   const microslip_contact c = c_form(contact);
   const SimplifiedOptions plain;
-  std::vector<SimplifiedOptions> wanted(8, plain);
-  std::vector<microslip_fastsim2_options> given(8, defaults());
+  std::vector<SimplifiedOptions> wanted(9, plain);
+  std::vector<microslip_fastsim2_options> given(9, defaults());
   wanted[1].mx = given[1].mx = 7;
   wanted[2].my = given[2].my = 13;
   wanted[3].bound = TractionBound::elliptic, given[3].bound = MICROSLIP_ELLIPTIC;
@@ -75,6 +75,7 @@ TEST(CFastsim2, EveryOptionReachesTheSolver) {
   wanted[6].direction = RollingDirection::backward, given[6].direction = MICROSLIP_BACKWARD;
   wanted[7].slope_reduction = {0.5, 0.3, 2};
   given[7].slope_initial = 0.5, given[7].slope_at_infinity = 0.3, given[7].slope_decay = 2;
+  wanted[8].precision = Precision::single, given[8].precision = MICROSLIP_SINGLE;
   const ContactForces of_defaults = Fastsim2().solve(contact);
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     microslip_forces found;

@@ -34,11 +34,17 @@ SlopeReduction slope_reduction(const Case& c) {
           require_between("BETAMF", data[first + 2], "-", 0, 1e6)};
 }
 
-/// Those of the case before, at the places that the particles come from.
-SpringState springs_before(const Case& c, const ContactStep& step, const CarriedSprings& carried) {
-  const bool goes_on = c.digits.pvtime == Continuation::previous && c.digits.tang == Tangential::transient;
-  if (!goes_on || carried.springs.x.empty()) return {};
-  TangentialState u = moved_to(origin_of_particles(step), {carried.springs.x, carried.springs.y}, carried.grid);
+/// What a step goes on from.
+Springs origin_of(const Case& c, const CarriedSprings& carried) {
+  if (!c.digits.has_history()) return {};
+  if (c.digits.pvtime == Continuation::repeated) return carried.before;
+  return c.digits.pvtime == Continuation::previous ? carried.after : Springs{};
+}
+
+/// The displacements of springs where the particles come from.
+SpringState at_origin(const ContactStep& step, const Springs& springs) {
+  if (springs.state.x.empty()) return {};
+  TangentialState u = moved_to(origin_of_particles(step), {springs.state.x, springs.state.y}, springs.grid);
   return {std::move(u.px), std::move(u.py)};
 }
 
@@ -53,19 +59,23 @@ public:
   SimplifiedCase(const Case& c, const ContactStep& step, const std::vector<double>& pressure, double normal_force,
                  const CarriedSprings& carried)
       : case_(c), step_(step), normal_force_(normal_force), solver_(step.grid, pressure),
-        before_(springs_before(c, step, carried)) {
+        before_(at_origin(step, origin_of(c, carried))) {
     const TangentialInput& m = step.motion;
-    const bool transient = c.digits.tang == Tangential::transient;
-    const double length = m.direction == RollingDirection::forward ? step.grid.dx : -step.grid.dx;
-    const double way = transient ? signed_step(m, step.grid) : length;
     rolling_.spin_centre = {c.spin_x * mm, c.spin_y * mm};
     rolling_.spin_in_x = c.extra != ExtraSlip::without_spin_x;
     rolling_.spin_in_y = c.extra != ExtraSlip::without_spin_y;
-    rolling_.ahead = way_of(m, m.spin_offset * way);
-    rolling_.direction = m.direction;
-    rolling_.rolling_speed = m.rolling_speed;
-    if (transient) rolling_.before = &before_;
-    if (transient) rolling_.step = std::abs(way);
+    if (c.digits.has_history()) rolling_.before = &before_;
+    if (m.motion == ContactMotion::shift) {
+      rolling_.step = 1; // creepages are shifts
+    } else {
+      const bool transient = m.motion == ContactMotion::transient;
+      const double length = m.direction == RollingDirection::forward ? step.grid.dx : -step.grid.dx;
+      const double distance = transient ? signed_step(m, step.grid) : length;
+      rolling_.ahead = way_of(m, m.spin_offset * distance);
+      rolling_.direction = m.direction;
+      rolling_.rolling_speed = m.rolling_speed;
+      if (transient) rolling_.step = std::abs(distance);
+    }
     if (c.extra != ExtraSlip::by_element) return;
     rolling_.extra_x = step.extra_slip_x;
     rolling_.extra_y = step.extra_slip_y;
@@ -73,15 +83,18 @@ public:
 
   TangentialSolution solve() const {
     const Digits& d = case_.digits;
-    Creepage creepage = {d.force != Prescribed::creepages ? 0 : case_.x,
-                         d.force == Prescribed::force_x_and_y ? 0 : case_.y, case_.phi / mm};
+    const bool shifts = d.tang == Tangential::shift;
+    const double unit = shifts ? mm : 1, turn = shifts ? 1 : 1 / mm;
+    const Creepage creepage = {d.force != Prescribed::creepages ? 0 : unit * case_.x,
+                               d.force == Prescribed::force_x_and_y ? 0 : unit * case_.y, turn * case_.phi};
     if (d.force == Prescribed::creepages) return solution(solve(creepage), creepage);
     PrescribedForces prescribed;
     if (step_.force_x) prescribed.x = *step_.force_x * normal_force_;
     if (step_.force_y) prescribed.y = *step_.force_y * normal_force_;
     const std::vector<double> at_rest = friction_at(step_, 0);
     const double capacity = solver_.capacity(at_rest);
-    const double scale = capacity / (step_.bodies.material.shear_modulus * solver_.contact_area());
+    const double length = shifts ? std::sqrt(solver_.contact_area()) : 1; // of a shift that slides, over a creepage
+    const double scale = length * capacity / (step_.bodies.material.shear_modulus * solver_.contact_area());
     const FoundCreepage found = find_creepage([this](const Creepage& w) { return solve(w).forces; }, prescribed,
                                               creepage, capacity, scale, step_.motion.tolerance);
     TangentialSolution s = found.status == Status::no_solution ? sliding(creepage, prescribed)
@@ -93,7 +106,7 @@ public:
 
 private:
   GridSolution solve(const Creepage& creepage) const {
-    const double velocity = step_.motion.rolling_speed * std::hypot(creepage.longitudinal, creepage.lateral);
+    const double velocity = rolling_.rolling_speed * std::hypot(creepage.longitudinal, creepage.lateral);
     const std::vector<double> friction = friction_at(step_, velocity);
     GridRolling rolling = rolling_;
     rolling.creepage = creepage;
@@ -202,7 +215,7 @@ ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, Con
     out.adhesion_elements = static_cast<int>(std::count(state.begin(), state.end(), CellState::adhesion));
     out.slip_elements = out.contact_elements - out.adhesion_elements;
   }
-  carried = {step.grid, {out.tangential.ux, out.tangential.uy}};
+  carried = {.before = origin_of(c, carried), .after = {step.grid, {out.tangential.ux, out.tangential.uy}}};
   return out;
 }
 

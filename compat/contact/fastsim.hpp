@@ -8,10 +8,15 @@
 
 namespace microslip::contact_program {
 
-/// What a case of FASTSIM leaves to the next one: the displacements of its springs on its grid.
-struct CarriedSprings {
+/// The displacements of the springs of a grid's elements.
+struct Springs {
   ElementGrid grid = {};
-  SpringState springs = {};
+  SpringState state = {};
+};
+
+/// What a case of FASTSIM leaves to the next one: the springs that it began with, and its own.
+struct CarriedSprings {
+  Springs before = {}, after = {};
 };
 
 /// Solves a case of the simplified theory (Digits::is_simplified) as CONTACT does: the normal problem as `steps` solves

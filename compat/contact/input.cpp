@@ -117,8 +117,6 @@ void InputReader::read_case(Case& c) {
 /// Digits that cannot be combined.
 void InputReader::check_digits(const Case& c) {
   const Digits& d = c.digits;
-  if ((d.gausei == SolverChoice::steady_gs || d.gausei == SolverChoice::gd_steady) && d.tang != Tangential::steady)
-    words_.fail("digit G", number(d.gausei), "must go with T = 3, a solver for steady rolling");
   if (d.heat != Heat::none && d.has_history()) words_.fail("digit H", number(d.heat), "must be 0 with T = 1 or 2");
   if (d.mater == Bulk::viscoelastic && d.has_history())
     words_.fail("digit M", number(d.mater), "must go with T = 3 (or 0)");

@@ -120,13 +120,13 @@ double quadratic_form(const double* b, double x, double y) {
 /// Straight lines between points at y1, y1 + spacing, ..., and on beyond them.
 double interpolated(const double* heights, std::size_t count, double y1, double spacing, double y) {
   if (count == 1) return heights[0];
-  const double place = (y - y1) / spacing, last = static_cast<double>(count - 1);
-  const auto k = static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last - 1));
-  const double share = place - static_cast<double>(k);
+  const double position = (y - y1) / spacing, last = static_cast<double>(count - 1);
+  const auto k = static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, last - 1));
+  const double share = position - static_cast<double>(k);
   return (1 - share) * heights[k] + share * heights[k + 1];
 }
 
-/// The undeformed distance [mm] at a place [mm]. A circle is the parabola of its curvature, as in CONTACT.
+/// The undeformed distance [mm] at a point [mm]. A circle is the parabola of its curvature, as in CONTACT.
 double distance(const Geometry& g, double x, double y) {
   const double* v = g.values.data();
   if (g.base == Base::quadratic) return quadratic_form(v, x, y);
@@ -286,8 +286,17 @@ bool corrects_leading_edge(const Case& c, const ContactStep& step) {
 }
 
 StepStart start_of(Continuation digit) {
-  if (digit == Continuation::previous) return StepStart::previous;
-  return digit == Continuation::repeated ? StepStart::repeated : StepStart::fresh;
+  switch (digit) {
+  case Continuation::previous:
+    return StepStart::previous;
+  case Continuation::previous_pressure:
+    return StepStart::pressure;
+  case Continuation::repeated:
+    return StepStart::repeated;
+  case Continuation::nothing:
+    break;
+  }
+  return StepStart::fresh;
 }
 
 void set_motion(const Case& c, ContactStep& step) {
@@ -365,7 +374,7 @@ Bodies bodies_of(const Case& c) {
   return viscoelastic(body1, creep_of(c, 0), body2, creep_of(c, 1), rolling_velocity(c));
 }
 
-Creep creep_of(const Case& c, std::size_t body) {
+MaterialCreep creep_of(const Case& c, std::size_t body) {
   const auto& data = c.material->model_data; // FG1, FG2, TC1, TC2
   return {data[body], data[2 + body]};
 }

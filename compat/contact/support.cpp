@@ -46,20 +46,10 @@ constexpr Refusal refusals[] = {
      [](const Case& c) { return c.material->coefficients == Coefficients::from_file; }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",
      [](const Case& c) { return c.digits.mater == Bulk::viscoelastic && c.digits.tang != Tangential::steady; }},
-    {"T = 1", "a shift with FASTSIM or FaStrip, as in CONTACT",
-     [](const Case& c) { return c.digits.is_simplified() && c.digits.tang == Tangential::shift; }},
+    {"T = 1", "a shift with FaStrip, as in CONTACT",
+     [](const Case& c) { return c.digits.is_fastrip() && c.digits.tang == Tangential::shift; }},
     {"T = 2", "transient rolling with FaStrip, as in CONTACT",
      [](const Case& c) { return c.digits.is_fastrip() && c.digits.tang == Tangential::transient; }},
-    {"P = 1", "what goes on from the pressure alone, of bodies of different materials",
-     [](const Case& c) {
-       return c.digits.pvtime == Continuation::previous_pressure && c.digits.has_history() &&
-              bodies_of(c).are_coupled();
-     }},
-    {"P = 3", "a step once more with FASTSIM",
-     [](const Case& c) {
-       return c.digits.is_simplified() && c.digits.pvtime == Continuation::repeated &&
-              c.digits.tang == Tangential::transient;
-     }},
     {"CHI", "steady rolling, or rolling on a layer, in a direction other than 0 or 180 degrees; CONTACT takes 0 then",
      [](const Case& c) {
        return (c.digits.tang == Tangential::steady || c.digits.mater == Bulk::layer) && c.digits.rolls() &&

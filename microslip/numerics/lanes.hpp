@@ -6,15 +6,16 @@
 
 namespace microslip {
 
-/// A vector register of doubles that march together. The type of the register is part of the name, so that code
-/// compiled for several instruction sets can be linked into one program.
+/// A vector register of numbers in double or single precision that march together, loaded from and stored to doubles.
+/// The type of the register is part of the name, so that code compiled for several instruction sets can be linked into
+/// one program.
 template <class Register> struct Lanes {
   static constexpr int width = static_cast<int>(Register::size());
 
   Register r;
 
   Lanes() = default;
-  MICROSLIP_INLINE Lanes(double value) : r(value) {}
+  MICROSLIP_INLINE Lanes(double value) : r(static_cast<typename Register::value_type>(value)) {}
   MICROSLIP_INLINE Lanes(const Register& values) : r(values) {}
 
   MICROSLIP_INLINE static Lanes load(const double* from) { return Register(from, std::experimental::element_aligned); }

@@ -5,6 +5,9 @@
 
 namespace microslip {
 
+/// Of a calculation's numbers.
+enum class Precision { full, single };
+
 /// to = factor from, in the precision of `to`, which has room for as many numbers.
 template <class From, class To> void convert(const From& from, double factor, To&& to) {
   using Real = typename std::remove_cvref_t<To>::value_type;

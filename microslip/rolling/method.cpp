@@ -56,7 +56,7 @@ constexpr Rule rules[] = {
      }},
     {"solution.elements", "bilinear ones need solution.discretisation = \"classical\"",
      [](Problem p, How m) {
-       return is_exact(m) && elements_of(p, m) == ElementShape::bilinear && !needs_sequence(p) &&
+       return is_exact(m) && elements_of(p, m) != ElementShape::constant && !needs_sequence(p) &&
               m.discretisation != Discretisation::classical;
      }},
     {"solution.accuracy", "needs steady rolling without motion.step, of second order",
@@ -77,6 +77,8 @@ constexpr Rule rules[] = {
      }},
     {"solution.slope_reduction", "FaStrip has none, solution.theory = \"fastrip\"",
      [](Problem, How m) { return is_fastrip(m) && has_slope_reduction(m); }},
+    {"solution.precision", "single is for FASTSIM and FASTSIM2",
+     [](Problem, How m) { return m.precision == Precision::single && (is_exact(m) || is_fastrip(m)); }},
     {"solution.accuracy", needs_exact, [](Problem, How m) { return !is_exact(m) && m.accuracy.has_value(); }},
     {"solution.discretisation", needs_exact,
      [](Problem, How m) { return !is_exact(m) && m.discretisation.has_value(); }},
@@ -194,6 +196,7 @@ SimplifiedOptions simplified_options(const Method& method, RollingDirection dire
   options.flexibility = method.flexibility.value_or(options.flexibility);
   options.creepage_table = method.coefficients;
   options.slope_reduction = method.slope_reduction;
+  options.precision = method.precision;
   options.direction = direction;
   return options;
 }
@@ -211,6 +214,18 @@ ExactOptions exact_options(const RollingProblem& problem, const Method& method) 
           .slip_start = method.slip_start.value_or(SlipStart::below),
           .thermal = problem.thermal,
           .temperature_effect = problem.friction.temperature_effect};
+}
+
+ContactStep contact_step(const ExactOptions& options) {
+  ContactStep step;
+  step.friction_memory = options.friction_memory;
+  step.slip_start = options.slip_start;
+  step.thermal = options.thermal;
+  if (options.temperature_effect) step.temperature_effect = {*options.temperature_effect};
+  step.coupling = options.coupling;
+  step.motion.direction = options.direction;
+  step.motion.tolerance = options.tolerance;
+  return step;
 }
 
 } // namespace microslip

@@ -2,6 +2,7 @@
 
 #include "microslip/contact/motion.hpp"
 #include "microslip/friction/traction_bound.hpp"
+#include "microslip/numerics/precision.hpp"
 #include "microslip/simplified/flexibility.hpp"
 #include "microslip/simplified/instruction_set.hpp"
 
@@ -17,6 +18,9 @@ struct SimplifiedOptions {
   SlopeReduction slope_reduction = {};
   RollingDirection direction = RollingDirection::forward;
   InstructionSet instruction_set = best_instruction_set(); ///< results are the same to the last bit with all of them
+  /// Single precision: forces of contacts with Coulomb friction to 1e-5 of mu Fn, in about half the time. Derivatives,
+  /// fields and friction that depends on the slip are in double precision always.
+  Precision precision = Precision::full;
 };
 
 } // namespace microslip

@@ -112,8 +112,7 @@ struct RowSolver::Workspace {
       const EffectiveSlip w = {number(along, k), number(across, k), number(turn, k)};
       for (int j = 0; j < options.my; ++j) put_row(rows, first_row + j, k, w, row(contact, j), travel);
     }
-    const double peak =
-        contact.normal_force * contact.friction.static_coefficient() * peak_factor(options.bound, contact.a, contact.b);
+    const double peak = peak_of(contact);
     for (int j = 0; j < options.my; ++j) rows.bound_scale[first_row + j] = peak * grid.row_bound[j];
   }
 
@@ -139,12 +138,55 @@ struct RowSolver::Workspace {
   void solve_block(MarchingKernel kernel, std::span<const EllipticContact> contacts, std::span<Result> results) {
     const int n = static_cast<int>(contacts.size());
     for (int c = 0; c < n; ++c) prepare<Real>(contacts[c], c * options.my);
-    MarchingRows all = rows.view(0, n * options.my, options.mx);
+    march_profiles(kernel, n);
+    for (int c = 0; c < n; ++c) collect<Real>(contacts[c], c * options.my, results[c]);
+  }
+
+  /// The same in single precision, whose range needs tractions and rigid slip as shares of the bound's peak.
+  void solve_in_single(std::span<const EllipticContact> contacts, std::span<ContactForces> results) {
+    const int n = static_cast<int>(contacts.size());
+    for (int c = 0; c < n; ++c) {
+      prepare<double>(contacts[c], c * options.my);
+      scale_inputs(c * options.my, peak_of(contacts[c]));
+    }
+    march_profiles(kernels.forces_in_single, n);
+    for (int c = 0; c < n; ++c) {
+      scale_sums(c * options.my, peak_of(contacts[c]));
+      collect<double>(contacts[c], c * options.my, results[c]);
+    }
+  }
+
+  double peak_of(const EllipticContact& contact) const {
+    return contact.normal_force * contact.friction.static_coefficient() *
+           peak_factor(options.bound, contact.a, contact.b);
+  }
+
+  /// Divides by the peak of the bound. Rigid slip beyond all tractions is brought down to where its squares are
+  /// numbers: all slides in its direction.
+  void scale_inputs(int first_row, double peak) {
+    constexpr double most = 1e12;
+    double largest = 0;
+    const auto inputs = {&rows.rigid_slip_x, &rows.rigid_slip_y, &rows.rigid_slip_dy};
+    for (const auto* input : inputs)
+      for (int j = first_row; j < first_row + options.my; ++j) largest = std::max(largest, std::abs((*input)[j]));
+    const double factor = largest > most * peak ? most / largest : peak > 0 ? 1 / peak : 0;
+    for (auto* input : inputs)
+      for (int j = first_row; j < first_row + options.my; ++j) (*input)[j] *= factor;
+    for (int j = first_row; j < first_row + options.my; ++j)
+      rows.bound_scale[j] = peak > 0 ? rows.bound_scale[j] / peak : 0;
+  }
+
+  void scale_sums(int first_row, double peak) {
+    for (auto* sums : {&rows.sum_px, &rows.sum_py, &rows.sum_moment})
+      for (int j = first_row; j < first_row + options.my; ++j) (*sums)[j] *= peak;
+  }
+
+  void march_profiles(MarchingKernel kernel, int contacts) {
+    MarchingRows all = rows.view(0, contacts * options.my, options.mx);
     all.profile_centre = grid.profile_centre.data();
     all.profile_middle = grid.profile_middle.data();
     all.profile_slope = grid.profile_slope;
     kernel(all);
-    for (int c = 0; c < n; ++c) collect<Real>(contacts[c], c * options.my, results[c]);
   }
 
   /// Traction bound of one vector of rows, point by point, with friction at each point's own slip velocity.
@@ -200,7 +242,13 @@ struct RowSolver::Workspace {
 
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> results) {
     walk(
-        contacts, results, [&](auto c, auto r) { solve_block<double>(kernels.forces, c, r); },
+        contacts, results,
+        [&](auto c, auto r) {
+          if (options.precision == Precision::single)
+            solve_in_single(c, r);
+          else
+            solve_block<double>(kernels.forces, c, r);
+        },
         [&](auto& c, auto& r) { solve_with_table<double>(kernels.forces_with_table, c, r); });
   }
   void differentiate(std::span<const EllipticContact> contacts, std::span<ContactDerivatives> results) {

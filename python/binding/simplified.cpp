@@ -19,7 +19,7 @@ using namespace py::literals;
 
 SimplifiedOptions options_from(int mx, int my, TractionBound bound, FlexibilityModel flexibility,
                                CreepageTable coefficients, RollingDirection direction,
-                               const std::array<double, 3>& slope_reduction) {
+                               const std::array<double, 3>& slope_reduction, Precision precision) {
   SimplifiedOptions options;
   options.mx = mx;
   options.my = my;
@@ -28,6 +28,7 @@ SimplifiedOptions options_from(int mx, int my, TractionBound bound, FlexibilityM
   options.creepage_table = coefficients;
   options.direction = direction;
   options.slope_reduction = {slope_reduction[0], slope_reduction[1], slope_reduction[2]};
+  options.precision = precision;
   return options;
 }
 
@@ -185,7 +186,8 @@ constexpr const char* options_text =
     "mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility\n"
     "'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)\n"
     "or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's\n"
-    "slope. Error if an option is out of range.";
+    "slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,\n"
+    "right to 1e-5 of mu Fn. Error if an option is out of range.";
 
 } // namespace
 
@@ -198,24 +200,28 @@ void bind_simplified(py::module_& module) {
       "boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough\n"
       "for forces.")
       .def(py::init([](int mx, int my, TractionBound bound, FlexibilityModel flexibility, CreepageTable coefficients,
-                       RollingDirection direction, const std::array<double, 3>& slope_reduction) {
-             return Fastsim2(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction));
+                       RollingDirection direction, const std::array<double, 3>& slope_reduction, Precision precision) {
+             return Fastsim2(
+                 options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction, precision));
            }),
            "mx"_a = 10, "my"_a = 10, py::kw_only(), "bound"_a = TractionBound::parabolic,
            "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
-           "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope, options_text);
+           "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
+           "precision"_a = Precision::full, options_text);
   py::class_<Fastsim, RowSolver>(
       module, "Fastsim",
       "FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length.")
       .def(py::init([](int mx, int my, bool half_first_step, TractionBound bound, FlexibilityModel flexibility,
                        CreepageTable coefficients, RollingDirection direction,
-                       const std::array<double, 3>& slope_reduction) {
-             return Fastsim(options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction),
-                            half_first_step ? FirstStep::half : FirstStep::full);
+                       const std::array<double, 3>& slope_reduction, Precision precision) {
+             return Fastsim(
+                 options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction, precision),
+                 half_first_step ? FirstStep::half : FirstStep::full);
            }),
            "mx"_a = 10, "my"_a = 10, py::kw_only(), "half_first_step"_a = false, "bound"_a = TractionBound::parabolic,
            "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
            "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
+           "precision"_a = Precision::full,
            (std::string(options_text) +
             "\nhalf_first_step: half a cell with the rigid slip in the step's middle, half the error; else as\n"
             "in (F16).")

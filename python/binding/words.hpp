@@ -11,6 +11,7 @@ template <class Option> constexpr const char* field_of = "option";
 template <> inline constexpr const char* field_of<TractionBound> = "bound";
 template <> inline constexpr const char* field_of<FlexibilityModel> = "flexibility";
 template <> inline constexpr const char* field_of<CreepageTable> = "coefficients";
+template <> inline constexpr const char* field_of<Precision> = "precision";
 template <> inline constexpr const char* field_of<RollingDirection> = "direction";
 template <> inline constexpr const char* field_of<ContactMotion> = "motion";
 template <> inline constexpr const char* field_of<Discretisation> = "discretisation";
@@ -44,6 +45,7 @@ template <>
 class type_caster<microslip::FlexibilityModel> : public microslip::python::WordCaster<microslip::FlexibilityModel> {};
 template <>
 class type_caster<microslip::CreepageTable> : public microslip::python::WordCaster<microslip::CreepageTable> {};
+template <> class type_caster<microslip::Precision> : public microslip::python::WordCaster<microslip::Precision> {};
 template <>
 class type_caster<microslip::RollingDirection> : public microslip::python::WordCaster<microslip::RollingDirection> {};
 template <>

@@ -333,6 +333,7 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
   const State& origin = step.start == StepStart::repeated ? before_ : after_;
   TangentialState previous, start;
   if (step.start != StepStart::fresh) previous = moved_to(step.grid, origin.tractions, origin.grid);
+  if (step.start == StepStart::pressure) previous = {.px = {}, .py = {}, .pressure = std::move(previous.pressure)};
   if (step.warm_start) start = moved_to(step.grid, after_.tractions, after_.grid);
 
   ContactStepSolution out;

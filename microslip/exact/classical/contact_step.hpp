@@ -13,6 +13,7 @@ namespace microslip {
 enum class StepStart {
   fresh,    ///< no tractions
   previous, ///< those at the end of the step before
+  pressure, ///< the pressure at its end, and no tractions
   repeated, ///< those that the step before started from: the same step once more
 };
 

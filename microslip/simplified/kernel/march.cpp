@@ -9,17 +9,19 @@
 namespace microslip::detail {
 namespace {
 
-using Register = std::experimental::native_simd<double>;
-using Vector = Lanes<Register>;
-using Mask = LaneMask<Register>;
+using Doubles = Lanes<std::experimental::native_simd<double>>;
+using Floats = Lanes<std::experimental::native_simd<float>>;
 
+/// A number for each lane, or with its derivatives; `Plain` are the lanes below it.
 template <class Real> struct Numbers;
-template <> struct Numbers<Vector> {
+template <class Register> struct Numbers<Lanes<Register>> {
+  using Plain = Lanes<Register>;
+  using Mask = LaneMask<Register>;
   static constexpr int count = 1;
-  MICROSLIP_INLINE static Vector load(const double* from, int) { return Vector::load(from); }
-  MICROSLIP_INLINE static void store(const Vector& number, double* to, int) { number.store(to); }
+  MICROSLIP_INLINE static Plain load(const double* from, int) { return Plain::load(from); }
+  MICROSLIP_INLINE static void store(const Plain& number, double* to, int) { number.store(to); }
 };
-template <int N> struct Numbers<Dual<Vector, N>> {
+template <class Vector, int N> struct Numbers<Dual<Vector, N>> : Numbers<Vector> {
   static constexpr int count = 1 + N;
   MICROSLIP_INLINE static Dual<Vector, N> load(const double* from, int stride) {
     return Dual<Vector, N>::combine(Vector::load(from), [&](int k) { return Vector::load(from + (k + 1) * stride); });
@@ -31,7 +33,7 @@ template <int N> struct Numbers<Dual<Vector, N>> {
 };
 
 /// Traction bound as scale times a common profile; nothing that is differentiated moves it.
-struct ProfileBound {
+template <class Vector> struct ProfileBound {
   using Value = Vector;
   const MarchingRows* rows;
   Vector scale;
@@ -48,7 +50,7 @@ struct ProfileBound {
 /// Traction bound of one vector of rows from tables.
 template <class Real> struct TableBound {
   using Value = Real;
-  static constexpr int point = Numbers<Real>::count * Vector::width;
+  static constexpr int width = Numbers<Real>::Plain::width, point = Numbers<Real>::count * width;
   const MarchingRows* rows;
 
   void start(const MarchingRows& all, int) { rows = &all; }
@@ -57,18 +59,19 @@ template <class Real> struct TableBound {
   MICROSLIP_INLINE Value slope() const { return load(rows->table_slope); }
 
 private:
-  MICROSLIP_INLINE static Value load(const double* from) { return Numbers<Real>::load(from, Vector::width); }
+  MICROSLIP_INLINE static Value load(const double* from) { return Numbers<Real>::load(from, width); }
 };
 
 /// Rigid slip of a vector of rows: constant in x, linear in y.
 template <class Real> struct RigidSlip {
+  using Plain = typename Numbers<Real>::Plain;
   Real x, y, dy;
   void start(const MarchingRows& rows, int first) {
     x = Numbers<Real>::load(rows.rigid_slip_x + first, rows.stride);
     y = Numbers<Real>::load(rows.rigid_slip_y + first, rows.stride);
     dy = Numbers<Real>::load(rows.rigid_slip_dy + first, rows.stride);
   }
-  MICROSLIP_INLINE Real y_at(double position) const { return y + dy * Vector(position); }
+  MICROSLIP_INLINE Real y_at(double position) const { return y + dy * Plain(position); }
 };
 
 constexpr bool has_half_first_step(MarchingScheme scheme) {
@@ -81,14 +84,15 @@ MICROSLIP_INLINE Step<Real, typename Bound::Value> step_to(int i, const RigidSli
   const double end = i - 0.5;
   const double length = i == 1 && has_half_first_step(scheme) ? 0.5 : 1.0;
   // Backward Euler with a full first step takes w at the step's end (F16), the others over the step.
-  const double place = scheme == MarchingScheme::fastsim ? end : end - length / 2;
+  using Plain = typename Numbers<Real>::Plain;
+  const double position = scheme == MarchingScheme::fastsim ? end : end - length / 2;
   Step<Real, typename Bound::Value> step;
   step.length = length;
-  step.rigid_x = w.x * Vector(length);
-  step.rigid_y = w.y_at(place) * Vector(length);
+  step.rigid_x = w.x * Plain(length);
+  step.rigid_y = w.y_at(position) * Plain(length);
   step.bound = bound.centre(i);
   if constexpr (scheme == MarchingScheme::fastsim2) {
-    const Vector half_length(length / 2);
+    const Plain half_length(length / 2);
     step.half_rigid_x = w.x * half_length;
     step.half_rigid_y = w.y_at(end - 0.75 * length) * half_length;
     step.bound_before = bound.centre(i - 1);
@@ -97,8 +101,11 @@ MICROSLIP_INLINE Step<Real, typename Bound::Value> step_to(int i, const RigidSli
   return step;
 }
 
-/// A vector of rows on its way through the contact.
+/// A vector of rows on its path through the contact.
 template <MarchingScheme scheme, class Real, class Bound> class March {
+  using Vector = typename Numbers<Real>::Plain;
+  using Mask = typename Numbers<Real>::Mask;
+
 public:
   void start(const MarchingRows& rows, int first) {
     w_.start(rows, first);
@@ -122,12 +129,12 @@ public:
   }
 
   void record(const MarchingRows& rows, int i) const {
-    const int place = (i - 1) * Vector::width;
-    at_.px.store(rows.px + place);
-    at_.py.store(rows.py + place);
-    at_.slip_x.store(rows.slip_x + place);
-    at_.slip_y.store(rows.slip_y + place);
-    select(at_.sliding, Vector(1.0), Vector(0.0)).store(rows.sliding + place);
+    const int index = (i - 1) * Vector::width;
+    at_.px.store(rows.px + index);
+    at_.py.store(rows.py + index);
+    at_.slip_x.store(rows.slip_x + index);
+    at_.slip_y.store(rows.slip_y + index);
+    select(at_.sliding, Vector(1.0), Vector(0.0)).store(rows.sliding + index);
   }
 
   void finish(const MarchingRows& rows, int first) {
@@ -150,10 +157,11 @@ private:
 /// Marches all rows, a few vectors taking their steps in turn: the processor works on one while another waits for its
 /// roots.
 template <MarchingScheme scheme, class Real, int interleaved> void march(const MarchingRows& rows) {
+  using Vector = typename Numbers<Real>::Plain;
   static_assert(interleaved * Vector::width <= widest_group);
   for (int first = 0; first < rows.count; first += interleaved * Vector::width) {
     const int vectors = std::min(interleaved, (rows.count - first + Vector::width - 1) / Vector::width);
-    March<scheme, Real, ProfileBound> marches[interleaved];
+    March<scheme, Real, ProfileBound<Vector>> marches[interleaved];
     for (int k = 0; k < vectors; ++k) marches[k].start(rows, first + k * Vector::width);
     for (int i = 1; i <= rows.cells; ++i)
       for (int k = 0; k < vectors; ++k) marches[k].step(i);
@@ -173,14 +181,15 @@ template <MarchingScheme scheme, class Real, bool recording> void march_with_tab
 }
 
 template <MarchingScheme scheme> MarchingKernels kernels() {
-  using Gradient = Dual<Vector, creepage_partials>;
-  using FullGradient = Dual<Vector, row_partials>;
-  return {Vector::width,
-          march<scheme, Vector, 4>,
+  using Gradient = Dual<Doubles, creepage_partials>;
+  using FullGradient = Dual<Doubles, row_partials>;
+  return {Doubles::width,
+          march<scheme, Doubles, 4>,
+          march<scheme, Floats, 4>,
           march<scheme, Gradient, 2>,
-          march_with_table<scheme, Vector, false>,
+          march_with_table<scheme, Doubles, false>,
           march_with_table<scheme, FullGradient, false>,
-          march_with_table<scheme, Vector, true>};
+          march_with_table<scheme, Doubles, true>};
 }
 
 } // namespace

@@ -6,13 +6,13 @@
 namespace microslip::detail {
 
 /// Kernels may read and write arrays over rows beyond the last row, up to a multiple of this.
-inline constexpr int widest_group = 32;
+inline constexpr int widest_group = 64;
 /// Derivatives of a row's numbers: to xi, eta, phi ...
 inline constexpr int creepage_partials = 3;
 /// ... and Fn.
 inline constexpr int row_partials = 4;
 
-/// Where a kernel finds the rows to march. Everything is counted in cells along the way of a particle: position 0 is
+/// Where a kernel finds the rows to march. Everything is counted in cells along the path of a particle: position 0 is
 /// the leading edge, cell i has its centre at i - 1/2. Rigid slip and slip are those of (F18), for flexibility 1, times
 /// the cell's length, so that they have the unit of a traction. Each number is an array over the rows; where
 /// derivatives are wanted they follow it, an array each, at a distance of `stride`.
@@ -22,7 +22,7 @@ struct MarchingRows {
   int stride = 0;                        ///< from a number to its first derivative, from there to the next
   const double* rigid_slip_x = nullptr;  ///< constant along a row
   const double* rigid_slip_y = nullptr;  ///< at the leading edge
-  const double* rigid_slip_dy = nullptr; ///< its growth per cell
+  const double* rigid_slip_dy = nullptr; ///< its change per cell
 
   // The traction bound, one way or the other:
   // as scale(row), without derivatives, times a profile that all rows share ...
@@ -53,9 +53,10 @@ using MarchingKernel = void (*)(const MarchingRows&);
 
 /// The kernels of one marching scheme for one instruction set. Those with a table march one vector of rows at a time.
 struct MarchingKernels {
-  int width = 0;                        ///< rows in a vector
-  MarchingKernel forces = nullptr;      ///< bound as profile
-  MarchingKernel derivatives = nullptr; ///< bound as profile, to the creepages
+  int width = 0;                             ///< rows in a vector
+  MarchingKernel forces = nullptr;           ///< bound as profile
+  MarchingKernel forces_in_single = nullptr; ///< the same in single precision
+  MarchingKernel derivatives = nullptr;      ///< bound as profile, to the creepages
   MarchingKernel forces_with_table = nullptr;
   MarchingKernel derivatives_with_table = nullptr; ///< to the creepages and the load
   MarchingKernel fields_with_table = nullptr;      ///< recording every cell
