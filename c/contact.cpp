@@ -17,20 +17,16 @@ FrictionTerm term_of(const microslip_contact& contact, int i) {
   return drop == 0 ? FrictionTerm{} : FrictionTerm{drop, contact.friction_half_velocity[i]};
 }
 
+/// microslip_friction_law numbers the laws as the library does.
+constexpr int laws = static_cast<int>(FrictionLaw::names.size());
+static_assert(laws == MICROSLIP_EXPONENTIAL + 1);
+
 /// Throws Error, for which it allocates, if a number is out of range.
 FrictionLaw friction_of(const microslip_contact& contact) {
-  const FrictionTerm first = term_of(contact, 0), second = term_of(contact, 1);
-  switch (contact.friction_law) {
-  case MICROSLIP_COULOMB:
-    return FrictionLaw::coulomb(contact.friction);
-  case MICROSLIP_LINEAR:
-    return FrictionLaw::linear(contact.friction, first, second);
-  case MICROSLIP_RATIONAL:
-    return FrictionLaw::rational(contact.friction, first, second);
-  case MICROSLIP_EXPONENTIAL:
-    return FrictionLaw::exponential(contact.friction, first, second);
-  }
-  throw Error("friction_law", contact.friction_law, "-", "one of microslip_friction_law");
+  if (contact.friction_law < 0 || contact.friction_law >= laws)
+    throw Error("friction_law", contact.friction_law, "-", "one of microslip_friction_law");
+  return FrictionLaw::make(static_cast<FrictionLaw::Kind>(contact.friction_law), contact.friction, term_of(contact, 0),
+                           term_of(contact, 1));
 }
 
 bool is_coefficient(double value) {
@@ -45,9 +41,8 @@ bool is_term(const FrictionTerm& term) {
 bool has_valid_friction(const microslip_contact& contact) {
   if (contact.friction_law == MICROSLIP_COULOMB) return is_coefficient(contact.friction);
   const FrictionTerm first = term_of(contact, 0), second = term_of(contact, 1);
-  return contact.friction_law > MICROSLIP_COULOMB && contact.friction_law <= MICROSLIP_EXPONENTIAL &&
-         is_coefficient(contact.friction) && is_term(first) && is_term(second) &&
-         is_coefficient(contact.friction + first.drop + second.drop);
+  return contact.friction_law > MICROSLIP_COULOMB && contact.friction_law < laws && is_coefficient(contact.friction) &&
+         is_term(first) && is_term(second) && is_coefficient(contact.friction + first.drop + second.drop);
 }
 
 EllipticContact without_friction(const microslip_contact& c) noexcept {

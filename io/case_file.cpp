@@ -9,8 +9,10 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 #include <tuple>
+#include <vector>
 
 namespace microslip {
 namespace {
@@ -73,9 +75,7 @@ void allow_law(const TomlSection& friction, TomlSection::Words keys) {
 }
 
 /// A law that falls with the slip velocity in one or two terms.
-using FallingLaw = FrictionLaw (*)(double kinetic, FrictionTerm first, FrictionTerm second);
-
-FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) {
+FrictionLaw read_falling_friction(const TomlSection& friction, FrictionLaw::Kind kind) {
   allow_law(friction, {"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
   const auto kinetic = friction.between("kinetic_coefficient", "-", 0, FrictionLaw::largest_coefficient);
   const auto term = [&](std::string_view drop, std::string_view half_velocity) {
@@ -86,7 +86,7 @@ FrictionLaw read_falling_friction(const TomlSection& friction, FallingLaw make) 
   const bool has_second = friction.has("second_drop") || friction.has("second_half_velocity");
   const auto second = has_second ? term("second_drop", "second_half_velocity") : FrictionTerm{};
   FrictionLaw law;
-  friction.at("law", [&] { law = make(kinetic, first, second); });
+  friction.at("law", [&] { law = FrictionLaw::make(kind, kinetic, first, second); });
   return law;
 }
 
@@ -106,14 +106,14 @@ FrictionLaw read_coulomb(const TomlSection& friction) {
 }
 
 void read_friction(const TomlSection& friction, RollingCase& input) {
-  constexpr std::string_view laws[] = {"coulomb", "linear", "rational", "exponential", "polach"};
+  std::vector<std::string_view> laws(FrictionLaw::names.begin(), FrictionLaw::names.end());
+  laws.push_back("polach");
   const auto law = friction.word("law", "coulomb", laws);
   input.friction_law = law;
-  if (law == "coulomb") input.friction = read_coulomb(friction);
-  if (law == "linear") input.friction = read_falling_friction(friction, FrictionLaw::linear);
-  if (law == "rational") input.friction = read_falling_friction(friction, FrictionLaw::rational);
-  if (law == "exponential") input.friction = read_falling_friction(friction, FrictionLaw::exponential);
-  if (law == "polach") input.friction = read_polach(friction);
+  const auto kind = std::find(laws.begin(), laws.end(), law) - laws.begin();
+  input.friction = law == "coulomb"  ? read_coulomb(friction)
+                   : law == "polach" ? read_polach(friction)
+                                     : read_falling_friction(friction, static_cast<FrictionLaw::Kind>(kind));
   if (has_effect(friction)) {
     const double cold = input.friction.static_coefficient(), least = input.friction.kinetic_coefficient();
     input.temperature_effect = {

@@ -32,7 +32,7 @@ struct RollingCase {
   InterfaceLayer layer = {};               ///< between them
   std::optional<double> normal_force = {}; ///< [N]; either this
   std::optional<double> approach = {};     ///< [m]; or this
-  std::string friction_law = {};           ///< coulomb, linear, rational, exponential or polach
+  std::string friction_law = {};           ///< one of FrictionLaw::names, or polach
   FrictionLaw friction = {};
   FrictionMemory friction_memory = {};                      ///< of the exact theory
   std::optional<TemperatureEffect> temperature_effect = {}; ///< of the exact theory, with thermal data of both bodies

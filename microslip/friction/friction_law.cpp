@@ -33,16 +33,9 @@ FrictionLaw FrictionLaw::coulomb(double coefficient) {
   return {Kind::coulomb, require_coefficient("coefficient", coefficient), {}, {}};
 }
 
-FrictionLaw FrictionLaw::linear(double kinetic, FrictionTerm first, FrictionTerm second) {
-  return {Kind::linear, kinetic, first, second};
-}
-
-FrictionLaw FrictionLaw::rational(double kinetic, FrictionTerm first, FrictionTerm second) {
-  return {Kind::rational, kinetic, first, second};
-}
-
-FrictionLaw FrictionLaw::exponential(double kinetic, FrictionTerm first, FrictionTerm second) {
-  return {Kind::exponential, kinetic, first, second};
+FrictionLaw FrictionLaw::make(Kind kind, double kinetic, FrictionTerm first, FrictionTerm second) {
+  if (kind == Kind::coulomb) return coulomb(kinetic);
+  return {kind, kinetic, first, second};
 }
 
 FrictionLaw FrictionLaw::polach(double static_coefficient, double ratio, double decay) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace microslip {
 
@@ -29,17 +30,27 @@ struct FrictionTerm {
 class FrictionLaw {
 public:
   enum class Kind { coulomb, linear, rational, exponential };
+  /// Their names in this order, for files and for Python.
+  static constexpr std::array<std::string_view, 4> names = {"coulomb", "linear", "rational", "exponential"};
 
   /// Beyond this a coefficient of friction is taken for a mistake [-].
   static constexpr double largest_coefficient = 10;
 
   /// Frictionless.
   FrictionLaw() = default;
+  /// A law of any kind; Coulomb friction has no terms and ignores them.
+  static FrictionLaw make(Kind kind, double kinetic, FrictionTerm first, FrictionTerm second = {});
   /// Coulomb friction, `coefficient` >= 0 [-].
   static FrictionLaw coulomb(double coefficient);
-  static FrictionLaw linear(double kinetic, FrictionTerm first, FrictionTerm second = {});
-  static FrictionLaw rational(double kinetic, FrictionTerm first, FrictionTerm second = {});
-  static FrictionLaw exponential(double kinetic, FrictionTerm first, FrictionTerm second = {});
+  static FrictionLaw linear(double kinetic, FrictionTerm first, FrictionTerm second = {}) {
+    return make(Kind::linear, kinetic, first, second);
+  }
+  static FrictionLaw rational(double kinetic, FrictionTerm first, FrictionTerm second = {}) {
+    return make(Kind::rational, kinetic, first, second);
+  }
+  static FrictionLaw exponential(double kinetic, FrictionTerm first, FrictionTerm second = {}) {
+    return make(Kind::exponential, kinetic, first, second);
+  }
   /// Polach's law: `ratio` A = mu_infinity/mu_static in [0, 1], `decay` B [s/m] > 0. Kept as an exponential law.
   static FrictionLaw polach(double static_coefficient, double ratio, double decay);
 

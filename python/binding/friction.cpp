@@ -7,6 +7,8 @@
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/thermal/surface_temperature.hpp"
 
+#include <string>
+
 namespace microslip::python {
 namespace {
 
@@ -18,17 +20,16 @@ FrictionTerm term(const Term& given) {
   return {given.first, given.second};
 }
 
-const char* name_of(FrictionLaw::Kind kind) {
-  switch (kind) {
-  case FrictionLaw::Kind::coulomb:
-    return "coulomb";
-  case FrictionLaw::Kind::linear:
-    return "linear";
-  case FrictionLaw::Kind::rational:
-    return "rational";
-  default:
-    return "exponential";
-  }
+/// Of every kind that falls with the slip velocity.
+void bind_falling_laws(py::class_<FrictionLaw>& law) {
+  for (std::size_t k = 1; k < FrictionLaw::names.size(); ++k)
+    law.def_static(
+        std::string(FrictionLaw::names[k]).c_str(),
+        [kind = static_cast<FrictionLaw::Kind>(k)](double kinetic, const Term& first, const Term& second) {
+          return FrictionLaw::make(kind, kinetic, term(first), term(second));
+        },
+        "kinetic"_a, "first"_a, "second"_a = Term{0, 1},
+        "From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).");
 }
 
 double coefficient_at(const FrictionLaw& law, double velocity) {
@@ -46,24 +47,14 @@ void bind_friction(py::module_& module) {
       "exponential: mu_k + sum d_i 2^(-v/v_i); polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair\n"
       "(drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient outside [0, 10] or a\n"
       "velocity that is not positive. FrictionLaw() is frictionless.");
-  const char* falling = "From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).";
   law.def(py::init<>(), "Frictionless, mu = 0 [-].")
-      .def_static("coulomb", &FrictionLaw::coulomb, "coefficient"_a, "Coulomb friction, coefficient [-] in [0, 10].")
-      .def_static(
-          "linear", [](double k, const Term& f, const Term& s) { return FrictionLaw::linear(k, term(f), term(s)); },
-          "kinetic"_a, "first"_a, "second"_a = Term{0, 1}, falling)
-      .def_static(
-          "rational", [](double k, const Term& f, const Term& s) { return FrictionLaw::rational(k, term(f), term(s)); },
-          "kinetic"_a, "first"_a, "second"_a = Term{0, 1}, falling)
-      .def_static(
-          "exponential",
-          [](double k, const Term& f, const Term& s) { return FrictionLaw::exponential(k, term(f), term(s)); },
-          "kinetic"_a, "first"_a, "second"_a = Term{0, 1}, falling)
-      .def_static("polach", &FrictionLaw::polach, "static_coefficient"_a, "ratio"_a, "decay"_a,
-                  "Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law.")
+      .def_static("coulomb", &FrictionLaw::coulomb, "coefficient"_a, "Coulomb friction, coefficient [-] in [0, 10].");
+  bind_falling_laws(law);
+  law.def_static("polach", &FrictionLaw::polach, "static_coefficient"_a, "ratio"_a, "decay"_a,
+                 "Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law.")
       .def_property_readonly(
-          "kind", [](const FrictionLaw& self) { return name_of(self.kind()); },
-          "coulomb, linear, rational or exponential.")
+          "kind", [](const FrictionLaw& self) { return FrictionLaw::names[static_cast<std::size_t>(self.kind())]; },
+          "The name of its maker; Polach's law is an exponential one.")
       .def_property_readonly("kinetic_coefficient", &FrictionLaw::kinetic_coefficient, "mu_k [-].")
       .def_property_readonly("static_coefficient", &FrictionLaw::static_coefficient, "mu(0) [-].")
       .def_property_readonly(

@@ -38,21 +38,10 @@ void read_state(const py::handle& state, const std::string& name, FrictionLaw& l
   const auto kinetic = given["kinetic"].cast<double>();
   if (terms.size() != 2) throw Error(name + ": the pickled law must have two terms");
   const FrictionTerm first = {terms[0].first, terms[0].second}, second = {terms[1].first, terms[1].second};
-  switch (static_cast<FrictionLaw::Kind>(given["kind"].cast<int>())) {
-  case FrictionLaw::Kind::coulomb:
-    law = FrictionLaw::coulomb(kinetic);
-    return;
-  case FrictionLaw::Kind::linear:
-    law = FrictionLaw::linear(kinetic, first, second);
-    return;
-  case FrictionLaw::Kind::rational:
-    law = FrictionLaw::rational(kinetic, first, second);
-    return;
-  case FrictionLaw::Kind::exponential:
-    law = FrictionLaw::exponential(kinetic, first, second);
-    return;
-  }
-  throw Error(name + ": the pickled law is of an unknown kind");
+  const auto kind = given["kind"].cast<int>();
+  if (kind < 0 || kind >= static_cast<int>(FrictionLaw::names.size()))
+    throw Error(name + ": the pickled law is of an unknown kind");
+  law = FrictionLaw::make(static_cast<FrictionLaw::Kind>(kind), kinetic, first, second);
 }
 
 py::dict to_dict(const py::object& self) {
