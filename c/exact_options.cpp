@@ -37,7 +37,7 @@ InterfaceLayer layer_of(const microslip_exact_options& o) {
 /// Of both bodies, rolling with a velocity [m/s] that is negative along -x.
 Bodies materials_of(const microslip_exact_options& o, double velocity) {
   const auto material = [](const microslip_exact_body& b) { return Material{b.shear_modulus, b.poisson_ratio}; };
-  const auto creep = [](const microslip_exact_body& b) { return Creep{b.creep_ratio, b.creep_time}; };
+  const auto creep = [](const microslip_exact_body& b) { return MaterialCreep{b.creep_ratio, b.creep_time}; };
   return viscoelastic(material(o.body1), creep(o.body1), material(o.body2), creep(o.body2), velocity);
 }
 

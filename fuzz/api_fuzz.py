@@ -116,7 +116,7 @@ def bodies(draw):
     layer = lambda: microslip.InterfaceLayer(draw.scale(1e-16, 1e-12), **draw.some(
         yield_stress=lambda: draw.scale(1e6, 1e9), hardening=lambda: draw.number(-1e12, 1e12)))
     body = lambda: microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5))
-    creep = lambda: microslip.Creep(draw.choice((0.0, draw.number(0, 3))), draw.scale(1e-5, 1e-1))
+    creep = lambda: microslip.MaterialCreep(draw.choice((0.0, draw.number(0, 3))), draw.scale(1e-5, 1e-1))
     return draw.choice((
         lambda: material(draw), lambda: microslip.Bodies(material(draw), layer()),
         lambda: microslip.viscoelastic(body(), creep(), body(), creep(), draw.scale(0.1, 100), **draw.some(layer=layer)),

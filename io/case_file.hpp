@@ -20,7 +20,7 @@ struct BodyInput {
   double rolling_radius = 0;    ///< [m], in the plane of rolling: positive convex, negative concave, infinite flat
   double transverse_radius = 0; ///< [m], in the lateral plane
   Material material = {};
-  Creep creep = {}; ///< none: an elastic body
+  MaterialCreep creep = {}; ///< none: an elastic body
   std::optional<ThermalBody> thermal = {};
 };
 

@@ -84,7 +84,7 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
     const Material steel = {82e9, 0.28};
     const double velocity = chi == "0" ? 30 : -30;
-    const Creep creeps[] = {{2, 1e-5}, {0.5, 3e-5}};
+    const MaterialCreep creeps[] = {{2, 1e-5}, {0.5, 3e-5}};
     for (std::size_t k = 0; k < 2; ++k) {
       const InteriorField field(steel, k == 0 ? Body::second : Body::first, o.step.grid, tractions,
                                 retardation_of(creeps[k], velocity));

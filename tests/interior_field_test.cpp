@@ -279,10 +279,10 @@ TEST(InteriorField, LayersOfLateDisplacementsAreTheSumsAtTheCentres) {
 
 /// u1 - u2 at the surface is what the contact problem of viscoelastic bodies is solved with, of one or of two creeps.
 TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
-  const Creep slow = {1.5, 2e-4}, quick = {0.4, 5e-6};
+  const MaterialCreep slow = {1.5, 2e-4}, quick = {0.4, 5e-6};
   const Material brass = {40e9, 0.33};
   for (const double velocity : {3.0, -3.0})
-    for (const Creep& creep2 : {slow, quick})
+    for (const MaterialCreep& creep2 : {slow, quick})
       for (const ElementGrid& grid : {rectangles(9, 6), strips(12)}) {
         SCOPED_TRACE(text(grid));
         const Load load = random_load(grid, 11);
@@ -290,7 +290,7 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
         std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
         CoupledOperator::displacement(bodies, grid)
             .apply({load.px, load.py, load.pn}, std::array{std::span(ux), std::span(uy), std::span(uz)});
-        const auto of = [&](const Material& material, Body body, const Creep& creep) {
+        const auto of = [&](const Material& material, Body body, const MaterialCreep& creep) {
           return InteriorLayers(InteriorField(material, body, grid, load.tractions(), retardation_of(creep, velocity)))
               .at_depth(0);
         };

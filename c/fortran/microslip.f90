@@ -371,7 +371,7 @@ module microslip
 
 contains
 
-  !> Version of the library that is running, e.g. "0.1.0".
+  !> Version of the library that is running, e.g. "0.2.0".
   function microslip_version() result(text)
     character(:), allocatable :: text
     interface

@@ -23,7 +23,7 @@
 #include <stddef.h>
 
 #define MICROSLIP_VERSION_MAJOR 0
-#define MICROSLIP_VERSION_MINOR 1
+#define MICROSLIP_VERSION_MINOR 2
 #define MICROSLIP_VERSION_PATCH 0
 
 #if defined(__GNUC__)
@@ -66,13 +66,13 @@ typedef struct microslip_error {
 
 /* What the library was built from. Texts live as long as the library is loaded. */
 typedef struct microslip_build {
-  const char* version;    /* e.g. "0.1.0" */
+  const char* version;    /* e.g. "0.2.0" */
   const char* commit;     /* short hash, with "-dirty" if there were changes; "unknown" outside a repository */
   const char* compiler;   /* name and version */
   const char* build_type; /* e.g. "Release" */
 } microslip_build;
 
-/* "0.1.0": of the library that is running, while the macros above are of the header. */
+/* "0.2.0": of the library that is running, while the macros above are of the header. */
 MICROSLIP_API const char* microslip_version(void);
 MICROSLIP_API microslip_build microslip_build_info(void);
 /* What a code means, in a few words; never NULL. */

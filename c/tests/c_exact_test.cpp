@@ -221,7 +221,7 @@ struct TwoBodies {
     contact.shear_modulus = pair.shear_modulus;
     contact.poisson_ratio = pair.poisson_ratio;
   }
-  ExactOptions cpp(const Creep& creep1 = {}, double speed = 30) const {
+  ExactOptions cpp(const MaterialCreep& creep1 = {}, double speed = 30) const {
     return {.mx = 10, .my = 10, .bodies = viscoelastic({82e9, 0.28}, creep1, {26e9, 0.33}, {}, speed)};
   }
 };

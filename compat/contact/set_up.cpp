@@ -365,7 +365,7 @@ Bodies bodies_of(const Case& c) {
   return viscoelastic(body1, creep_of(c, 0), body2, creep_of(c, 1), rolling_velocity(c));
 }
 
-Creep creep_of(const Case& c, std::size_t body) {
+MaterialCreep creep_of(const Case& c, std::size_t body) {
   const auto& data = c.material->model_data; // FG1, FG2, TC1, TC2
   return {data[body], data[2 + body]};
 }

@@ -13,7 +13,7 @@ CombinedMaterial combined_material(const Case& c);
 /// The same with their retarded parts.
 Bodies bodies_of(const Case& c);
 /// How body 1 (0) or 2 (1) of viscoelastic ones (M = 1) creeps.
-Creep creep_of(const Case& c, std::size_t body);
+MaterialCreep creep_of(const Case& c, std::size_t body);
 /// What the bodies are for heat, SI: with H > 0 in steady rolling.
 std::optional<ThermalBodies> thermal_bodies(const Case& c);
 /// V [m/s], negative for rolling along -x.

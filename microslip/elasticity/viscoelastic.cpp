@@ -17,7 +17,7 @@ bool is_coupled(const CombinedMaterial& m) {
 }
 
 /// `name` is the creep's in messages.
-Retardation retardation_of(const std::string& name, const Creep& creep, double speed) {
+Retardation retardation_of(const std::string& name, const MaterialCreep& creep, double speed) {
   require_between(name + ".ratio", creep.ratio, "-", 0, 1e6);
   require_between(name + ".time", creep.time, "s", 0, std::numeric_limits<double>::max());
   require_finite("speed", speed, "m/s");
@@ -32,12 +32,12 @@ bool Bodies::are_coupled() const {
          std::any_of(retarded.begin(), retarded.end(), [](const RetardedPart& d) { return is_coupled(d.material); });
 }
 
-Retardation retardation_of(const Creep& creep, double speed) {
+Retardation retardation_of(const MaterialCreep& creep, double speed) {
   return retardation_of("creep", creep, speed);
 }
 
-Bodies viscoelastic(const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
-                    double speed) {
+Bodies viscoelastic(const Material& body1, const MaterialCreep& creep1, const Material& body2,
+                    const MaterialCreep& creep2, double speed) {
   const Retardation retardation1 = retardation_of("creep1", creep1, speed),
                     retardation2 = retardation_of("creep2", creep2, speed);
   Bodies bodies = combine(body1, body2);

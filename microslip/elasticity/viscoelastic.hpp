@@ -7,8 +7,9 @@
 
 namespace microslip {
 
-/// A standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau)).
-struct Creep {
+/// What makes an elastic material a standard linear solid: under a constant stress its elastic deformation grows by the
+/// share f (1 - exp(-t/tau)).
+struct MaterialCreep {
   double ratio = 0; ///< f [-], >= 0; 0 for an elastic body. G is the instantaneous modulus, G/(1 + f) the relaxed one
   double time = 0;  ///< retardation time tau [s], >= 0; 0: all of the deformation is instantaneous
 };
@@ -24,7 +25,7 @@ struct Retardation {
 };
 
 /// Of a body that rolls steadily with speed V [m/s], positive along +x. Throws Error for constants out of range.
-Retardation retardation_of(const Creep& creep, double speed);
+Retardation retardation_of(const MaterialCreep& creep, double speed);
 
 /// Retarded part of the displacement difference of two bodies.
 struct RetardedPart {
@@ -52,7 +53,7 @@ struct Bodies {
 
 /// Two standard linear solids that roll steadily with speed V [m/s], positive along +x. Throws Error for constants out
 /// of range.
-Bodies viscoelastic(const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
-                    double speed);
+Bodies viscoelastic(const Material& body1, const MaterialCreep& creep1, const Material& body2,
+                    const MaterialCreep& creep2, double speed);
 
 } // namespace microslip

@@ -178,7 +178,7 @@ void bind_case(py::module_& module) {
   body.def_readonly("rolling_radius", &BodyInput::rolling_radius, "Radius in the plane of rolling [m].")
       .def_readonly("transverse_radius", &BodyInput::transverse_radius, "Radius in the lateral plane [m].")
       .def_readonly("material", &BodyInput::material, "Its Material.")
-      .def_readonly("creep", &BodyInput::creep, "Its Creep; the ratio is 0 for an elastic body.")
+      .def_readonly("creep", &BodyInput::creep, "Its MaterialCreep; the ratio is 0 for an elastic body.")
       .def_readonly("thermal", &BodyInput::thermal, "Its ThermalBody, or None.");
   add_value(body, {"rolling_radius", "transverse_radius", "material", "creep", "thermal"});
 

@@ -113,16 +113,17 @@ void bind_hertz(py::module_& module) {
 }
 
 void bind_bodies(py::module_& module) {
-  auto creep = py::class_<Creep>(module, "Creep",
-                                 "A standard linear solid: under a constant stress its elastic deformation grows by "
-                                 "the share f (1 - exp(-t/tau)).");
+  auto creep = py::class_<MaterialCreep>(
+      module, "MaterialCreep",
+      "What makes a Material a standard linear solid: under a constant stress its elastic deformation grows by "
+      "the share f (1 - exp(-t/tau)).");
   creep
       .def(py::init([](double ratio, double time) {
-             return Creep{ratio, time};
+             return MaterialCreep{ratio, time};
            }),
            "ratio"_a, "time"_a, "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.")
-      .def_readonly("ratio", &Creep::ratio, "f [-].")
-      .def_readonly("time", &Creep::time, "tau [s].");
+      .def_readonly("ratio", &MaterialCreep::ratio, "f [-].")
+      .def_readonly("time", &MaterialCreep::time, "tau [s].");
   add_value(creep, {"ratio", "time"});
 
   auto layer = py::class_<InterfaceLayer>(
@@ -163,7 +164,7 @@ void bind_bodies(py::module_& module) {
 
   module.def(
       "viscoelastic",
-      [](const Material& body1, const Creep& creep1, const Material& body2, const Creep& creep2,
+      [](const Material& body1, const MaterialCreep& creep1, const Material& body2, const MaterialCreep& creep2,
          double rolling_velocity, const std::optional<InterfaceLayer>& between) {
         Bodies made = viscoelastic(body1, creep1, body2, creep2, rolling_velocity);
         if (between) made.layer = *between;
@@ -171,7 +172,7 @@ void bind_bodies(py::module_& module) {
       },
       "body1"_a, "creep1"_a, "body2"_a, "creep2"_a, "rolling_velocity"_a, "layer"_a = py::none(),
       "Two standard linear solids that roll steadily, as Bodies: their Material of instantaneous\n"
-      "deformation and Creep, the velocity V [m/s], positive along +x, negative with direction\n"
+      "deformation and MaterialCreep, the velocity V [m/s], positive along +x, negative with direction\n"
       "'backward', and an InterfaceLayer between them or none. Error for constants out of range.");
 }
 

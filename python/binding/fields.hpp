@@ -53,7 +53,8 @@ inline constexpr auto fields<InterfaceLayer> =
     std::tuple{Field{"flexibility", &InterfaceLayer::flexibility}, Field{"yield_stress", &InterfaceLayer::yield_stress},
                Field{"hardening", &InterfaceLayer::hardening}};
 template <>
-inline constexpr auto fields<Creep> = std::tuple{Field{"ratio", &Creep::ratio}, Field{"time", &Creep::time}};
+inline constexpr auto fields<MaterialCreep> =
+    std::tuple{Field{"ratio", &MaterialCreep::ratio}, Field{"time", &MaterialCreep::time}};
 template <>
 inline constexpr auto fields<Retardation> =
     std::tuple{Field{"ratio", &Retardation::ratio}, Field{"distance", &Retardation::distance}};

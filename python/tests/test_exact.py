@@ -116,7 +116,7 @@ class EllipticContactSolverTest(unittest.TestCase):
         options = {
             text: {"thermal": (body, body)},
             effect: {"thermal": (body, body), "temperature_effect": microslip.TemperatureEffect(-0.2, 20.0, 300.0)},
-            rubber: {"bodies": microslip.viscoelastic(steel, microslip.Creep(0.5, 1e-4), steel, microslip.Creep(0.0, 0.0), 2.0)},
+            rubber: {"bodies": microslip.viscoelastic(steel, microslip.MaterialCreep(0.5, 1e-4), steel, microslip.MaterialCreep(0.0, 0.0), 2.0)},
             layer: {"bodies": microslip.Bodies(pair, microslip.InterfaceLayer(1e-14))},
         }
         forces = set()
