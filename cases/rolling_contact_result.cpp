@@ -160,7 +160,7 @@ void write_motion(ResultWriter& file, const RollingCase& input) {
   file.text("inputs/motion", std::string(to_word(input.motion.kind)), "shift, transient or steady rolling");
   if (input.motion.force_x) file.scalar("inputs/force_longitudinal", *input.motion.force_x, "N", "force given along x");
   if (input.motion.force_y) file.scalar("inputs/force_lateral", *input.motion.force_y, "N", "force given along y");
-  if (input.motion.step > 0) file.scalar("inputs/step", input.motion.step, "m", "way rolled in a step");
+  if (input.motion.step > 0) file.scalar("inputs/step", input.motion.step, "m", "distance rolled in a step");
   file.scalar("inputs/steps", input.motion.steps, "-", "number of steps");
   file.text("inputs/direction", std::string(to_word(input.options.direction)), "rolling along +x or -x");
 }

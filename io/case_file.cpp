@@ -187,7 +187,7 @@ Method given_method(const TomlSection& solution, const RollingCase& input) {
   return method;
 }
 
-/// Throws an Error for something at the first of the places `field` names, "motion.kind, motion.step", that the text
+/// Throws an Error for something at the first of the keys `field` names, "motion.kind, motion.step", that the text
 /// has.
 void refuse_where_given(const TomlSection& root, const std::string& name, const Incompatibility& found) {
   std::string_view fields = found.field;

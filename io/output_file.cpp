@@ -101,8 +101,9 @@ void remove_remains(const std::filesystem::path& folder) {
   last = folder;
   const auto mark = temporary_mark();
   std::error_code error;
-  const auto place = folder.empty() ? std::filesystem::path(".") : folder;
-  for (std::filesystem::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+  const auto searched = folder.empty() ? std::filesystem::path(".") : folder;
+  for (std::filesystem::directory_iterator entry(searched, error), end; !error && entry != end;
+       entry.increment(error)) {
     const pid_t process = process_of(entry->path().filename().string(), mark);
     const bool is_dead = process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
     if (is_dead) ::unlink(entry->path().c_str());

@@ -14,11 +14,11 @@ namespace {
 
 /// Access properties of a file that lives in memory only, or on disk.
 hid_t access_to(bool on_disk) {
-  constexpr std::size_t growth = 1 << 20;
+  constexpr std::size_t increment = 1 << 20;
   // HDF5 prints every error by itself unless told not to; ours name the file.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const auto properties = H5Pcreate(H5P_FILE_ACCESS);
-  if (!on_disk) H5Pset_fapl_core(properties, growth, 0);
+  if (!on_disk) H5Pset_fapl_core(properties, increment, 0);
   return properties;
 }
 

@@ -27,12 +27,12 @@ std::string type_name(const toml::node& node) {
   }
 }
 
-std::string place(const std::string& file, std::size_t line) {
+std::string location(const std::string& file, std::size_t line) {
   return file + ":" + std::to_string(line) + ": ";
 }
 
-std::string place(const std::string& file, const toml::source_region& source) {
-  return place(file, source.begin.line);
+std::string location(const std::string& file, const toml::source_region& source) {
+  return location(file, source.begin.line);
 }
 
 /// toml++ limits the nesting of values, but recurses without limit into tables of a key such as a.a.a.a.
@@ -45,7 +45,7 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
       ++line;
       dots = 0;
     } else if (letter == '.' && ++dots > most) {
-      throw Error(place(file, line) + "more than 500 dots in one line: nested too deeply");
+      throw Error(location(file, line) + "more than 500 dots in one line: nested too deeply");
     }
   }
 }
@@ -78,9 +78,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw Error(place(file, error.source()) + std::string(error.description()));
+    throw Error(location(file, error.source()) + std::string(error.description()));
   } catch (const detail::TomlAssertion&) {
-    throw Error(place(file, line_of_assertion(text)) + "cannot be understood as TOML");
+    throw Error(location(file, line_of_assertion(text)) + "cannot be understood as TOML");
   }
 }
 
@@ -104,7 +104,7 @@ void TomlSection::allow(const Words& keys) const {
   }
   if (unknown == nullptr) return;
   const auto near = suggestion(unknown->str(), keys);
-  throw Error(place(file_, unknown->source()) + full(unknown->str()) + ": unknown key" +
+  throw Error(location(file_, unknown->source()) + full(unknown->str()) + ": unknown key" +
               (near.empty() ? "; must be " + listed(keys) : near));
 }
 
@@ -146,7 +146,7 @@ std::vector<double> TomlSection::numbers(std::string_view key, std::string_view 
   if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
   const auto* list = node->as_array();
   if (list == nullptr) wrong_type(key, *node, "a list of numbers");
-  if (list->empty()) throw Error(place(file_, node->source()) + full(key) + ": must have at least one number");
+  if (list->empty()) throw Error(location(file_, node->source()) + full(key) + ": must have at least one number");
   std::vector<double> values;
   for (const auto& element : *list) {
     if (!element.is_number()) wrong_type(key, element, "a list of numbers");
@@ -189,7 +189,7 @@ void TomlSection::counts(std::string_view key, int low, int high, int& first, in
   if (node == nullptr) return;
   const auto* list = node->as_array();
   if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() || !list->get(1)->is_integer())
-    throw Error(place(file_, node->source()) + full(key) + ": must be a list of two whole numbers");
+    throw Error(location(file_, node->source()) + full(key) + ": must be a list of two whole numbers");
   first = whole(key, *list->get(0), low, high);
   second = whole(key, *list->get(1), low, high);
 }
@@ -208,12 +208,12 @@ std::string TomlSection::full(std::string_view key) const {
 
 std::string TomlSection::line_of(std::string_view key) const {
   const auto* node = find(key);
-  if (node != nullptr) return place(file_, node->source());
-  return table_ != nullptr ? place(file_, table_->source()) : file_ + ": ";
+  if (node != nullptr) return location(file_, node->source());
+  return table_ != nullptr ? location(file_, table_->source()) : file_ + ": ";
 }
 
 void TomlSection::wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const {
-  throw Error(place(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
+  throw Error(location(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
 }
 
 double TomlSection::number(std::string_view key, std::optional<double> missing, const Check& check) const {

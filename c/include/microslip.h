@@ -343,7 +343,7 @@ typedef struct microslip_exact_motion {
   int steps;         /* of transient rolling, 1 to 1,000,000; 1 */
   double force_x;    /* [N] on body 1 */
   double force_y;    /* [N] on body 1 */
-  double step;       /* the way rolled in a step [m]; 0: an element's length */
+  double step;       /* the distance rolled in a step [m]; 0: an element's length */
 } microslip_exact_motion;
 
 typedef struct microslip_exact_result {

@@ -34,7 +34,7 @@ SlopeReduction slope_reduction(const Case& c) {
           require_between("BETAMF", data[first + 2], "-", 0, 1e6)};
 }
 
-/// Those of the case before, at the places that the particles come from.
+/// Those of the case before, at the points that the particles come from.
 SpringState springs_before(const Case& c, const ContactStep& step, const CarriedSprings& carried) {
   const bool goes_on = c.digits.pvtime == Continuation::previous && c.digits.tang == Tangential::transient;
   if (!goes_on || carried.springs.x.empty()) return {};
@@ -57,15 +57,15 @@ public:
     const TangentialInput& m = step.motion;
     const bool transient = c.digits.tang == Tangential::transient;
     const double length = m.direction == RollingDirection::forward ? step.grid.dx : -step.grid.dx;
-    const double way = transient ? signed_step(m, step.grid) : length;
+    const double distance = transient ? signed_step(m, step.grid) : length;
     rolling_.spin_centre = {c.spin_x * mm, c.spin_y * mm};
     rolling_.spin_in_x = c.extra != ExtraSlip::without_spin_x;
     rolling_.spin_in_y = c.extra != ExtraSlip::without_spin_y;
-    rolling_.ahead = way_of(m, m.spin_offset * way);
+    rolling_.ahead = way_of(m, m.spin_offset * distance);
     rolling_.direction = m.direction;
     rolling_.rolling_speed = m.rolling_speed;
     if (transient) rolling_.before = &before_;
-    if (transient) rolling_.step = std::abs(way);
+    if (transient) rolling_.step = std::abs(distance);
     if (c.extra != ExtraSlip::by_element) return;
     rolling_.extra_x = step.extra_slip_x;
     rolling_.extra_y = step.extra_slip_y;

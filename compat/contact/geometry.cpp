@@ -29,7 +29,7 @@ void read_hertzian(Words& words, PotentialContact& p) {
   p.scale = words.positive("SCALE");
 }
 
-/// A place and a size, or two places.
+/// A point and a size, or two points.
 void read_rectangle(Words& words, PotentialContact& p) {
   const Names& names = grid_names[number(p.kind) - 1];
   const bool has_sizes = p.kind == Potential::corner_and_size || p.kind == Potential::centre_and_size;
@@ -101,7 +101,7 @@ PointBlock read_block(Words& words) {
   points.kind = read_choice<Points>(words);
   words.end_record();
   const auto count = [&](const char* field) { return words.integer(field, 1, most_points); };
-  const auto places = [&](const char* field, int number) {
+  const auto coordinates = [&](const char* field, int number) {
     return words.reals(field, static_cast<std::size_t>(number));
   };
   switch (points.kind) {
@@ -127,9 +127,9 @@ PointBlock read_block(Words& words) {
   case Points::anywhere: {
     const int nx = count("NX"), ny = count("NY"), nz = count("NZ");
     words.end_record();
-    points.x = places("X", nx);
-    points.y = places("Y", ny);
-    points.z = places("Z", nz);
+    points.x = coordinates("X", nx);
+    points.y = coordinates("Y", ny);
+    points.z = coordinates("Z", nz);
     return points;
   }
   case Points::all:
@@ -143,7 +143,7 @@ PointBlock read_block(Words& words) {
     words.end_record();
   } else {
     words.end_record();
-    points.z = places("Z", nz);
+    points.z = coordinates("Z", nz);
   }
   return points;
 }

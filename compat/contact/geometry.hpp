@@ -33,7 +33,7 @@ struct Geometry {
 struct PointBlock {
   Points kind = Points::end;
   std::vector<int> range = {};                ///< of a range: IXL INC IXH IYL INC IYH
-  std::vector<double> x = {}, y = {}, z = {}; ///< indices, or places; z at equal distances: NZ ZL DZ
+  std::vector<double> x = {}, y = {}, z = {}; ///< indices, or coordinates; z at equal distances: NZ ZL DZ
 
   bool has_equal_depths() const { return kind == Points::all || kind == Points::range || kind == Points::listed; }
 };

@@ -35,7 +35,7 @@ std::vector<int> elements_of(const PointBlock& block, std::size_t part, int coun
   return indices;
 }
 
-std::vector<double> places(std::vector<double> values) {
+std::vector<double> coordinates(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   for (double& value : values) value *= mm;
   return values;
@@ -44,8 +44,8 @@ std::vector<double> places(std::vector<double> values) {
 InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
   InteriorGrid points;
   if (block.kind == Points::anywhere) {
-    points.x = places(block.x);
-    points.y = places(block.y);
+    points.x = coordinates(block.x);
+    points.y = coordinates(block.y);
   } else {
     for (const int i : elements_of(block, 0, grid.mx)) points.x.push_back(grid.x(i));
     for (const int j : elements_of(block, 1, grid.my)) points.y.push_back(grid.y(j));
@@ -53,7 +53,7 @@ InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
   if (block.has_equal_depths())
     for (int k = 0; k < static_cast<int>(block.z[0]); ++k) points.z.push_back((block.z[1] + k * block.z[2]) * mm);
   else
-    points.z = places(block.z);
+    points.z = coordinates(block.z);
   if (points.x.size() * points.y.size() > most_interior_points / points.z.size())
     throw Error("ISUBS: more than two million points in a block");
   return points;

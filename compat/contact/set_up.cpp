@@ -120,13 +120,13 @@ double quadratic_form(const double* b, double x, double y) {
 /// Straight lines between points at y1, y1 + spacing, ..., and on beyond them.
 double interpolated(const double* heights, std::size_t count, double y1, double spacing, double y) {
   if (count == 1) return heights[0];
-  const double place = (y - y1) / spacing, last = static_cast<double>(count - 1);
-  const auto k = static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last - 1));
-  const double share = place - static_cast<double>(k);
+  const double position = (y - y1) / spacing, last = static_cast<double>(count - 1);
+  const auto k = static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, last - 1));
+  const double share = position - static_cast<double>(k);
   return (1 - share) * heights[k] + share * heights[k + 1];
 }
 
-/// The undeformed distance [mm] at a place [mm]. A circle is the parabola of its curvature, as in CONTACT.
+/// The undeformed distance [mm] at a point [mm]. A circle is the parabola of its curvature, as in CONTACT.
 double distance(const Geometry& g, double x, double y) {
   const double* v = g.values.data();
   if (g.base == Base::quadratic) return quadratic_form(v, x, y);

@@ -214,11 +214,11 @@ std::vector<int> Words::control(std::string_view field, std::size_t most) {
     fail(std::string(field) + " = " + printable(word.text) + ": must be a control integer of up to " +
          std::to_string(most) + " digits");
   std::vector<int> digits(most, 0);
-  std::size_t place = most;
+  std::size_t position = most;
   for (auto digit = word.text.rbegin(); digit != word.text.rend(); ++digit) {
-    if (place == 0 && *digit != '0')
+    if (position == 0 && *digit != '0')
       fail(std::string(field) + " = " + word.text + ": must have " + std::to_string(most) + " digits at most");
-    if (place > 0) digits[--place] = *digit - '0';
+    if (position > 0) digits[--position] = *digit - '0';
   }
   return digits;
 }

@@ -61,7 +61,7 @@ const HertzContact& require_representable(const HertzContact& contact) {
 }
 
 /// The long axis lies along the smaller curvature.
-HertzContact place(const GapCurvatures& gap, double short_axis, double g, double normal_force, double approach) {
+HertzContact contact_with(const GapCurvatures& gap, double short_axis, double g, double normal_force, double approach) {
   const double long_axis = short_axis / g;
   const bool long_in_x = gap.x <= gap.y;
   return require_representable({.a = long_in_x ? long_axis : short_axis,
@@ -138,7 +138,7 @@ HertzContact hertz_from_load(const GapCurvatures& gap, const CombinedMaterial& m
   const double curvature = std::max(gap.x, gap.y);
   const double short_axis = std::cbrt(1.5 * g * integrals.B / pi * (normal_force / modulus) / curvature); // (H8)
   const double approach = curvature * short_axis * short_axis * integrals.K / integrals.B;                // (H6)
-  return place(gap, short_axis, g, normal_force, approach);
+  return contact_with(gap, short_axis, g, normal_force, approach);
 }
 
 HertzContact hertz_from_approach(const GapCurvatures& gap, const CombinedMaterial& material, double approach) {
@@ -149,7 +149,7 @@ HertzContact hertz_from_approach(const GapCurvatures& gap, const CombinedMateria
   const double short_axis = std::sqrt(approach / curvature * integrals.B / integrals.K); // (H6)
   const double peak_pressure = modulus * curvature * short_axis / integrals.B;           // (H5)
   const double normal_force = pi / 1.5 * peak_pressure * short_axis * (short_axis / g);  // (H1)
-  return place(gap, short_axis, g, normal_force, approach);
+  return contact_with(gap, short_axis, g, normal_force, approach);
 }
 
 HertzContact hertz_from_ellipse(double a, double b, const CombinedMaterial& material, double normal_force) {

@@ -20,7 +20,7 @@ struct PrincipalRadii {
 };
 
 /// A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2. Throws Error for a radius that is zero or
-/// not a number, and unless A and B are positive: the bodies then touch along a line or at more than one place.
+/// not a number, and unless A and B are positive: the bodies then touch along a line or at more than one point.
 GapCurvatures gap_curvatures(const PrincipalRadii& radii);
 
 /// A Hertzian contact: everything that follows from shape, material and load.

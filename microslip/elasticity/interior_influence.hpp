@@ -28,9 +28,9 @@ struct InteriorInfluence {
 /// formulas (I..) of docs/theory-interior.md. All differences between corners are written so that they do not cancel;
 /// errors are below 1e-14 times the traction for stresses [1e-14 times the side for displacements], and relative ones
 /// below 1e-15 times the distance over the side far away. Valid down to depth 0, where the result is the limit from
-/// within. On the element's edges, where the limit depends on the way there, stresses are means of both sides, and
-/// those that are infinite (like the logarithm of the distance) have the value at 1e-12 of a side from the edge. What
-/// is nearer than that counts as on the edge, or on the surface.
+/// within. On the element's edges, where the limit depends on the direction of approach, stresses are means of both
+/// sides, and those that are infinite (like the logarithm of the distance) have the value at 1e-12 of a side from the
+/// edge. What is nearer than that counts as on the edge, or on the surface.
 ///
 /// Cost: about .4 us. No check of the arguments: sides positive, everything finite; G may be infinite.
 InteriorInfluence interior_influence(const Material& material, Body body, double dx, double dy, double x, double y,

@@ -14,7 +14,7 @@ struct TemperatureEffect {
 
   double at(double temperature) const;
 
-  /// The coefficient mu = base + share at(T) of friction that heats the place where it acts: T = ahead + own mu, with
+  /// The coefficient mu = base + share at(T) of friction that heats the point where it acts: T = ahead + own mu, with
   /// 0 <= share <= 1 and own >= 0 [K]. There is one solution unless friction rises with heat by more than makes the
   /// heat, share change own >= range; of several the one of the least heat.
   /// `Real` is double, or Dual for the derivatives.

@@ -15,7 +15,7 @@ void check_depths(std::span<const double> depths) {
     if (!(depths[d] > depths[d - 1])) throw Error("depths", depths[d], "m", "ascending");
 }
 
-/// Half the way from a plane to the next one.
+/// Half the distance from a plane to the next one.
 double half_way(std::span<const double> depths, std::size_t d) {
   if (depths.size() == 1) return 0;
   return d + 1 < depths.size() ? (depths[d + 1] - depths[d]) / 2 : (depths[d] - depths[d - 1]) / 2;

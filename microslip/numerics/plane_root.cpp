@@ -5,7 +5,7 @@
 namespace microslip {
 namespace {
 
-/// A function and its derivatives at a place; unknowns count in units of their scales.
+/// A function and its derivatives at a point; unknowns count in units of their scales.
 struct Sample {
   Vec2 f, by_x, by_y;
 
@@ -18,10 +18,9 @@ struct Sample {
 };
 
 Sample sample(const std::function<Vec2(Vec2)>& f, Vec2 v, Vec2 scale) {
-  constexpr double way = 1e-7;
-  const Vec2 here = f(v), east = f({v.x + way * scale.x, v.y}), north = f({v.x, v.y + way * scale.y});
-  return {
-      here, {(east.x - here.x) / way, (east.y - here.y) / way}, {(north.x - here.x) / way, (north.y - here.y) / way}};
+  constexpr double d = 1e-7;
+  const Vec2 here = f(v), east = f({v.x + d * scale.x, v.y}), north = f({v.x, v.y + d * scale.y});
+  return {here, {(east.x - here.x) / d, (east.y - here.y) / d}, {(north.x - here.x) / d, (north.y - here.y) / d}};
 }
 
 } // namespace
@@ -32,13 +31,13 @@ PlaneRoot find_plane_root(const std::function<Vec2(Vec2)>& f, Vec2 start, Vec2 s
   Vec2 v = start;
   Sample now = sample(f, v, scale);
   const double least = plateau * std::abs(now.determinant());
-  for (int step = 0; step < most_steps && now.size() > tolerance; ++step) {
+  for (int k = 0; k < most_steps && now.size() > tolerance; ++k) {
     if (!(std::abs(now.determinant()) > least)) break;
-    const Vec2 way = now.newton_step();
+    const Vec2 step = now.newton_step();
     double length = 1;
     for (int halving = 0;; ++halving, length /= 2) {
       if (halving == most_halvings) return {v, now.size(), false};
-      const Vec2 there = {v.x + length * way.x * scale.x, v.y + length * way.y * scale.y};
+      const Vec2 there = {v.x + length * step.x * scale.x, v.y + length * step.y * scale.y};
       const Sample next = sample(f, there, scale);
       const bool is_root = next.size() <= tolerance;
       if (!is_root && !(next.size() < now.size() && std::abs(next.determinant()) > least)) continue;

@@ -8,7 +8,7 @@ namespace microslip {
 
 /// Where two functions of two unknowns both vanish.
 struct PlaneRoot {
-  Vec2 at;         ///< the best place found
+  Vec2 at;         ///< the best point found
   double size = 0; ///< |f| there
   bool found = false;
 };

@@ -167,8 +167,8 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   ContactStep step;
   step.bodies = bodies_of(options_, contact);
   for (const RetardedPart& part : step.bodies.retarded) softest = std::max(softest, 1 + part.retardation.ratio);
-  const double growth = std::cbrt(softest) - 1;
-  const int wider = static_cast<int>(std::ceil(growth * std::max(options_.mx, options_.my) / 2));
+  const double widening = std::cbrt(softest) - 1;
+  const int wider = static_cast<int>(std::ceil(widening * std::max(options_.mx, options_.my) / 2));
   step.grid = ElementGrid::across_ellipse(contact.a, contact.b, options_.mx, options_.my, contact_margin + wider);
   step.grid.shape = options_.elements;
   const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, step.bodies.material, contact.normal_force).gap;

@@ -56,10 +56,10 @@ public:
 
   Values at(double a_over_b) const {
     const double range = std::log(computed_largest_ratio / computed_least_ratio);
-    const double place =
+    const double position =
         std::clamp(intervals * std::log(a_over_b / computed_least_ratio) / range, 0.0, 1.0 * intervals);
-    const int i = std::min(static_cast<int>(place), intervals - 1);
-    const double t = place - i;
+    const int i = std::min(static_cast<int>(position), intervals - 1);
+    const double t = position - i;
     const auto& c = cubics_[i];
     Values v;
     for (std::size_t k = 0; k < v.size(); ++k) v[k] = c[0][k] + t * (c[1][k] + t * (c[2][k] + t * c[3][k]));
@@ -72,12 +72,12 @@ private:
 
 /// Lagrange's polynomial through the materials.
 std::array<double, materials> weights_of(double nu) {
-  const double place = nu * 2 * (materials - 1);
+  const double position = nu * 2 * (materials - 1);
   std::array<double, materials> weights;
   for (int m = 0; m < materials; ++m) {
     weights[m] = 1;
     for (int k = 0; k < materials; ++k)
-      if (k != m) weights[m] *= (place - k) / (m - k);
+      if (k != m) weights[m] *= (position - k) / (m - k);
   }
   return weights;
 }

@@ -67,9 +67,9 @@ public:
   }
 
   CreepageCoefficients at(double g, const std::array<double, materials>& weights) const {
-    const double place = std::clamp(10 * g - 1, 0.0, double(intervals));
-    const int i = std::min(static_cast<int>(place), intervals - 1);
-    const double t = place - i;
+    const double position = std::clamp(10 * g - 1, 0.0, double(intervals));
+    const int i = std::min(static_cast<int>(position), intervals - 1);
+    const double t = position - i;
     const auto& k = cubics_[i];
     std::array<double, numbers * materials> value;
     for (int n = 0; n < numbers * materials; ++n) value[n] = k[0][n] + t * (k[1][n] + t * (k[2][n] + t * k[3][n]));
@@ -95,7 +95,7 @@ private:
   }
 
   Scales (*scales_)(double);
-  /// [interval][power of the place in it][material, coefficient]: in this order one pass evaluates all of them.
+  /// [interval][power of the position in it][material, coefficient]: in this order one pass evaluates all of them.
   std::array<std::array<std::array<double, numbers * materials>, 4>, intervals> cubics_{};
 };
 

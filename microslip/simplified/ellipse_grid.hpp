@@ -15,7 +15,7 @@ struct EllipseGrid {
   std::vector<double>
       profile_centre; ///< mx + 1 numbers: bound over its peak in the row, at the edge and at the centres
   std::vector<double> profile_middle; ///< mx numbers: the same half-way between these points
-  double profile_slope;               ///< its growth per cell at the leading edge; infinite for the elliptic bound
+  double profile_slope;               ///< its change per cell at the leading edge; infinite for the elliptic bound
   double bound_integral;              ///< sum over the cells of bound times area, for a peak of 1
   double area;                        ///< sum of the cells' areas
 

@@ -27,7 +27,7 @@ struct GridRolling {
   bool spin_in_y = true;  ///< and in wy
   /// Slip of each element on top of that [-]; empty: none.
   std::span<const double> extra_x = {}, extra_y = {};
-  Vec2 ahead{}; ///< from an element's centre to the place at which its rigid slip is taken [m]
+  Vec2 ahead{}; ///< from an element's centre to the point at which its rigid slip is taken [m]
   RollingDirection direction = RollingDirection::forward;
   double rolling_speed = 1; ///< V [m/s], for the frictional power
   /// One step of transient rolling: the displacements of the elements' particles before it; none: steady rolling.

@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  /// Two boundaries in one place are none.
+  /// Two boundaries at one point are none.
   void record_transition(double x) const {
     if (!transitions_.empty() && transitions_.back() == x)
       transitions_.pop_back();

@@ -19,7 +19,7 @@ void check(const char* name, const ThermalBody& body) {
   require_positive(field("heat_capacity"), body.heat_capacity, "J/(kg K)");
 }
 
-/// The way of particles through a row, from element to element.
+/// The path of particles through a row, from element to element.
 class ThermalRow {
 public:
   ThermalRow(int elements, double dx, double rolling_speed, const ThermalBodies& bodies)
@@ -56,8 +56,8 @@ public:
 
 private:
   /// T2 - T1 (T3) at element i as the first interval of contact and all exchange behind it leave it: what is left of
-  /// the bulk temperatures' difference behind an interval is 1 - (2/pi) asin sqrt(its length over the way since its
-  /// beginning).
+  /// the bulk temperatures' difference behind an interval is 1 - (2/pi) asin sqrt(its length over the distance since
+  /// its beginning).
   double difference_at(int i) const {
     if (i < last_) return 0;
     const double share = static_cast<double>(last_ - first_) / (i - first_ + 0.5);

@@ -32,7 +32,7 @@ struct ThermalBodies {
 void check(const ThermalBodies& bodies);
 
 /// The temperature of a row of elements in contact, (T2): a mean of the bulk temperatures, and what the heat of the
-/// elements ahead adds. Elements count along the particles' way from the leading edge of the grid on.
+/// elements ahead adds. Elements count along the particles' path from the leading edge of the grid on.
 class FlashTemperature {
 public:
   /// Elements of the length dx [m]. No check of the numbers.

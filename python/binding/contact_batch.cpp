@@ -54,11 +54,11 @@ ContactBatch::ContactBatch(const EllipticContact& like, const ContactArrays& arr
 
 EllipticContact ContactBatch::operator[](std::size_t i) const {
   EllipticContact contact = like_;
-  double* const places[] = {
+  double* const fields[] = {
       &contact.creepage.longitudinal, &contact.creepage.lateral, &contact.creepage.spin, &contact.a, &contact.b,
       &contact.shear_modulus,         &contact.poisson_ratio,    &contact.normal_force};
-  for (std::size_t k = 0; k < std::size(places); ++k)
-    if (values_[k] != nullptr) *places[k] = values_[k][constant_[k] ? 0 : i];
+  for (std::size_t k = 0; k < std::size(fields); ++k)
+    if (values_[k] != nullptr) *fields[k] = values_[k][constant_[k] ? 0 : i];
   if (values_[8] != nullptr) contact.friction = FrictionLaw::coulomb(values_[8][constant_[8] ? 0 : i]);
   if (values_[9] != nullptr) contact.rolling_speed = values_[9][constant_[9] ? 0 : i];
   if (values_[10] != nullptr) contact.dissimilarity = values_[10][constant_[10] ? 0 : i];

@@ -1,4 +1,4 @@
-"""Transient rolling: forces and creepages over the way rolled."""
+"""Transient rolling: forces and creepages over the distance rolled."""
 
 from microslip.picture_style import BLUE, VERMILION, new_figure, open_axes
 
@@ -6,7 +6,7 @@ COMPONENTS = (("x", BLUE), ("y", VERMILION))
 
 
 def history_picture(result):
-    """Forces on body 1 in kN above, creepages below, over the way rolled in mm."""
+    """Forces on body 1 in kN above, creepages below, over the distance rolled in mm."""
     distance, fx, fy, creepage_longitudinal, creepage_lateral = result.arrays(
         [f"/exact/history/{name}" for name in ("distance", "fx", "fy", "creepage_longitudinal", "creepage_lateral")])
     figure = new_figure(7.2, 5.6)
@@ -20,6 +20,6 @@ def history_picture(result):
         axes.legend(loc="best", frameon=True, framealpha=0.9, edgecolor="none")
     above.set_ylabel("force on the wheel [kN]")
     below.set_ylabel(r"creepage [$10^{-3}$]")
-    below.set_xlabel("way rolled [mm]")
+    below.set_xlabel("distance rolled [mm]")
     figure.suptitle(f"Transient rolling: {result.attribute('title', 'rolling contact')}")
     return figure

@@ -19,7 +19,7 @@ MICROSLIP_INLINE void start_sliding(Particles<Real, Plain, Mask>& at, const Real
 /// Where in the step, 0 to 1, the adhesion solution crosses the bound, and how fast it leaves it, there and at the
 /// step's end: zero and slopes of the parabola through f = |p| - g at the step's beginning (f <= 0), middle and end (f
 /// > 0).
-template <class Real> struct Crossing { Real place, slope, end_slope; };
+template <class Real> struct Crossing { Real fraction, slope, end_slope; };
 template <class Real, class Plain>
 MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle, const Real& end) {
   const Plain zero(0.0), two(2.0), four(4.0);
@@ -29,11 +29,11 @@ MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle,
   const Real root = sqrt(b * b - c * start * four);
   // The form of the zero that has no cancellation; its denominator is positive because f(0) <= 0 < f(1).
   const auto rising = zero < value_of(b);
-  const Real place = select(rising, start * Plain(-2.0), root - b) / select(rising, root + b, c * two);
+  const Real fraction = select(rising, start * Plain(-2.0), root - b) / select(rising, root + b, c * two);
   const Real end_slope = b + c * two;
-  const Real mean_slope = b + c * (Real(Plain(1.0)) + place); // between crossing and end, positive
+  const Real mean_slope = b + c * (Real(Plain(1.0)) + fraction); // between crossing and end, positive
   const auto grows = zero < value_of(end_slope);
-  return {place, select(grows, b + c * place * two, mean_slope), select(grows, end_slope, mean_slope)};
+  return {fraction, select(grows, b + c * fraction * two, mean_slope), select(grows, end_slope, mean_slope)};
 }
 
 /// One step of FASTSIM2, (F35)-(F39): the trapezoidal rule, with the boundary between adhesion and slip found inside
@@ -84,7 +84,7 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
     const Crossing<Real> cross =
         crossing<Real, Plain>(magnitude(at.px, at.py) - step.bound_before,
                               magnitude(middle_x, middle_y) - step.bound_middle, size - step.bound);
-    const Real t = cross.place; // traction there from the rigid slip's parabola, its size from the bound's
+    const Real t = cross.fraction; // traction there from the rigid slip's parabola, its size from the bound's
     const Real rest = Real(one) - t;
     const Real boundary_x =
         at.px - t * (step.half_rigid_x * four - step.rigid_x + t * ((step.rigid_x - step.half_rigid_x * two) * two));
@@ -104,7 +104,7 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
     const Real slip = cross.end_slope * turned_inverse * Plain(1 / step.length);
     next.slip_x = select(lets_go, -(slip * turned_x), next.slip_x);
     next.slip_y = select(lets_go, -(slip * turned_y), next.slip_y);
-    sliding_part = select(lets_go, one - value_of(cross.place), sliding_part);
+    sliding_part = select(lets_go, one - value_of(cross.fraction), sliding_part);
   }
 
   const Mask grips = was_sliding & ~slides;
@@ -114,8 +114,8 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
     const Real first = select(along_x, at.slip_x, at.slip_y);
     const Real last = select(along_x, trial_slip_x, trial_slip_y);
     const Mask passes_zero = value_of(first * last) < zero;
-    const Real place = select(passes_zero, first / (first - last), Real(one));
-    const Real still = (Real(one) - place) * half_step; // of the previous slip, over the part that adheres
+    const Real fraction = select(passes_zero, first / (first - last), Real(one));
+    const Real still = (Real(one) - fraction) * half_step; // of the previous slip, over the part that adheres
     const Real px = adhesion_x - still * at.slip_x;
     const Real py = adhesion_y - still * at.slip_y;
     next.px = select(grips, px, next.px);
@@ -127,7 +127,7 @@ MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Ste
       next.px = select(too_large, shrink * px, next.px);
       next.py = select(too_large, shrink * py, next.py);
     }
-    sliding_part = select(grips, value_of(place), sliding_part);
+    sliding_part = select(grips, value_of(fraction), sliding_part);
   }
 
   at = next;

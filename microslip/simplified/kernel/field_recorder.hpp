@@ -5,7 +5,7 @@
 
 namespace microslip::detail {
 
-/// What the recording kernel leaves of one vector of rows, and its way into a solution.
+/// What the recording kernel leaves of one vector of rows, and how it gets into a solution.
 class FieldRecorder {
 public:
   FieldRecorder(int cells, int width)
@@ -20,7 +20,7 @@ public:
     rows.sliding = sliding_.data();
   }
 
-  /// Places, tractions, slip and state of row j, whose cells count from the leading edge. Slip comes back from
+  /// Positions, tractions, slip and state of row j, whose cells count from the leading edge. Slip comes back from
   /// flexibility 1 and the cell's length: s = L S/cell.
   void copy_row(ContactSolution& to, int j, int lane, const RowGeometry& at, double travel,
                 const Flexibilities& l) const {
@@ -52,7 +52,7 @@ private:
   std::vector<double> px_, py_, slip_x_, slip_y_, sliding_;
 };
 
-/// The totals of a solution whose fields are there: forces and areas are those of the march, which knows the places
+/// The totals of a solution whose fields are there: forces and areas are those of the march, which knows the positions
 /// within a cell where slip begins and ends.
 inline void set_totals(ContactSolution& solution, const ContactForces& forces, double rolling_speed) {
   solution.totals = find_totals(solution.elements, solution.fields, solution.creepage, rolling_speed);

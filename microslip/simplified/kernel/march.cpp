@@ -81,11 +81,11 @@ MICROSLIP_INLINE Step<Real, typename Bound::Value> step_to(int i, const RigidSli
   const double end = i - 0.5;
   const double length = i == 1 && has_half_first_step(scheme) ? 0.5 : 1.0;
   // Backward Euler with a full first step takes w at the step's end (F16), the others over the step.
-  const double place = scheme == MarchingScheme::fastsim ? end : end - length / 2;
+  const double position = scheme == MarchingScheme::fastsim ? end : end - length / 2;
   Step<Real, typename Bound::Value> step;
   step.length = length;
   step.rigid_x = w.x * Vector(length);
-  step.rigid_y = w.y_at(place) * Vector(length);
+  step.rigid_y = w.y_at(position) * Vector(length);
   step.bound = bound.centre(i);
   if constexpr (scheme == MarchingScheme::fastsim2) {
     const Vector half_length(length / 2);
@@ -97,7 +97,7 @@ MICROSLIP_INLINE Step<Real, typename Bound::Value> step_to(int i, const RigidSli
   return step;
 }
 
-/// A vector of rows on its way through the contact.
+/// A vector of rows on its path through the contact.
 template <MarchingScheme scheme, class Real, class Bound> class March {
 public:
   void start(const MarchingRows& rows, int first) {
@@ -122,12 +122,12 @@ public:
   }
 
   void record(const MarchingRows& rows, int i) const {
-    const int place = (i - 1) * Vector::width;
-    at_.px.store(rows.px + place);
-    at_.py.store(rows.py + place);
-    at_.slip_x.store(rows.slip_x + place);
-    at_.slip_y.store(rows.slip_y + place);
-    select(at_.sliding, Vector(1.0), Vector(0.0)).store(rows.sliding + place);
+    const int index = (i - 1) * Vector::width;
+    at_.px.store(rows.px + index);
+    at_.py.store(rows.py + index);
+    at_.slip_x.store(rows.slip_x + index);
+    at_.slip_y.store(rows.slip_y + index);
+    select(at_.sliding, Vector(1.0), Vector(0.0)).store(rows.sliding + index);
   }
 
   void finish(const MarchingRows& rows, int first) {

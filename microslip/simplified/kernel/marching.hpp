@@ -12,7 +12,7 @@ inline constexpr int creepage_partials = 3;
 /// ... and Fn.
 inline constexpr int row_partials = 4;
 
-/// Where a kernel finds the rows to march. Everything is counted in cells along the way of a particle: position 0 is
+/// Where a kernel finds the rows to march. Everything is counted in cells along the path of a particle: position 0 is
 /// the leading edge, cell i has its centre at i - 1/2. Rigid slip and slip are those of (F18), for flexibility 1, times
 /// the cell's length, so that they have the unit of a traction. Each number is an array over the rows; where
 /// derivatives are wanted they follow it, an array each, at a distance of `stride`.
@@ -22,7 +22,7 @@ struct MarchingRows {
   int stride = 0;                        ///< from a number to its first derivative, from there to the next
   const double* rigid_slip_x = nullptr;  ///< constant along a row
   const double* rigid_slip_y = nullptr;  ///< at the leading edge
-  const double* rigid_slip_dy = nullptr; ///< its growth per cell
+  const double* rigid_slip_dy = nullptr; ///< its change per cell
 
   // The traction bound, one way or the other:
   // as scale(row), without derivatives, times a profile that all rows share ...

@@ -5,7 +5,7 @@
 
 namespace microslip::detail {
 
-/// The particles of a group of rows, one per lane, on their way through the contact, after (F18): flexibility 1,
+/// The particles of a group of rows, one per lane, on their path through the contact, after (F18): flexibility 1,
 /// lengths in cells. `Real` is Lanes or Dual<Lanes>, `Plain` the Lanes below it.
 template <class Real, class Plain, class Mask> struct Particles {
   Real px = Plain(0.0), py = Plain(0.0);         ///< traction at the last point

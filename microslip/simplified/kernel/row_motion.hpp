@@ -48,10 +48,10 @@ struct RowGeometry {
 
 /// Puts the rigid slip of a row, or its derivative number k - 1, in the kernels' units.
 inline void put_row(RowArrays& rows, int row, int k, const EffectiveSlip& w, const RowGeometry& at, double travel) {
-  const int place = row + k * rows.stride;
-  rows.rigid_slip_x[place] = (w.along - w.turn * at.y) * at.cell;
-  rows.rigid_slip_y[place] = (w.across + w.turn * at.leading) * at.cell;
-  rows.rigid_slip_dy[place] = w.turn * (travel * at.cell * at.cell);
+  const int index = row + k * rows.stride;
+  rows.rigid_slip_x[index] = (w.along - w.turn * at.y) * at.cell;
+  rows.rigid_slip_y[index] = (w.across + w.turn * at.leading) * at.cell;
+  rows.rigid_slip_dy[index] = w.turn * (travel * at.cell * at.cell);
 }
 
 /// mu at the velocity of the rigid slip, V |w| with w = (xi - phi y, eta + phi x) (F3), (S12).
@@ -69,8 +69,8 @@ struct RowSums {
 
   /// Adds what a row's kernel has left, or its derivative number k - 1.
   void add_row(const RowArrays& rows, int row, int k, const RowGeometry& at, double travel) {
-    const int place = row + k * rows.stride;
-    const double px = rows.sum_px[place], py = rows.sum_py[place], moment = rows.sum_moment[place];
+    const int index = row + k * rows.stride;
+    const double px = rows.sum_px[index], py = rows.sum_py[index], moment = rows.sum_moment[index];
     fx += px * at.cell;
     fy += py * at.cell;
     mz += (py * at.leading + moment * (travel * at.cell) - px * at.y) * at.cell;
