@@ -63,9 +63,9 @@ std::variant<EllipticContactSolver, AccurateContactSolver> solver_for(const Exac
 ExactOptions solver_options(const microslip_exact_options& o, const RollingProblem& problem) {
   const Method method = method_of(o);
   ExactOptions options = exact_options(problem, method);
-  options.discretisation = options.elements == ElementShape::bilinear
-                               ? Discretisation::classical
-                               : method.discretisation.value_or(Discretisation::second_order);
+  options.discretisation = options.elements == ElementShape::constant
+                               ? method.discretisation.value_or(Discretisation::second_order)
+                               : Discretisation::classical;
   if (!has_bodies(o)) options.bodies.reset();
   return options;
 }

@@ -109,8 +109,8 @@ Method method_of(const microslip_exact_options& o) {
   Method method{.theory = Theory::exact, .mx = o.mx, .my = o.my, .tolerance = o.tolerance};
   if (choice<Discretisation>("discretisation", o.discretisation, 2) == Discretisation::classical)
     method.discretisation = Discretisation::classical;
-  if (choice<ElementShape>("elements", o.elements, 2) == ElementShape::bilinear)
-    method.elements = ElementShape::bilinear;
+  const auto elements = choice<ElementShape>("elements", o.elements, 2);
+  if (elements != ElementShape::constant) method.elements = elements;
   if (choice<Coupling>("coupling", o.coupling, 2) == Coupling::alternating) method.coupling = Coupling::alternating;
   if (choice<SlipStart>("slip_start", o.slip_start, 2) == SlipStart::above) method.slip_start = SlipStart::above;
   if (o.accuracy != 0) method.accuracy = o.accuracy;

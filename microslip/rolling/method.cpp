@@ -56,7 +56,7 @@ constexpr Rule rules[] = {
      }},
     {"solution.elements", "bilinear ones need solution.discretisation = \"classical\"",
      [](Problem p, How m) {
-       return is_exact(m) && elements_of(p, m) == ElementShape::bilinear && !needs_sequence(p) &&
+       return is_exact(m) && elements_of(p, m) != ElementShape::constant && !needs_sequence(p) &&
               m.discretisation != Discretisation::classical;
      }},
     {"solution.accuracy", "needs steady rolling without motion.step, of second order",
