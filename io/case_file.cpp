@@ -211,8 +211,8 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   solution.counts("grid", 1, most_field_cells, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
   input.elements = solution.option("elements", input.elements);
-  if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", 1e-5, 0.1);
-  input.tolerance = solution.between("tolerance", "-", 1e-14, 0.1, input.tolerance);
+  if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", smallest_accuracy, largest_accuracy);
+  input.tolerance = solution.between("tolerance", "-", smallest_tolerance, 0.1, input.tolerance);
   input.coupling = solution.option("coupling", input.coupling);
   input.slip_start = solution.option("slip_start", input.slip_start);
   set_defaults(input.theory, input.options);
