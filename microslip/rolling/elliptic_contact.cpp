@@ -164,7 +164,7 @@ ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& co
 /// The potential contact is the ellipse and a margin; that of viscoelastic bodies grows with the relaxed modulus.
 ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact, const ExactMotion& motion) const {
   double softest = 1;
-  ContactStep step;
+  ContactStep step = contact_step(options_);
   step.bodies = bodies_of(options_, contact);
   for (const RetardedPart& part : step.bodies.retarded) softest = std::max(softest, 1 + part.retardation.ratio);
   const double widening = std::cbrt(softest) - 1;
@@ -175,17 +175,10 @@ ContactStep EllipticContactSolver::sequence_step(const EllipticContact& contact,
   step.gap = hertzian_gap(gap, step.grid);
   step.load = {NormalLoad::Given::force, contact.normal_force};
   step.friction = {contact.friction};
-  step.friction_memory = options_.friction_memory;
-  step.slip_start = options_.slip_start;
-  step.thermal = options_.thermal;
-  if (options_.temperature_effect) step.temperature_effect = {*options_.temperature_effect};
-  step.coupling = options_.coupling;
   step.motion.motion = motion.kind;
   step.motion.creepage = contact.creepage;
   step.motion.step = motion.step;
-  step.motion.direction = options_.direction;
   step.motion.rolling_speed = contact.rolling_speed;
-  step.motion.tolerance = options_.tolerance;
   if (motion.force_x) step.force_x = *motion.force_x / contact.normal_force;
   if (motion.force_y) step.force_y = *motion.force_y / contact.normal_force;
   return step;

@@ -213,4 +213,16 @@ ExactOptions exact_options(const RollingProblem& problem, const Method& method) 
           .temperature_effect = problem.friction.temperature_effect};
 }
 
+ContactStep contact_step(const ExactOptions& options) {
+  ContactStep step;
+  step.friction_memory = options.friction_memory;
+  step.slip_start = options.slip_start;
+  step.thermal = options.thermal;
+  if (options.temperature_effect) step.temperature_effect = {*options.temperature_effect};
+  step.coupling = options.coupling;
+  step.motion.direction = options.direction;
+  step.motion.tolerance = options.tolerance;
+  return step;
+}
+
 } // namespace microslip

@@ -68,5 +68,8 @@ Discretisation discretisation_of(const RollingProblem& problem, const Method& me
 ElementShape elements_of(const RollingProblem& problem, const Method& method);
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);
 ExactOptions exact_options(const RollingProblem& problem, const Method& method);
+/// A step of a ContactSequence with what the options say of it: not the grid, the bodies, the load, the friction law
+/// nor the motion.
+ContactStep contact_step(const ExactOptions& options);
 
 } // namespace microslip

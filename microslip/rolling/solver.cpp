@@ -55,23 +55,16 @@ ContactSolution with_limit(AccurateContact found) {
 
 /// A problem on a grid as a step of a sequence.
 ContactStep contact_step(const RollingProblem& p, const Method& method, GapValues shape) {
-  ContactStep step;
+  ContactStep step = contact_step(exact_options(p, method));
   step.grid = shape.grid;
   step.bodies = p.bodies;
   step.gap = std::move(shape.gap);
   step.load = p.load;
   step.friction = {p.friction.law};
-  step.friction_memory = p.friction.memory;
-  step.slip_start = method.slip_start.value_or(SlipStart::below);
-  step.thermal = p.thermal;
-  if (p.friction.temperature_effect) step.temperature_effect = {*p.friction.temperature_effect};
-  step.coupling = method.coupling.value_or(Coupling::newton);
   step.motion.motion = p.motion.kind;
   step.motion.creepage = p.motion.creepage;
   step.motion.step = p.motion.step;
-  step.motion.direction = p.motion.direction;
   step.motion.rolling_speed = p.motion.rolling_speed;
-  step.motion.tolerance = method.tolerance;
   return step;
 }
 
