@@ -91,57 +91,62 @@ void bind_results(py::module_& module) {
   add_value(accurate, {"forces", "creepage", "error", "elements"});
 }
 
-/// What both solvers take of the bodies, heat and friction.
-ExactOptions options_from(RollingDirection direction, double tolerance, std::optional<Bodies> bodies, Coupling coupling,
-                          double memory_distance, double memory_speed, SlipStart slip_start, const Heat& thermal,
-                          std::optional<TemperatureEffect> temperature_effect) {
-  ExactOptions options{.direction = direction, .tolerance = tolerance};
-  options.bodies = std::move(bodies);
-  options.coupling = coupling;
-  options.friction_memory = {memory_distance, memory_speed};
-  options.slip_start = slip_start;
-  if (thermal) options.thermal = {thermal->first, thermal->second};
-  options.temperature_effect = temperature_effect;
-  return options;
+/// The constructor of a solver from arguments of its own and the options that both solvers have; `make` makes it from
+/// the options and its own arguments. The texts are what stands before and after that of these options.
+template <class... Own, class Class, class Make, class... Arguments>
+void def_options(Class& solver, Make make, const std::string& before, const std::string& after, Arguments... own) {
+  const auto none = py::none();
+  solver.def(
+      py::init([make](Own... own_values, RollingDirection direction, double tolerance, std::optional<Bodies> bodies,
+                      Coupling coupling, double memory_distance, double memory_speed, SlipStart slip_start,
+                      const Heat& thermal, std::optional<TemperatureEffect> temperature_effect) {
+        ExactOptions options{.direction = direction, .tolerance = tolerance};
+        options.bodies = std::move(bodies);
+        options.coupling = coupling;
+        options.friction_memory = {memory_distance, memory_speed};
+        options.slip_start = slip_start;
+        if (thermal) options.thermal = {thermal->first, thermal->second};
+        options.temperature_effect = temperature_effect;
+        return make(options, own_values...);
+      }),
+      own..., "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6, "bodies"_a = none,
+      "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
+      "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
+      (before +
+       "direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:\n"
+       "CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or\n"
+       "'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the\n"
+       "slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of\n"
+       "several solutions slip_start picks that from 'below' or 'above'. thermal: two ThermalBody,\n"
+       "whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these\n"
+       "add to the friction.\n" +
+       after)
+          .c_str());
 }
-
-constexpr const char* bodies_text =
-    "bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling\n"
-    "'newton' or 'alternating'; None: elastic ones with the contact's G, nu and K. Friction that\n"
-    "falls with the slip (classical) follows it over memory_distance [m] or at least with\n"
-    "memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. thermal:\n"
-    "two ThermalBody, whose surfaces have temperatures in steady rolling (classical);\n"
-    "temperature_effect: what these add to the friction.\n";
 
 void bind_solver(py::module_& module) {
   const auto none = py::none();
-  py::class_<Solver>(module, "EllipticContactSolver",
-                     "Hertzian contacts by the exact theory of half-spaces: normal and tangential problem on mx x my\n"
-                     "elements across the ellipse. Influence coefficients are kept for the next contact with the same\n"
-                     "ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.")
-      .def(py::init([](int mx, int my, Discretisation discretisation, RollingDirection direction, double tolerance,
-                       ElementShape elements, std::optional<Bodies> bodies, Coupling coupling, double memory_distance,
-                       double memory_speed, SlipStart slip_start, const Heat& thermal,
-                       std::optional<TemperatureEffect> temperature_effect) {
-             ExactOptions options = options_from(direction, tolerance, std::move(bodies), coupling, memory_distance,
-                                                 memory_speed, slip_start, thermal, temperature_effect);
-             options.mx = mx;
-             options.my = my;
-             options.discretisation = discretisation;
-             options.elements = elements;
-             return std::make_unique<Solver>(options);
-           }),
-           "mx"_a = 24, "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,
-           "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6, "elements"_a = ElementShape::constant,
-           "bodies"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
-           "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
-           ("mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling\n"
-            "'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);\n"
-            "direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. elements\n"
-            "'constant' or, classical, 'bilinear'.\n" +
-            std::string(bodies_text) +
-            "Error if an option is out of range or the grid needs more memory than the machine has.")
-               .c_str())
+  py::class_<Solver> elliptic(
+      module, "EllipticContactSolver",
+      "Hertzian contacts by the exact theory of half-spaces: normal and tangential problem on mx x my\n"
+      "elements across the ellipse. Influence coefficients are kept for the next contact with the same\n"
+      "ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.");
+  def_options<int, int, Discretisation, ElementShape>(
+      elliptic,
+      [](ExactOptions options, int mx, int my, Discretisation discretisation, ElementShape elements) {
+        options.mx = mx;
+        options.my = my;
+        options.discretisation = discretisation;
+        options.elements = elements;
+        return std::make_unique<Solver>(options);
+      },
+      "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling\n"
+      "'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);\n"
+      "elements 'constant' or, classical, 'bilinear'; ",
+      "Error if an option is out of range or the grid needs more memory than the machine has.", "mx"_a = 24,
+      "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,
+      "elements"_a = ElementShape::constant);
+  elliptic
       .def("solve", &solve, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = none,
            "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,
            "Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m]\n"
@@ -174,36 +179,26 @@ void bind_solver(py::module_& module) {
            "dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.\n"
            "Returns ExactForceArrays; no contact stops the others.");
 
-  py::class_<AccurateSolver>(
+  py::class_<AccurateSolver> accurate(
       module, "AccurateContactSolver",
       "Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and\n"
-      "32, ... elements across, extrapolated, until the limit's error is estimated below it.")
-      .def(py::init([](double accuracy, RollingDirection direction, double tolerance, std::optional<Bodies> bodies,
-                       Coupling coupling, double memory_distance, double memory_speed, SlipStart slip_start,
-                       const Heat& thermal, std::optional<TemperatureEffect> temperature_effect) {
-             return std::make_unique<AccurateSolver>(accuracy, options_from(direction, tolerance, std::move(bodies),
-                                                                            coupling, memory_distance, memory_speed,
-                                                                            slip_start, thermal, temperature_effect));
-           }),
-           "accuracy"_a, py::kw_only(), "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6,
-           "bodies"_a = none, "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
-           "slip_start"_a = SlipStart::below, "thermal"_a = none, "temperature_effect"_a = none,
-           ("accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the\n"
-            "relative residual [-].\n" +
-            std::string(bodies_text) +
-            "Those that are solved classically take far more elements for the same accuracy.")
-               .c_str())
-      .def(
-          "solve",
-          [](AccurateSolver& self, const EllipticContact& contact, Force force_x, Force force_y) {
-            return self.run([&, contact](AccurateContactSolver& solver) {
-              SignalCheck signals;
-              return solver.solve(contact, {.force_x = force_x, .force_y = force_y}, signals.progress());
-            });
-          },
-          "contact"_a, py::kw_only(), "force_x"_a = none, "force_y"_a = none,
-          "Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns\n"
-          "AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough.");
+      "32, ... elements across, extrapolated, until the limit's error is estimated below it.");
+  def_options<double>(
+      accurate,
+      [](const ExactOptions& options, double accuracy) { return std::make_unique<AccurateSolver>(accuracy, options); },
+      "accuracy in mu Fn [-], in [1e-5, .1]; ",
+      "Those that are solved classically take far more elements for the same accuracy.", "accuracy"_a, py::kw_only());
+  accurate.def(
+      "solve",
+      [](AccurateSolver& self, const EllipticContact& contact, Force force_x, Force force_y) {
+        return self.run([&, contact](AccurateContactSolver& solver) {
+          SignalCheck signals;
+          return solver.solve(contact, {.force_x = force_x, .force_y = force_y}, signals.progress());
+        });
+      },
+      "contact"_a, py::kw_only(), "force_x"_a = none, "force_y"_a = none,
+      "Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns\n"
+      "AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough.");
 }
 
 } // namespace

@@ -15,7 +15,7 @@ class AccurateContact:
         """The limit, extrapolated; areas and status of the finer grid."""
     @property
     def creepage(self) -> Creepage:
-        """The limit, where a force is given [-], [-], [1/m]."""
+        """The limit, where a force is prescribed [-], [-], [1/m]."""
     @property
     def error(self) -> float:
         """Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-]."""
@@ -35,18 +35,20 @@ class AccurateContact:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class AccurateContactSolver:
-    """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and 32, ... elements across,
-    extrapolated, until the limit's error is estimated below it."""
+    """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and
+    32, ... elements across, extrapolated, until the limit's error is estimated below it."""
     def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' or 'backward'; tolerance of the relative residual [-].
-        bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or 'alternating';
-        None: elastic ones with the contact's G, nu and K. Friction that falls with the slip (classical) follows it over memory_distance
-        [m] or at least with memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. thermal: two
-        ThermalBody, whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these add to the friction.
+        """accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
+        CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
+        'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
+        slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of
+        several solutions slip_start picks that from 'below' or 'above'. thermal: two ThermalBody,
+        whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these
+        add to the friction.
         Those that are solved classically take far more elements for the same accuracy."""
     def solve(self, contact: EllipticContact, *, force_x: float | None = None, force_y: float | None = None) -> AccurateContact:
-        """Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns AccurateContact; its status is
-        not_converged if not even 512 x 512 elements are good enough."""
+        """Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns
+        AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough."""
 
 class Bodies:
     """Two bodies in contact, as the exact theory needs them: elastic ones, or those that viscoelastic() makes."""
@@ -54,13 +56,13 @@ class Bodies:
         """Elastic bodies from their CombinedMaterial, with an InterfaceLayer between them or none [-]."""
     @property
     def material(self) -> CombinedMaterial:
-        """Of what deforms at once, as CombinedMaterial."""
+        """Of the instantaneous deformation, as CombinedMaterial."""
     @property
     def layer(self) -> InterfaceLayer:
         """The InterfaceLayer; its flexibility is 0 without one."""
     @property
     def are_elastic(self) -> bool:
-        """Whether no part of the deformation comes late."""
+        """Whether no part of the deformation is retarded."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -76,8 +78,8 @@ class Body:
     def material(self) -> Material:
         """Its Material."""
     @property
-    def creep(self) -> Creep:
-        """Its Creep; the ratio is 0 for an elastic body."""
+    def creep(self) -> MaterialCreep:
+        """Its MaterialCreep; the ratio is 0 for an elastic body."""
     @property
     def thermal(self) -> ThermalBody | None:
         """Its ThermalBody, or None."""
@@ -94,7 +96,8 @@ class CaseCreepage(Creepage):
     """The Creepage of a case, to be read, not changed."""
 
 class CellState(enum.IntEnum):
-    """What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays of codes compare with it."""
+    """What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays
+    of codes compare with it."""
     exterior = 0
     adhesion = 1
     slip = 2
@@ -160,8 +163,8 @@ class ContactDerivatives:
         """The totals, as ContactForces."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-], phi [1/m] and Fn [N], shape (3, 4); that to Fn keeps the
-        ellipse as it is."""
+        """Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-], phi [1/m] and Fn [N],
+        shape (3, 4); that with respect to Fn keeps the ellipse as it is."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -280,12 +283,14 @@ class ContactSolution:
     def history(self) -> list[SolutionStep]:
         """Transient rolling: a list of SolutionStep, in their order."""
     def sampled(self, field: str, grid: ElementGrid) -> NDArray[numpy.float64]:
-        """A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid, in the field's unit [SI]:
-        the value of the element that a centre lies in, zero where there is none. Error for a field that the solution does not have."""
+        """A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid,
+        in the field's unit [SI]: the value of the element that a centre lies in, zero where there is
+        none. Error for a field that the solution does not have."""
     def interior_states(self, body1: Material, body2: Material, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> InteriorStates:
-        """Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x, y, z [m], numbers or lists;
-        z >= 0 lies in body 1, z < 0 in body 2, whose Material are given. Returns InteriorStates of shape (len(z), len(y), len(x)).
-        Error for a solution without pressures, as those of the simplified theory."""
+        """Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x,
+        y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.
+        Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without
+        pressures, as those of the simplified theory."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -314,13 +319,13 @@ class ContactTotals:
         """FN/G [mm^2]."""
     @property
     def x_name(self) -> str:
-        """What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is given."""
+        """What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is prescribed."""
     @property
     def x(self) -> float:
         """[-], for a shift [mm]."""
     @property
     def y_name(self) -> str:
-        """What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is given."""
+        """What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is prescribed."""
     @property
     def y(self) -> float:
         """[-], for a shift [mm]."""
@@ -342,19 +347,6 @@ class ContactTotals:
     @property
     def slip(self) -> int:
         """NSLIP, elements in slip [-]."""
-    def to_dict(self) -> dict[str, Any]:
-        """All fields [SI units] as a dict; arrays are copies."""
-
-class Creep:
-    """A standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau))."""
-    def __init__(self, ratio: float, time: float) -> None:
-        """From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0."""
-    @property
-    def ratio(self) -> float:
-        """f [-]."""
-    @property
-    def time(self) -> float:
-        """tau [s]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -429,8 +421,9 @@ class DerivativeArrays:
         """The forces."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """Derivatives of fx [N], fy [N], mz [N m] to longitudinal and lateral creepage [-], spin [1/m] and normal force [N],
-        shape (..., 3, 4); that to the normal force keeps the ellipse as it is."""
+        """Derivatives of fx [N], fy [N], mz [N m] with respect to longitudinal and lateral creepage [-],
+        spin [1/m] and normal force [N], shape (..., 3, 4); that with respect to the normal force keeps
+        the ellipse as it is."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -440,12 +433,12 @@ class ElementGrid:
         """mx, my elements [-] with sides dx, dy [m], the first one's centre at x0, y0 [m]. Error for sizes out of range."""
     @staticmethod
     def across_ellipse(a: float, b: float, mx: int, my: int, margin: int = 0) -> ElementGrid:
-        """mx x my elements [-] across an ellipse with semi-axes a, b [m], its centre at the origin, and `margin` more on each
-        side [-]."""
+        """mx x my elements [-] across an ellipse with semi-axes a, b [m], its centre at the origin, and
+        `margin` more on each side [-]."""
     @staticmethod
     def across_line(a: float, mx: int, margin: int = 0, length: float = 1.0) -> ElementGrid:
-        """A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin` more on each side [-];
-        forces are those of `length` [m]."""
+        """A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin`
+        more on each side [-]; forces are those of `length` [m]."""
     @property
     def mx(self) -> int:
         """Columns [-]."""
@@ -477,12 +470,13 @@ class ElementGrid:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class EllipticContact:
-    """A Hertzian ellipse with material, load, friction and creepages: what the solvers of either theory take. Fields may be
-    changed between calls; solvers check them, and what is out of range gives Status.invalid_input and NaN."""
+    """A Hertzian ellipse with material, load, friction and creepages: what the solvers of either
+    theory take. Fields may be changed between calls; solvers check them, and what is out of range
+    gives Status.invalid_input and NaN."""
     def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0, dissimilarity: float = 0.0) -> None:
-        """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's ratio [-], the normal
-        force [N], a friction coefficient [-] or FrictionLaw, a Creepage or (xi [-], eta [-], phi [1/m]), the speed V [m/s]
-        and the combined K [-] of bodies of different materials."""
+        """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's
+        ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or
+        (xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies."""
     @staticmethod
     def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> EllipticContact:
         """From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as above."""
@@ -528,7 +522,7 @@ class EllipticContact:
     def rolling_speed(self, value: float) -> None: ...
     @property
     def dissimilarity(self) -> float:
-        """Combined K [-], in [-0.5, 0.5], which couples pressure and tractions of bodies of different materials; the
+        """Combined K [-], in [-0.5, 0.5], which couples pressure and tractions of dissimilar bodies; the
         simplified theory refuses it."""
     @dissimilarity.setter
     def dissimilarity(self, value: float) -> None: ...
@@ -536,33 +530,38 @@ class EllipticContact:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class EllipticContactSolver:
-    """Hertzian contacts by the exact theory of half-spaces: normal and
-    tangential problem on mx x my elements across the ellipse. Influence coefficients are kept for the next contact with the
-    same ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them."""
-    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, elements: Literal["constant", "bilinear"] = 'constant', bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling 'second_order' or 'classical'
-        (Kalker's, first order; shifts and transient rolling always); direction 'forward' (along +x) or 'backward'; tolerance of
-        the relative residual [-]. elements 'constant' or, classical, 'bilinear'.
-        bodies: CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or 'alternating';
-        None: elastic ones with the contact's G, nu and K. Friction that falls with the slip (classical) follows it over memory_distance
-        [m] or at least with memory_speed [m/s]; of several solutions slip_start picks that from 'below' or 'above'. thermal: two
-        ThermalBody, whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these add to the friction.
+    """Hertzian contacts by the exact theory of half-spaces: normal and tangential problem on mx x my
+    elements across the ellipse. Influence coefficients are kept for the next contact with the same
+    ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them."""
+    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', elements: Literal["constant", "bilinear"] = 'constant', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
+        """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling
+        'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);
+        elements 'constant' or, classical, 'bilinear'; direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
+        CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
+        'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
+        slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of
+        several solutions slip_start picks that from 'below' or 'above'. thermal: two ThermalBody,
+        whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these
+        add to the friction.
         Error if an option is out of range or the grid needs more memory than the machine has."""
     def solve(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, steps: int = 1) -> ContactSolution:
-        """Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m] (0: the elements' length)
-        from zero tractions on; 'shift', a rigid shift with creepages in [m], [m], [rad]. force_x, force_y [N] on body 1 take the
-        place of the creepage in that direction. Returns ContactSolution; input out of range gives
-        Status.invalid_input and NaN. Cost O(N log N) in the number of elements, 2 ms at 24 x 24."""
+        """Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m]
+        (0: the elements' length) from zero tractions on; 'shift', a rigid shift with creepages
+        in [m], [m], [rad]. force_x, force_y [N] on body 1 take the place of the creepage in that
+        direction. Returns ContactSolution; input out of range gives Status.invalid_input and NaN. Cost
+        O(N log N) in the number of elements, 2 ms at 24 x 24."""
     def differentiate(self, contact: EllipticContact) -> ExactDerivatives:
-        """Steady rolling at second order: forces [N], [N m] and their derivatives to xi [-], eta [-] and phi [1/m], as
-        ExactDerivatives, by the implicit function theorem, right to 1e-5 away from kinks."""
+        """Steady rolling at second order: forces [N], [N m] and their derivatives with respect to xi [-],
+        eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem, accurate to 1e-5
+        away from kinks."""
     def deformed_gap(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady') -> NDArray[numpy.float64]:
         """Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in contact."""
     def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ExactForceArrays:
-        """Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads as given. Arguments as
-        in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], poisson_ratio [-],
-        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the
-        call. Returns ExactForceArrays; no contact stops the others."""
+        """Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads
+        as given. Arguments as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m],
+        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s],
+        dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.
+        Returns ExactForceArrays; no contact stops the others."""
 
 class Error(ValueError):
     """A set-up that makes no sense: the text names the field, its value, its unit and the allowed range."""
@@ -574,7 +573,7 @@ class ExactDerivatives:
         """The solution, as ContactSolution."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """Derivatives of fx [N], fy [N], mz [N m] to xi [-], eta [-] and phi [1/m], shape (3, 3)."""
+        """Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-] and phi [1/m], shape (3, 3)."""
     @property
     def products(self) -> int:
         """Products that the derivatives took [-]."""
@@ -618,18 +617,22 @@ class ExactResult:
 class Fastsim(RowSolver):
     """FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length."""
     def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0)) -> None:
-        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility 'three', 'one' or 'blended';
-        coefficients 'kalker' or 'computed'; direction 'forward' (along +x) or 'backward'; slope_reduction (initial, at_infinity,
-        decay) [-] lessens the creep curve's slope. Error if an option is out of range.
-        half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as in (F16)."""
+        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility
+        'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
+        or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
+        slope. Error if an option is out of range.
+        half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as
+        in (F16)."""
 
 class Fastsim2(RowSolver):
-    """FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked boundaries between
-    adhesion and slip, second order in the cell length. 10 x 10 cells are enough for forces."""
+    """FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked
+    boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough
+    for forces."""
     def __init__(self, mx: int = 10, my: int = 10, *, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0)) -> None:
-        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility 'three', 'one' or 'blended';
-        coefficients 'kalker' or 'computed'; direction 'forward' (along +x) or 'backward'; slope_reduction (initial, at_infinity,
-        decay) [-] lessens the creep curve's slope. Error if an option is out of range."""
+        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility
+        'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
+        or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
+        slope. Error if an option is out of range."""
 
 class ForceArrays:
     """Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views."""
@@ -656,10 +659,11 @@ class ForceArrays:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class FrictionLaw:
-    """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear: mu_k + sum d_i max(0, 1 -
-    v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2); exponential: mu_k + sum d_i 2^(-v/v_i); polach:
-    mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient
-    outside [0, 10] or a velocity that is not positive. FrictionLaw() is frictionless."""
+    """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear:
+    mu_k + sum d_i max(0, 1 - v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2);
+    exponential: mu_k + sum d_i 2^(-v/v_i); polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair
+    (drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient outside [0, 10] or a
+    velocity that is not positive. FrictionLaw() is frictionless."""
     def __init__(self) -> None:
         """Frictionless, mu = 0 [-]."""
     @staticmethod
@@ -679,7 +683,7 @@ class FrictionLaw:
         """Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law."""
     @property
     def kind(self) -> str:
-        """coulomb, linear, rational or exponential."""
+        """The name of its maker; Polach's law is an exponential one."""
     @property
     def kinetic_coefficient(self) -> float:
         """mu_k [-]."""
@@ -734,7 +738,7 @@ class HertzContact:
         """Fn [N]."""
     @property
     def approach(self) -> float:
-        """delta [m], by which distant points come nearer."""
+        """Relative approach of distant points delta [m]."""
     @property
     def peak_pressure(self) -> float:
         """p0 = 3 Fn/(2 pi a b) [Pa]."""
@@ -745,17 +749,18 @@ class HertzContact:
     def gap(self) -> GapCurvatures:
         """Curvatures of the gap [1/m]."""
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Any:
-        """p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or arrays that
-        broadcast, shape (...)."""
+        """p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or
+        arrays that broadcast, shape (...)."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class InterfaceLayer:
-    """A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G; beyond the yield stress
-    tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms plastically."""
+    """A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G;
+    beyond the yield stress tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms
+    plastically."""
     def __init__(self, flexibility: float, yield_stress: float = ..., hardening: float = 0.0) -> None:
-        """From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it gets softer. Error
-        for numbers out of range."""
+        """From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it
+        gets softer. Error for numbers out of range."""
     @property
     def flexibility(self) -> float:
         """h/G [m/Pa]."""
@@ -769,15 +774,17 @@ class InterfaceLayer:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class InteriorField:
-    """Displacements and stresses in a body from the tractions on its surface, as sums over the elements of a grid. Elastic
-    half-space; a line contact gives the plane field of endless strips. Exact for tractions that are constant in each element;
-    those of a contact are not, which is felt nearer to the surface than about an element."""
+    """Displacements and stresses in a body from the tractions on its surface, as sums over the
+    elements of a grid. Elastic half-space; a line contact gives the plane field of endless strips.
+    Exact for tractions that are constant in each element; those of a contact are not, which is felt
+    nearer to the surface than about an element."""
     def __init__(self, material: Material, body: Literal[1, 2], grid: ElementGrid, *, px: ArrayLike | None = None, py: ArrayLike | None = None, pn: ArrayLike | None = None) -> None:
-        """body 1 (wheel, z > 0) or 2 (rail) [-]; px, py, pn [Pa] are the tractions **on body 1** of the grid's elements, shape
-        (my, mx), none: zero. Error for what is out of range or not finite."""
+        """body 1 (wheel, z > 0) or 2 (rail) [-]; px, py, pn [Pa] are the tractions **on body 1** of the
+        grid's elements, shape (my, mx), none: zero. Error for what is out of range or not finite."""
     def at(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike) -> InteriorStates:
-        """At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to shape (...). Returns
-        InteriorStates. Cost .3 us for every point and element with tractions; Ctrl-C ends it."""
+        """At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to
+        shape (...). Returns InteriorStates. Cost .3 us for every point and element with tractions;
+        Ctrl-C ends it."""
     @property
     def grid(self) -> ElementGrid:
         """The elements, as ElementGrid."""
@@ -792,8 +799,9 @@ class InteriorLayers:
     def at_depth(self, depth: float) -> InteriorStates:
         """States at the points in the depth [m] >= 0, shape (my, mx), as InteriorStates."""
     def find_largest(self, depths: ArrayLike, measure: Literal["von_mises", "tresca", "hydrostatic"] = 'von_mises') -> InteriorPeak:
-        """The largest value [Pa] of 'von_mises', 'tresca' or 'hydrostatic' and where it is, as InteriorPeak: the best point of
-        the planes `depths` [m], ascending, shape (n), and from there a search. The largest one if the planes are close enough."""
+        """The largest value [Pa] of 'von_mises', 'tresca' or 'hydrostatic' and where it is, as
+        InteriorPeak: the best point of the planes `depths` [m], ascending, shape (n), and from there a
+        search. The largest one if the planes are close enough."""
 
 class InteriorPeak:
     """The largest value of a measure of stress, and where it is."""
@@ -878,12 +886,12 @@ class LineContact:
 class Material:
     """A linearly elastic, isotropic body."""
     def __init__(self, shear_modulus: float, poisson_ratio: float) -> None:
-        """From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-], in [0, 0.5]. Values are
-        checked where they are used."""
+        """From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],
+        in [0, 0.5]. Values are checked where they are used."""
     @staticmethod
     def from_young(young_modulus: float, poisson_ratio: float) -> Material:
-        """From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's ratio [-] in
-        [0, 0.5]. Error if out of range."""
+        """From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's
+        ratio [-] in [0, 0.5]. Error if out of range."""
     @property
     def shear_modulus(self) -> float:
         """Shear modulus G [Pa]."""
@@ -893,14 +901,28 @@ class Material:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class MaterialCreep:
+    """What makes a Material a standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau))."""
+    def __init__(self, ratio: float, time: float) -> None:
+        """From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0."""
+    @property
+    def ratio(self) -> float:
+        """f [-]."""
+    @property
+    def time(self) -> float:
+        """tau [s]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class NormalProblem:
-    """The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e = h - delta + u_n >= 0,
-    p_n e = 0, by conjugate gradients, without friction: any K."""
+    """The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e
+    = h - delta + u_n >= 0, p_n e = 0, by conjugate gradients, without friction: any K."""
     def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
         """Error for a grid that needs more memory than the machine has; some 190 bytes for an element."""
     def solve(self, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, tolerance: float = 1e-08) -> NormalSolution:
-        """Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either the normal force [N] or
-        the approach [m] given. Returns NormalSolution. Error for a gap with NaN or a load out of range. Cost O(N log N)."""
+        """Solves for the undeformed distance h [m] at the elements' centres, shape (my, mx), with either
+        the normal force [N] or the approach [m] given. Returns NormalSolution. Error for a gap with NaN
+        or a load out of range. Cost O(N log N)."""
 
 class NormalSolution:
     """The contact area and the pressure on it; read-only views of shape (my, mx)."""
@@ -944,18 +966,20 @@ class NormalSolution:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class PatchRolling:
-    """Steady rolling of elastically similar bodies of any shape at second order: the normal problem on a regular grid, elements
-    fitted to the edges of its contact area, the tangential problem on them. One contact patch or several."""
+    """Steady rolling of elastically similar bodies of any shape at second order: the normal problem on
+    a regular grid, elements fitted to the edges of its contact area, the tangential problem on
+    them. One contact patch or several."""
     def __init__(self, material: CombinedMaterial, grid: ElementGrid, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, direction: Literal["forward", "backward"] = 'forward') -> None:
-        """gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the approach [m] is given. The grid
-        needs three columns to spare on the side that particles come from and one on the other. Error otherwise."""
+        """gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the
+        approach [m] is given. The grid needs three columns to spare on the side that particles come
+        from and one on the other. Error otherwise."""
     @property
     def normal(self) -> NormalSolution:
         """The normal problem's NormalSolution."""
     def solve(self, friction: float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, rolling_speed: float = 1.0, tolerance: float = 1e-06) -> ContactSolution:
-        """friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x, force_y [N] on body 1 in the
-        place of the creepage in that direction; rolling_speed V [m/s] for the frictional power; tolerance of the relative residual [-]. Returns
-        ContactSolution."""
+        """friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,
+        force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the
+        frictional power; tolerance of the relative residual [-]. Returns ContactSolution."""
 
 class RollingCase:
     """What a case file says; read_case and parse_case make them."""
@@ -979,19 +1003,20 @@ class RollingCase:
         """The HertzContact."""
     @property
     def contact(self) -> CaseContact:
-        """The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be read, not changed:
-        copy.copy(case.contact) gives one that can be."""
+        """The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be
+        read, not changed: copy.copy(case.contact) gives one that can be."""
     @property
     def text(self) -> str:
         """The text of the file."""
     def exact_solver(self, *, cells: int | None = None, discretisation: str | None = None) -> EllipticContactSolver:
-        """An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-], on its grid or with
-        `cells` elements across the ellipse in each direction. Error if it cannot have that discretisation."""
+        """An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-],
+        on its grid or with `cells` elements across the ellipse in each direction. Error if it cannot
+        have that discretisation."""
     def accurate_solver(self, accuracy: float) -> AccurateContactSolver:
         """An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation."""
     def simplified_solver(self, *, cells: int | None = None) -> RowSolver:
-        """The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or with `cells` in each
-        direction. Error for FaStrip, which has no such solver in Python."""
+        """The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or
+        with `cells` in each direction. Error for FaStrip, which has no such solver in Python."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -1005,7 +1030,7 @@ class RollingContactResult:
         """The HertzContact."""
     @property
     def contact(self) -> EllipticContact:
-        """The EllipticContact, with creepages as found where a force is given."""
+        """The EllipticContact, with creepages as found where a force is prescribed."""
     @property
     def exact(self) -> ExactResult | None:
         """ExactResult, None if the case does not ask for it."""
@@ -1020,8 +1045,8 @@ class RollingContactResult:
         """Of the theory that the case asks for, a Status [-]."""
     @property
     def warnings(self) -> list[str]:
-        """What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a length
-        in mm or a modulus in MPa."""
+        """What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a
+        length in mm or a modulus in MPa."""
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot be written."""
     def to_dict(self) -> dict[str, Any]:
@@ -1031,25 +1056,26 @@ class RowSolver:
     """What Fastsim and Fastsim2 have in common: all memory is taken when one is made, then it is used again and again."""
     @overload
     def solve(self, contact: EllipticContact) -> ContactForces:
-        """Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives Status.invalid_input and
-        NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my)."""
+        """Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives
+        Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my)."""
     @overload
     def solve(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactForces:
         """The same with other creepages [-], [-] and spin [1/m] than the contact's own."""
     @overload
     def differentiate(self, contact: EllipticContact) -> ContactDerivatives:
-        """Forces [N], [N m] and their derivatives to xi [-], eta [-], phi [1/m] and Fn [N], as ContactDerivatives: forward
-        differentiation of the same code."""
+        """Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],
+        as ContactDerivatives: forward differentiation of the same code."""
     @overload
     def differentiate(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactDerivatives:
         """The same with other creepages [-], [-] and spin [1/m] than the contact's own."""
     def fields(self, contact: EllipticContact) -> ContactSolution:
         """Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution."""
     def patch_fields(self, y: ArrayLike, leading: ArrayLike, trailing: ArrayLike, pressure: ArrayLike, *, row_width: float, flexibilities: tuple[float, float, float], friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], rolling_speed: float = 1.0) -> ContactSolution:
-        """The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their leading to their trailing
-        edges x [m], shape (my), with the pressure p_n [Pa] at the centres of mx cells each, shape (my, mx), x ascending;
-        row_width [m], flexibilities L [m/Pa] for longitudinal creepage, lateral creepage and spin, friction [-] or a
-        law, creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense."""
+        """The fields of a patch of any outline, as ContactSolution: rows at y [m], shape (my), from their
+        leading to their trailing edges x [m], shape (my), with the pressure p_n [Pa] at the centres of
+        mx cells each, shape (my, mx), x ascending; row_width [m], flexibilities L [m/Pa] for
+        longitudinal creepage, lateral creepage and spin, friction [-] or a law,
+        creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense."""
     @property
     def mx(self) -> int:
         """Cells of a row [-]."""
@@ -1057,17 +1083,21 @@ class RowSolver:
     def my(self) -> int:
         """Rows [-]."""
     def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; fields that
-        are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], b [m],
-        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the broadcast
-        shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays
-        that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns ForceArrays."""
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace its own, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. Returns ForceArrays."""
     def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a contact; fields that
-        are given replace its own, as numbers or arrays that broadcast: longitudinal [-], lateral [-], spin [1/m], a [m], b [m],
-        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the broadcast
-        shape (...) and do not depend on the number of threads. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays
-        that are no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace its own, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
 class SimplifiedResult:
     """What the simplified theory makes of a case."""
@@ -1107,9 +1137,10 @@ class SolutionStep:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class Status(enum.IntEnum):
-    """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are NaN; not_converged, the
-    result is the best one found; no_contact, the bodies do not touch; no_solution, the force given is beyond friction
-    and the result slides fully. An IntEnum: arrays of codes compare with it."""
+    """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are
+    NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;
+    no_solution, the force given is beyond friction and the result slides fully. An IntEnum: arrays
+    of codes compare with it."""
     ok = 0
     invalid_input = 1
     not_converged = 2
@@ -1117,8 +1148,8 @@ class Status(enum.IntEnum):
     no_solution = 4
 
 class SurfaceFields:
-    """The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the rows, x within a row; None
-    for one that the solution does not have. Zero outside the contact."""
+    """The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the rows, x
+    within a row; None for one that the solution does not have. Zero outside the contact."""
     @property
     def x(self) -> object:
         """Centre of the element along the rolling direction, shape (my, mx) [m]; None if the solution does not have it."""
@@ -1174,17 +1205,19 @@ class SurfaceFields:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class TangentialProblem:
-    """The tangential contact problem of the exact theory on a grid of elements with constant tractions, classical
-    discretisation, elastically similar bodies: shifts, steps of transient rolling, steady rolling."""
+    """The tangential contact problem of the exact theory on a grid of elements with constant
+    tractions, classical discretisation, elastically similar bodies: shifts, steps of transient
+    rolling, steady rolling."""
     def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
-        """Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some 5,900 bytes for an element
-        at most."""
+        """Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some
+        5,900 bytes for an element at most."""
     def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
-        """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact; creepages [-], [-], [1/m], for
-        a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in the place of the creepage in that direction; step dq [m], 0 the
-        elements' length; rolling_speed V [m/s]; previous: the TangentialSolution that a shift or a step of transient rolling
-        starts from, none: no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for input out of
-        range."""
+        """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;
+        creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in place
+        of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];
+        previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:
+        no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for
+        input out of range."""
 
 class TangentialSolution:
     """Tractions and slip on a regular grid; read-only views of shape (my, mx), x and y ascending."""
@@ -1217,7 +1250,7 @@ class TangentialSolution:
         """The totals, as ContactForces."""
     @property
     def creepage(self) -> Creepage:
-        """As given, or as found where a force is given [-], [-], [1/m]."""
+        """As given, or as found where a force is prescribed [-], [-], [1/m]."""
     @property
     def elastic_energy(self) -> float:
         """Of the tractions [J]."""
@@ -1239,8 +1272,8 @@ class TangentialSolution:
 class TemperatureEffect:
     """What the temperature T of the surfaces adds to a friction coefficient: change min(1, max(0, (T - begin)/range))."""
     def __init__(self, change: float, begin: float, range: float) -> None:
-        """From the whole change [-], the temperature [deg C] up to which there is none, and the range [K] > 0 over which it grows.
-        Error for numbers out of range."""
+        """From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]
+        > 0 over which it grows. Error for numbers out of range."""
     @property
     def change(self) -> float:
         """The whole change [-]."""
@@ -1256,8 +1289,8 @@ class TemperatureEffect:
 class ThermalBody:
     """What a body is for heat."""
     def __init__(self, bulk_temperature: float, conductivity: float, density: float, heat_capacity: float) -> None:
-        """From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3] and c [J/(kg K)], all three
-        > 0. Error for numbers out of range."""
+        """From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]
+        and c [J/(kg K)], all three > 0. Error for numbers out of range."""
     @property
     def bulk_temperature(self) -> float:
         """Where it enters the contact [deg C]."""
@@ -1277,28 +1310,31 @@ def build_info() -> dict[str, str]:
     """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
 
 def combine(body1: Material, body2: Material) -> CombinedMaterial:
-    """Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa],
-    K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or Poisson's ratio
-    is out of range or both bodies are rigid."""
+    """Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa], K/G =
+    ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 [1/Pa] (Kalker 1990, section 1.6). Error if a modulus or
+    Poisson's ratio is out of range or both bodies are rigid."""
 
 def creepage_coefficients(a_over_b: float, poisson_ratio: float, coefficients: Literal["kalker", "computed"] = 'kalker') -> CreepageCoefficients:
-    """The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker' (Kalker 1990, table E.3)
-    or 'computed' (right to 1e-4 from a/b = .05 to 20). Beyond a table they tend to the limits of slender ellipses."""
+    """The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker'
+    (Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = .05 to 20). Beyond a table
+    they tend to the limits of slender ellipses."""
 
 def gap_curvatures(rolling1: float, rolling2: float, transverse1: float, transverse2: float) -> GapCurvatures:
-    """A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m] of bodies 1 and 2 in
-    the plane of rolling and in the lateral plane: positive convex, negative concave, math.inf flat. Error for a radius
-    that is zero or not a number, and unless A and B are positive."""
+    """A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m]
+    of bodies 1 and 2 in the plane of rolling and in the lateral plane: positive convex, negative
+    concave, math.inf flat. Error for a radius that is zero or not a number, and unless A and B are
+    positive."""
 
 def hertz_from_approach(gap: GapCurvatures, material: CombinedMaterial, approach: float) -> HertzContact:
-    """The same from the approach [m] in the place of the load."""
+    """The same from the approach [m] in place of the load."""
 
 def hertz_from_ellipse(a: float, b: float, material: CombinedMaterial, normal_force: float) -> HertzContact:
     """The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5]."""
 
 def hertz_from_load(gap: GapCurvatures, material: CombinedMaterial, normal_force: float) -> HertzContact:
-    """Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2). Relative error below
-    1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and for A/B outside [1e-9, 1e9]."""
+    """Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2).
+    Relative error below 1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and
+    for A/B outside [1e-9, 1e9]."""
 
 def hertzian_gap(gap: GapCurvatures, grid: ElementGrid) -> NDArray[numpy.float64]:
     """The undeformed distance h = A x^2 + B y^2 at the elements' centres, shape (my, mx) [m]."""
@@ -1313,25 +1349,28 @@ def parse_case(text: str, name: str = 'case') -> RollingCase:
     """The same from TOML text, SI units; `name` is the file's name for messages [-]."""
 
 def read_case(path: str | os.PathLike[str]) -> RollingCase:
-    """Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with file, line, key, value and
-    allowed range for what is wrong, and with the nearest key for unknown ones [-]."""
+    """Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with
+    file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown
+    ones [-]."""
 
 def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
-    """Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what the ones before it have
-    left: `for case in run_contact_input(path)` gives ContactCase, totals in CONTACT's units [N], [mm], fields in SI units.
-    Memory does not grow with the number of cases. A case that asks for something unsupported is refused with its reasons,
-    and the others run. Error with file, line and field for what is against the grammar, when the case is reached."""
+    """Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what
+    the ones before it have left: `for case in run_contact_input(path)` gives ContactCase, totals in
+    CONTACT's units [N], [mm], fields in SI units. Memory does not grow with the number of cases. A
+    case that asks for something unsupported is refused with its reasons, and the others run. Error
+    with file, line and field for what is against the grammar, when the case is reached."""
 
 def solve_case(case: RollingCase) -> RollingContactResult:
-    """Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI units [-]. Ctrl-C ends it.
-    Returns RollingContactResult; not converging is a status."""
+    """Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI
+    units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status."""
 
 def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, normal_force: float, friction: float, x: ArrayLike, y: ArrayLike) -> Any:
-    """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside the ellipse. 'parabolic':
-    mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3 Fn/(2 pi a b) times the root of the same. Both integrate to
-    mu Fn. x, y [m] are numbers or arrays that broadcast, shape (...)."""
+    """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside
+    the ellipse. 'parabolic': mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3
+    Fn/(2 pi a b) times the root of the same. Both integrate to mu Fn. x, y [m] are numbers or
+    arrays that broadcast, shape (...)."""
 
-def viscoelastic(body1: Material, creep1: Creep, body2: Material, creep2: Creep, rolling_velocity: float, layer: InterfaceLayer | None = None) -> Bodies:
-    """Two standard linear solids that roll steadily, as Bodies: their Material, of quick loads, and Creep, the velocity V [m/s],
-    positive along +x, negative with direction 'backward', and an InterfaceLayer between them or none. Error for constants out
-    of range."""
+def viscoelastic(body1: Material, creep1: MaterialCreep, body2: Material, creep2: MaterialCreep, rolling_velocity: float, layer: InterfaceLayer | None = None) -> Bodies:
+    """Two standard linear solids that roll steadily, as Bodies: their Material of instantaneous
+    deformation and MaterialCreep, the velocity V [m/s], positive along +x, negative with direction
+    'backward', and an InterfaceLayer between them or none. Error for constants out of range."""
