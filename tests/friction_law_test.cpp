@@ -15,6 +15,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// The makers of laws that fall with the slip velocity.
+constexpr auto falling = {FrictionLaw::linear, FrictionLaw::rational, FrictionLaw::exponential};
+
 struct NamedLaw {
   std::string name;
   FrictionLaw law;
@@ -70,7 +73,7 @@ TEST(FrictionLaw, NeverRises) {
 TEST(FrictionLaw, HalfOfATermIsLeftAtItsHalfVelocity) {
   // The other term is switched off, so that each is seen on its own.
   const FrictionTerm none, term{.drop = 0.2, .half_velocity = 0.7};
-  for (const auto make : {FrictionLaw::linear, FrictionLaw::rational, FrictionLaw::exponential}) {
+  for (const auto make : falling) {
     EXPECT_DOUBLE_EQ(make(0.1, term, none).coefficient(0.7), 0.2);
     EXPECT_DOUBLE_EQ(make(0.1, none, term).coefficient(0.7), 0.2);
   }
@@ -140,7 +143,7 @@ TEST(FrictionLaw, RefusesCoefficientsOutOfRange) {
     const FrictionTerm good{.drop = 0.1, .half_velocity = 1}, wrong{.drop = bad, .half_velocity = 1};
     expect_error([&] { FrictionLaw::coulomb(bad); }, "coefficient", range);
     expect_error([&] { FrictionLaw::polach(bad, 0.5, 1); }, "static_coefficient", range);
-    for (const auto make : {FrictionLaw::linear, FrictionLaw::rational, FrictionLaw::exponential}) {
+    for (const auto make : falling) {
       expect_error([&] { make(bad, good, good); }, "kinetic", range);
       expect_error([&] { make(0.2, wrong, good); }, "first.drop", range);
       expect_error([&] { make(0.2, good, wrong); }, "second.drop", range);
@@ -153,7 +156,7 @@ TEST(FrictionLaw, RefusesCoefficientsOutOfRange) {
 TEST(FrictionLaw, RefusesVelocitiesOutOfRange) {
   for (const double bad : {0.0, -1.0, infinity, nan}) {
     const FrictionTerm good{.drop = 0.1, .half_velocity = 1}, wrong{.drop = 0.1, .half_velocity = bad};
-    for (const auto make : {FrictionLaw::linear, FrictionLaw::rational, FrictionLaw::exponential}) {
+    for (const auto make : falling) {
       expect_error([&] { make(0.2, wrong, good); }, "first.half_velocity", "[m/s]: must be positive and finite");
       expect_error([&] { make(0.2, good, wrong); }, "second.half_velocity", "[m/s]: must be positive and finite");
     }

@@ -13,7 +13,7 @@ ALLOWED = {
     "microslip/numerics": [],
     "microslip/elasticity": ["microslip/numerics"],
     "microslip/friction": ["microslip/numerics"],
-    "microslip/contact": ["microslip/elasticity", "microslip/friction"],
+    "microslip/contact": ["microslip/friction"],
     # simplified/kernel is the part of simplified/ that is compiled for several instruction sets
     "microslip/simplified": ["microslip/contact", "microslip/friction", "microslip/numerics"],
     "microslip/thermal": ["microslip/contact"],
@@ -26,10 +26,10 @@ ALLOWED = {
                           "microslip/simplified", "microslip/thermal", EXACT + "halfspace", EXACT + "normal",
                           EXACT + "newton"],
     "microslip/interior": ["microslip/contact", "microslip/elasticity", "microslip/numerics", EXACT + "halfspace"],
-    "microslip/rolling": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/interior",
-                          "microslip/simplified", "microslip/thermal", EXACT + "classical", EXACT + "fitted",
-                          EXACT + "halfspace", EXACT + "normal"],
-    "microslip/batch": ["microslip/contact", "microslip/rolling", "microslip/simplified"],
+    "microslip/rolling": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/simplified",
+                          "microslip/thermal", EXACT + "classical", EXACT + "fitted", EXACT + "halfspace",
+                          EXACT + "normal"],
+    "microslip/batch": ["microslip/contact", "microslip/simplified"],
 }
 
 

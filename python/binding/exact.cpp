@@ -142,7 +142,7 @@ void bind_solver(py::module_& module) {
       },
       "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling\n"
       "'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);\n"
-      "elements 'constant' or, classical, 'bilinear'; ",
+      "elements 'constant' or, classical, 'bilinear';\n",
       "Error if an option is out of range or the grid needs more memory than the machine has.", "mx"_a = 24,
       "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,
       "elements"_a = ElementShape::constant);
@@ -186,7 +186,7 @@ void bind_solver(py::module_& module) {
   def_options<double>(
       accurate,
       [](const ExactOptions& options, double accuracy) { return std::make_unique<AccurateSolver>(accuracy, options); },
-      "accuracy in mu Fn [-], in [1e-5, .1]; ",
+      "accuracy in mu Fn [-], in [1e-5, .1];\n",
       "Those that are solved classically take far more elements for the same accuracy.", "accuracy"_a, py::kw_only());
   accurate.def(
       "solve",
