@@ -38,7 +38,8 @@ class AccurateContactSolver:
     """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and
     32, ... elements across, extrapolated, until the limit's error is estimated below it."""
     def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """accuracy in mu Fn [-], in [1e-5, .1]; direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
+        """accuracy in mu Fn [-], in [1e-5, .1];
+        direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
         CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
         'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
         slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of
@@ -536,7 +537,8 @@ class EllipticContactSolver:
     def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', elements: Literal["constant", "bilinear"] = 'constant', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
         """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling
         'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);
-        elements 'constant' or, classical, 'bilinear'; direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
+        elements 'constant' or, classical, 'bilinear';
+        direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
         CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
         'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
         slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of
