@@ -46,6 +46,18 @@ TEST(FrictionLaw, CoulombDoesNotDependOnTheVelocity) {
   EXPECT_EQ(law.kind(), FrictionLaw::Kind::coulomb);
 }
 
+TEST(FrictionLaw, IsMadeByItsKindAsByItsName) {
+  const FrictionTerm first{.drop = 0.12, .half_velocity = 0.4}, second{.drop = 0.05, .half_velocity = 3};
+  ASSERT_EQ(FrictionLaw::names.size(), 1 + falling.size());
+  EXPECT_EQ(FrictionLaw::make(FrictionLaw::Kind::coulomb, 0.2, first, second).coefficient(1.0), 0.2);
+  auto kind = static_cast<int>(FrictionLaw::Kind::coulomb);
+  for (const auto make : falling) {
+    const FrictionLaw law = FrictionLaw::make(static_cast<FrictionLaw::Kind>(++kind), 0.2, first, second);
+    EXPECT_EQ(static_cast<int>(law.kind()), kind);
+    EXPECT_EQ(law.coefficient(1.0), make(0.2, first, second).coefficient(1.0));
+  }
+}
+
 TEST(FrictionLaw, StartsAtTheStaticAndEndsAtTheKineticCoefficient) {
   for (const auto& [name, law, limit] : falling_laws()) {
     SCOPED_TRACE(name);
