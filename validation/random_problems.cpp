@@ -51,7 +51,7 @@ struct Result {
 struct Contact {
   ContactStep step;
   double a = 0, friction = 0, force = 0, peak = 0; ///< [m], [-], [N], [Pa]
-  double creepage = 0; ///< of a contact that slides about halfway [-]
+  double creepage = 0;                             ///< of a contact that slides about halfway [-]
 };
 
 /// An ellipse or, now and then, a line contact, or a wavy gap, with similar bodies and Coulomb friction.
