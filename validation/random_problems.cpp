@@ -166,7 +166,7 @@ Result different_materials(Draw& draw, const Progress& progress) {
 Result viscoelastic_bodies(Draw& draw, const Progress& progress) {
   Contact c = draw_contact(draw);
   const Material body = {modulus, draw.number(0.2, 0.5)};
-  const Creep creep = {draw.power(0.1, 3), draw.power(0.03, 10) * c.a / speed};
+  const MaterialCreep creep = {draw.power(0.1, 3), draw.power(0.03, 10) * c.a / speed};
   const double rolls = c.step.motion.direction == RollingDirection::forward ? speed : -speed;
   c.step.bodies = viscoelastic(body, creep, body, creep, rolls);
   return solve(draw, c, ContactMotion::steady, progress);
