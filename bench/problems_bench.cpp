@@ -116,7 +116,10 @@ Figures patch(int n, double skewness) {
   const std::vector<double> gap = gap_on(grid, skewness);
   Figures figures;
   measure(
-      figures, [&] { return PatchRolling(steel, grid, gap, {NormalLoad::Given::force, load}); },
+      figures,
+      [&] {
+        return PatchRolling(steel, grid, gap, {NormalLoad::Given::force, load});
+      },
       [&](PatchRolling& rolling) {
         const ContactSolution s = rolling.solve({.friction = friction, .creepage = creepage});
         figures.elements = rolling.contact()->elements.size();
@@ -202,8 +205,9 @@ void print(const Problem& problem, int most_across) {
 int main(int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   const int most_across = argc > 2 ? std::atoi(argv[2]) : 254;
-  std::printf("| problem | elements in contact | set-up [s] | solve [s] | Newton steps | products | solve / ellipse's | "
-              "all / ellipse's |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| problem | elements in contact | set-up [s] | solve [s] | Newton steps | products | solve / ellipse's | "
+      "all / ellipse's |\n|---|---|---|---|---|---|---|---|\n");
   for (const Problem& problem : problems())
     if (std::string(problem.name).find(word) != std::string::npos) print(problem, most_across);
 }

@@ -93,7 +93,7 @@ TEST(RowSolver, SinglePrecision) {
             ASSERT_NEAR(found[k].fx, wanted[k].fx, 1e-5 * force);
             ASSERT_NEAR(found[k].fy, wanted[k].fy, 1e-5 * force);
             ASSERT_NEAR(found[k].mz, wanted[k].mz, 1e-5 * friction_moment(contacts[k]));
-            ASSERT_NEAR(found[k].slip_area, wanted[k].slip_area, 1e-2 * area);
+            ASSERT_NEAR(found[k].slip_area, wanted[k].slip_area, area / mx); // cells that are about to slip
           }
         }
     }

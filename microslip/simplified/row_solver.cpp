@@ -91,35 +91,40 @@ struct RowSolver::Workspace {
   double cell_per_half; ///< length of a cell over half the row's
   double weight;        ///< what a cell counts for in the forces, over its area: makes the discrete normal force exact
   RowArrays rows;
+  std::vector<char> fits_single; ///< of the contacts of a block
 
   Workspace(MarchingScheme marching_scheme, const SimplifiedOptions& o)
       : scheme(marching_scheme), options(o), kernels(marching_kernels(marching_scheme, o.instruction_set)),
         grid(o.mx, o.my, o.bound), travel(travel_of(o.direction)), block(std::max(1, rows_per_block / o.my)),
         cell_per_half(2.0 / o.mx), weight(1 / (peak_factor(o.bound, 1, 1) * grid.bound_integral)),
-        rows(block * o.my, o.mx) {}
+        rows(block * o.my, o.mx), fits_single(static_cast<std::size_t>(block)) {}
 
   RowGeometry row(const EllipticContact& contact, int j) const {
     const double half = contact.a * grid.half_length[j];
     return {contact.b * grid.y[j], -travel * half, half * cell_per_half};
   }
 
-  /// Rigid slip and peak of the bound for the rows of a contact, from `first_row` of the arrays on.
-  template <class Real> void prepare(const EllipticContact& contact, int first_row) {
+  /// Rigid slip and peak of the bound for the rows of a contact, from `first_row` of the arrays on, in a unit of
+  /// tractions [Pa]. Returns the size of the rigid slip of a cell in that unit, an upper bound of it.
+  template <class Real> double prepare(const EllipticContact& contact, int first_row, double unit = 1) {
     const auto drive = drive_of<Real>(contact.creepage, contact.normal_force);
     const auto l = flexibilities(options.flexibility, options.slope_reduction, contact, drive, options.creepage_table);
     const Real along = drive.xi / l.longitudinal, across = drive.eta / l.lateral, turn = drive.phi / l.spin;
     for (int k = 0; k < numbers_of<Real>; ++k) {
-      const EffectiveSlip w = {number(along, k), number(across, k), number(turn, k)};
+      const EffectiveSlip w = {number(along, k) / unit, number(across, k) / unit, number(turn, k) / unit};
       for (int j = 0; j < options.my; ++j) put_row(rows, first_row + j, k, w, row(contact, j), travel);
     }
-    const double peak = peak_of(contact);
+    const double peak = peak_of(contact) / unit;
     for (int j = 0; j < options.my; ++j) rows.bound_scale[first_row + j] = peak * grid.row_bound[j];
+    const double largest =
+        std::abs(value_of(along)) + std::abs(value_of(across)) + std::abs(value_of(turn)) * (contact.a + contact.b);
+    return largest * contact.a * cell_per_half / unit;
   }
 
   template <class Real, class Result>
-  void collect(const EllipticContact& contact, int first_row, Result& result) const {
+  void collect(const EllipticContact& contact, int first_row, Result& result, double unit = 1) const {
     std::array<RowSums, numbers_of<Real>> totals;
-    const double width = 2 * contact.b / options.my, scale = weight * width;
+    const double width = 2 * contact.b / options.my, scale = weight * width * unit;
     for (int k = 0; k < numbers_of<Real>; ++k) {
       RowSums sum;
       for (int j = 0; j < options.my; ++j) sum.add_row(rows, first_row + j, k, row(contact, j), travel);
@@ -142,43 +147,24 @@ struct RowSolver::Workspace {
     for (int c = 0; c < n; ++c) collect<Real>(contacts[c], c * options.my, results[c]);
   }
 
-  /// The same in single precision, whose range needs tractions and rigid slip as shares of the bound's peak.
+  /// The same in single precision, in the unit of the bound's peak. Contacts that slide so fast that their tractions
+  /// are lost beside the rigid slip are solved in double precision.
   void solve_in_single(std::span<const EllipticContact> contacts, std::span<ContactForces> results) {
+    constexpr double fastest = 50; // rigid slip of a cell: 6e-8 of it are lost
     const int n = static_cast<int>(contacts.size());
-    for (int c = 0; c < n; ++c) {
-      prepare<double>(contacts[c], c * options.my);
-      scale_inputs(c * options.my, peak_of(contacts[c]));
-    }
+    const auto unit_of = [&](const EllipticContact& contact) { return peak_of(contact) > 0 ? peak_of(contact) : 1; };
+    for (int c = 0; c < n; ++c)
+      fits_single[c] = prepare<double>(contacts[c], c * options.my, unit_of(contacts[c])) <= fastest;
     march_profiles(kernels.forces_in_single, n);
-    for (int c = 0; c < n; ++c) {
-      scale_sums(c * options.my, peak_of(contacts[c]));
-      collect<double>(contacts[c], c * options.my, results[c]);
-    }
+    for (int c = 0; c < n; ++c)
+      if (fits_single[c]) collect<double>(contacts[c], c * options.my, results[c], unit_of(contacts[c]));
+    for (int c = 0; c < n; ++c)
+      if (!fits_single[c]) solve_block<double>(kernels.forces, contacts.subspan(c, 1), results.subspan(c, 1));
   }
 
   double peak_of(const EllipticContact& contact) const {
     return contact.normal_force * contact.friction.static_coefficient() *
            peak_factor(options.bound, contact.a, contact.b);
-  }
-
-  /// Divides by the peak of the bound. Rigid slip beyond all tractions is brought down to where its squares are
-  /// numbers: all slides in its direction.
-  void scale_inputs(int first_row, double peak) {
-    constexpr double most = 1e12;
-    double largest = 0;
-    const auto inputs = {&rows.rigid_slip_x, &rows.rigid_slip_y, &rows.rigid_slip_dy};
-    for (const auto* input : inputs)
-      for (int j = first_row; j < first_row + options.my; ++j) largest = std::max(largest, std::abs((*input)[j]));
-    const double factor = largest > most * peak ? most / largest : peak > 0 ? 1 / peak : 0;
-    for (auto* input : inputs)
-      for (int j = first_row; j < first_row + options.my; ++j) (*input)[j] *= factor;
-    for (int j = first_row; j < first_row + options.my; ++j)
-      rows.bound_scale[j] = peak > 0 ? rows.bound_scale[j] / peak : 0;
-  }
-
-  void scale_sums(int first_row, double peak) {
-    for (auto* sums : {&rows.sum_px, &rows.sum_py, &rows.sum_moment})
-      for (int j = first_row; j < first_row + options.my; ++j) (*sums)[j] *= peak;
   }
 
   void march_profiles(MarchingKernel kernel, int contacts) {
