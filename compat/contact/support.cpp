@@ -17,6 +17,20 @@ bool is_approximate(PressureModel model) {
   return model == PressureModel::kik_piotrowski || model == PressureModel::analyn;
 }
 
+/// MEMDST > 0, the last but one number of a set.
+bool has_memory(const Case& c) {
+  if (c.friction.law == Law::coulomb || c.friction.sets.empty()) return false;
+  const auto& set = c.friction.sets[0];
+  return set[set.size() - 2] > 0;
+}
+
+/// Whether what happens in an element of steady rolling depends on those ahead in its row.
+bool goes_along_rows(const Case& c) {
+  const Digits& d = c.digits;
+  const bool yields = d.mater == Bulk::layer && c.material->model_data[2] > 0;
+  return d.is_simplified() || d.mater == Bulk::viscoelastic || yields || d.heat != Heat::none || has_memory(c);
+}
+
 /// A value of a digit, or of a number beside it, that is not supported.
 struct Refusal {
   const char* digit;
@@ -50,10 +64,11 @@ constexpr Refusal refusals[] = {
      [](const Case& c) { return c.digits.is_fastrip() && c.digits.tang == Tangential::shift; }},
     {"T = 2", "transient rolling with FaStrip, as in CONTACT",
      [](const Case& c) { return c.digits.is_fastrip() && c.digits.tang == Tangential::transient; }},
-    {"CHI", "steady rolling, or rolling on a layer, in a direction other than 0 or 180 degrees; CONTACT takes 0 then",
+    {"CHI",
+     "steady rolling in a direction other than 0 or 180 degrees of what goes along the rows: FASTSIM, viscoelastic "
+     "bodies, a layer that yields, friction with a memory, temperatures",
      [](const Case& c) {
-       return (c.digits.tang == Tangential::steady || c.digits.mater == Bulk::layer) && c.digits.rolls() &&
-              !rolls_along_x(c);
+       return c.digits.tang == Tangential::steady && c.digits.has_friction() && !rolls_along_x(c) && goes_along_rows(c);
      }},
     {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5, as in CONTACT",
      [](const Case& c) {

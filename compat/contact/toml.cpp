@@ -41,7 +41,7 @@ void check(const Case& c) {
   if (d.has_history() && (d.pvtime == Continuation::previous || d.pvtime == Continuation::repeated))
     refuse(written(d.pvtime) + " (it goes on from another case)");
   if (c.extra != ExtraSlip::none) refuse(written(c.extra) + " (extra rigid slip)");
-  if (d.tang == Tangential::transient && !rolls_along_x(c)) refuse("CHI (rolling at an angle to the x axis)");
+  if (d.rolls() && !rolls_along_x(c)) refuse("CHI (rolling at an angle to the x axis)");
   if (d.rolls() && !d.is_simplified() && contact_step(c).motion.leading_edge)
     refuse("DQ > DX (with the leading edge's correction of CONTACT)");
   if (d.varfrc == FrictionSets::by_row || c.friction.by_row) refuse("V = 3 (friction that differs from row to row)");

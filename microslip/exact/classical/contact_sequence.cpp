@@ -82,6 +82,11 @@ void check(const ContactStep& step) {
   if (!step.excluded.empty()) check_size("excluded", step.excluded.size());
   for (const auto* extra : {&step.extra_slip_x, &step.extra_slip_y})
     if (!extra->empty()) check_size("extra_slip", extra->size());
+  const bool at_an_angle = step.motion.motion == ContactMotion::steady && step.motion.heading != 0;
+  const bool brings_along = step.friction_memory.distance > 0 || step.bodies.layer.yields() || step.thermal;
+  if (at_an_angle && brings_along && !step.frictionless)
+    throw Error("heading", step.motion.heading, "rad",
+                "0 in steady rolling with friction that has a memory, a layer that yields, or temperatures");
   if (step.temperature_effect.empty() || step.frictionless) return;
   if (!step.thermal) throw Error("temperature_effect: needs thermal bodies");
   if (step.motion.motion != ContactMotion::steady) throw Error("temperature_effect: needs steady rolling");

@@ -43,13 +43,14 @@ CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, co
 
 CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
   if (motion.motion == ContactMotion::shift) return displacement_;
-  if (motion_ != motion.motion || step_ != step) {
+  const Vec2 way = way_of(motion, step);
+  if (motion_ != motion.motion || step_.x != way.x || step_.y != way.y) {
     coupled_operator_ = std::make_unique<CoupledOperator>(
         motion.motion == ContactMotion::steady
-            ? CoupledOperator::difference(bodies_, grid_, step, motion.progress)
+            ? CoupledOperator::difference(bodies_, grid_, way, motion.progress)
             : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step), motion.progress));
     motion_ = motion.motion;
-    step_ = step;
+    step_ = way;
   }
   return *coupled_operator_;
 }

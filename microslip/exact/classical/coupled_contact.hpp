@@ -44,7 +44,7 @@ private:
   std::unique_ptr<TangentialProblem> tangential_;     ///< with the pressure given
   std::unique_ptr<CoupledOperator> coupled_operator_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
-  double step_ = 0;
+  Vec2 step_ = {};
   CoupledNewton newton_;
 };
 

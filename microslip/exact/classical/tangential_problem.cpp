@@ -44,8 +44,8 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   require_between("step", input.step, "m", 0, std::numeric_limits<double>::max());
   require_between("spin_offset", input.spin_offset, "-", 0, 1);
   require_finite("heading", input.heading, "rad");
-  if (input.heading != 0 && (input.motion != ContactMotion::transient || input.leading_edge))
-    throw Error("heading", input.heading, "rad", "0 except in transient rolling without the leading edge's correction");
+  if (input.heading != 0 && (input.motion == ContactMotion::shift || input.leading_edge))
+    throw Error("heading", input.heading, "rad", "0 except in rolling without the leading edge's correction");
   require_positive("rolling_speed", input.rolling_speed, "m/s");
   require_between("tolerance", input.tolerance, "-", 1e-14, 1);
 }
@@ -145,14 +145,15 @@ SlipOperator& TangentialProblem::displacement(const Progress& progress) {
 }
 
 SlipOperator& TangentialProblem::difference(const TangentialInput& input, double step) {
-  if (step_ != step) {
+  const Vec2 way = way_of(input, step);
+  if (step_.x != way.x || step_.y != way.y) {
     difference_.reset();
     rolling_.reset();
-    step_ = step;
+    step_ = way;
   }
-  const int columns = bodies_.are_elastic() ? columns_of(step, grid_) : 0;
+  const int columns = bodies_.are_elastic() && input.heading == 0 ? columns_of(step, grid_) : 0;
   if (columns != 0) return rolling_ ? *rolling_ : rolling_.emplace(bodies_, grid_, columns, input.progress);
-  if (!difference_) difference_ = TangentialOperator::difference(bodies_, grid_, step, input.progress);
+  if (!difference_) difference_ = TangentialOperator::difference(bodies_, grid_, way, input.progress);
   return *difference_;
 }
 
@@ -234,6 +235,8 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   check_input(input, bound, grid_.count());
   if (!bodies_.are_elastic() && input.motion != ContactMotion::steady)
     throw Error("motion: viscoelastic bodies need steady rolling");
+  if (!bodies_.are_elastic() && input.heading != 0)
+    throw Error("heading", input.heading, "rad", "0 with viscoelastic bodies");
   if (!bodies_.are_elastic() && input.leading_edge) throw Error("leading_edge: its correction is for elastic bodies");
   const double step = signed_step(input, grid_);
   const bool shift = input.motion == ContactMotion::shift;
@@ -289,7 +292,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     if (steady && input.leading_edge)
       slip = &corrected.emplace(*slip, displacement(input.progress), step, std::move(entering));
     std::optional<RollingOperator> preconditioned;
-    if (steady) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
+    if (steady && input.heading == 0) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
     s = newton_.solve(
         {*slip, bound, cx, cy, area, input.force_x, input.force_y, share, {}, input.slip_dependent, input.pressure},
         options, start);

@@ -33,7 +33,7 @@ struct TangentialInput {
   double step = 0;                        ///< dq [m], the way rolled in a step; 0: the elements' length
   double spin_offset = 1.0 / 6; ///< where in the step the rigid slip is taken, 0 to 1 from the element's centre on
   RollingDirection direction = RollingDirection::forward;
-  /// Transient rolling: the angle from the direction along x to that of rolling, towards +y with forward [rad].
+  /// The angle from the direction along x to that of rolling, towards +y with forward [rad].
   double heading = 0;
   std::optional<LeadingEdge> leading_edge; ///< rolling: with its correction (R13); none: without
   double rolling_speed = 1;                ///< V [m/s], for the frictional power
@@ -119,7 +119,7 @@ private:
   /// Either is kept for the next steady problem of the same step.
   std::optional<TangentialOperator> difference_;
   std::optional<RollingDifference> rolling_;   ///< of elastic bodies with steps of whole elements
-  double step_ = 0;                            ///< of it, with its sign
+  Vec2 step_ = {};                             ///< of it
   std::unique_ptr<TangentialProblem> coarser_; ///< on elements twice as long and wide, for steady rolling
   std::optional<TangentialOperator> ahead_;    ///< displacements further on, kept for the next step of the same way
   Vec2 way_ = {};                              ///< of it

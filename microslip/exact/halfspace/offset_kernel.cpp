@@ -126,8 +126,8 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
   return kernel;
 }
 
-SlipRate difference_over(double step) {
-  return {.shift = {}, .length = std::abs(step), .before = Vec2{step, 0}};
+SlipRate difference_over(Vec2 step) {
+  return {.shift = {}, .length = std::hypot(step.x, step.y), .before = step};
 }
 
 } // namespace
@@ -153,7 +153,7 @@ TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const Elem
                                                 double length, const Progress& progress) {
   return tangential_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
 }
-TangentialKernel TangentialKernel::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+TangentialKernel TangentialKernel::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                               const Progress& progress) {
   return tangential_kernel(bodies, grid, difference_over(step), progress);
 }
@@ -182,7 +182,7 @@ CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGri
                                           const Progress& progress) {
   return coupled_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
 }
-CoupledKernel CoupledKernel::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+CoupledKernel CoupledKernel::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                         const Progress& progress) {
   return coupled_kernel(bodies, grid, difference_over(step), progress);
 }

@@ -60,8 +60,11 @@ struct TangentialKernel {
   /// As TangentialOperator::displacement and TangentialOperator::difference.
   static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                        double length = 1, const Progress& progress = {});
-  static TangentialKernel difference(const Bodies& bodies, const ElementGrid& grid, double step,
+  static TangentialKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                      const Progress& progress = {});
+  static TangentialKernel difference(const Bodies& bodies, const ElementGrid& grid, double step) {
+    return difference(bodies, grid, Vec2{step, 0});
+  }
 };
 
 /// Displacement differences u = A p (E12) at the offsets 0 .. columns - 1, 0 .. rows - 1, index j columns + i, of
@@ -83,7 +86,7 @@ struct CoupledKernel {
   /// As CoupledOperator::displacement and CoupledOperator::difference.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
                                     const Progress& progress = {});
-  static CoupledKernel difference(const Bodies& bodies, const ElementGrid& grid, double step,
+  static CoupledKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                   const Progress& progress = {});
 };
 

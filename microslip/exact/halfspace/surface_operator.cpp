@@ -24,7 +24,7 @@ TangentialOperator TangentialOperator::displacement(const Bodies& bodies, const 
   return TangentialOperator(TangentialKernel::displacement(bodies, grid, shift, length, progress));
 }
 
-TangentialOperator TangentialOperator::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+TangentialOperator TangentialOperator::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                                   const Progress& progress) {
   return TangentialOperator(TangentialKernel::difference(bodies, grid, step, progress));
 }
@@ -48,7 +48,7 @@ CoupledOperator CoupledOperator::displacement(const Bodies& bodies, const Elemen
   return CoupledOperator(CoupledKernel::displacement(bodies, grid, shift, length, progress));
 }
 
-CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementGrid& grid, double step,
+CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                             const Progress& progress) {
   return CoupledOperator(CoupledKernel::difference(bodies, grid, step, progress));
 }

@@ -44,9 +44,12 @@ public:
   static TangentialOperator displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                          double length = 1, const Progress& progress = {});
   /// Difference of u along the rolling direction, for particles that come from x + step, over the distance |step| [m]:
-  /// D = (A(x) - A(x + step))/|step| (E14).
-  static TangentialOperator difference(const Bodies& bodies, const ElementGrid& grid, double step,
+  /// D = (A(x) - A(x + step))/|step| (E14). A number is a step along x.
+  static TangentialOperator difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                        const Progress& progress = {});
+  static TangentialOperator difference(const Bodies& bodies, const ElementGrid& grid, double step) {
+    return difference(bodies, grid, Vec2{step, 0});
+  }
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
              std::span<double> uy) override;
@@ -70,7 +73,7 @@ public:
                                       const Progress& progress = {});
   /// Slip: difference of u along the rolling direction, for particles that come from x + step, over the distance |step|
   /// [m].
-  static CoupledOperator difference(const Bodies& bodies, const ElementGrid& grid, double step,
+  static CoupledOperator difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                     const Progress& progress = {});
 
   /// p = (px, py, p_n) [Pa]; out = (sx, sy, u_n) or its first two.
