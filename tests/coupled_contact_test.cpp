@@ -192,6 +192,25 @@ TEST(CoupledContact, TractionsOfAFrictionalCompressionAreRadialAndHaveNoResultan
     }
 }
 
+TEST(CoupledContact, StepsAndProductsHardlyGrowWithTheGrid) {
+  for (const ContactMotion motion : {ContactMotion::shift, ContactMotion::transient, ContactMotion::steady})
+    for (const bool by_force : {false, true})
+      for (const int n : {16, 32, 64}) {
+        SCOPED_TRACE(std::to_string(n) + " motion " + std::to_string(static_cast<int>(motion)));
+        ContactStep step = ball(combine(steel, soft), motion, n);
+        for (double* length : {&step.grid.x0, &step.grid.y0, &step.grid.dx, &step.grid.dy}) *length *= 14.0 / n;
+        step.gap = ball(step.bodies, motion, n).gap;
+        for (double& h : step.gap) h *= std::pow(14.0 / n, 2);
+        const double size = motion == ContactMotion::shift ? 1e-6 : 2e-3;
+        step.motion.creepage = {-size, 0.5 * size, 0};
+        if (by_force) step.force_x = 0.2;
+        const ContactStepSolution s = ContactSequence().solve(step);
+        EXPECT_EQ(s.status, Status::ok);
+        EXPECT_LE(s.tangential.newton_steps, 20);
+        EXPECT_LE(s.tangential.products, 130);
+      }
+}
+
 TEST(CoupledContact, NoContactAndExcludedElements) {
   ContactStep step = ball(combine(soft, steel), ContactMotion::steady);
   step.load = {NormalLoad::Given::approach, -1e-6};

@@ -96,7 +96,7 @@ TEST(CoupledEquations, TwoElementsByHand) {
     EXPECT_NEAR(at.response[4 + k], e[k], 1e-17);
   }
   equations.evaluate(at.x, at.response, at.f);
-  const double rho = 1 / problem.coupled_operator.slip_diagonal(), r = 1 / problem.coupled_operator.normal_diagonal();
+  const double rho = 1 / problem.coupled_operator.slip_scale(), r = 1 / problem.coupled_operator.normal_scale();
   const double mean_friction = 0.3; // tractions count in units of it
   EXPECT_NEAR(mean_friction * at.f[0], rho * sx[0], 1e-9 * unit);
   EXPECT_NEAR(mean_friction * at.f[2], rho * sy[0], 1e-9 * unit);

@@ -203,6 +203,64 @@ TEST(SymmetricToeplitz, AFactorTimesItInSinglePrecision) {
   }
 }
 
+/// Of kernels like those of displacements, 1/distance and as anisotropic.
+struct FallingKernels {
+  explicit FallingKernels(const Shape& s) : shape(s), xx(s.count()), xy(s.count()), yy(s.count()) {
+    for (int j = 0; j < s.my; ++j)
+      for (int i = 0; i < s.mx; ++i) {
+        const std::size_t k = static_cast<std::size_t>(j) * s.mx + i;
+        const double r = std::hypot(i, j), nu = 0.28;
+        xx[k] = k == 0 ? 3.5 * (1 - nu / 2) : (1 - nu) / r + nu * i * i / (r * r * r);
+        yy[k] = k == 0 ? 3.5 * (1 - nu / 2) : (1 - nu) / r + nu * j * j / (r * r * r);
+        xy[k] = k == 0 ? 0 : nu * i * j / (r * r * r);
+      }
+  }
+
+  SymmetricToeplitz<double>::Kernels view() const { return {xx, xy, yy}; }
+
+  Shape shape;
+  Field xx, xy, yy;
+};
+
+double dot(const Pair& a, const Pair& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a[0].size(); ++k) sum += a[0][k] * b[0][k] + a[1][k] * b[1][k];
+  return sum;
+}
+
+Pair product(SymmetricToeplitz<double>& matrix, const Pair& p) {
+  Pair u = {Field(p[0].size()), Field(p[0].size())};
+  matrix.apply(p[0], p[1], 1.0, u[0], u[1]);
+  return u;
+}
+
+/// And of its part on a disk: u.M^-1 u is near p.u for u = A p, whatever the grid.
+TEST(SymmetricToeplitz, NearInverse) {
+  for (const Shape& s : {Shape{9, 9}, Shape{40, 24}, Shape{1, 12}, Shape{90, 70}}) {
+    SCOPED_TRACE(text(s));
+    const FallingKernels kernels(s);
+    SymmetricToeplitz<double> matrix(s.mx, s.my, kernels.view());
+    auto near_inverse = SymmetricToeplitz<double>::near_inverse(s.mx, s.my, kernels.view());
+    const Pair some = random_pair(s, 5), other = random_pair(s, 17);
+    EXPECT_NEAR(dot(some, product(near_inverse, other)), dot(other, product(near_inverse, some)),
+                1e-12 * static_cast<double>(s.count()));
+    const bool smooth[] = {false, true};
+    for (const bool is_smooth : smooth) {
+      Pair p = is_smooth ? Pair{Field(s.count(), 1.0), Field(s.count(), 0.5)} : some;
+      for (int j = 0; j < s.my; ++j)
+        for (int i = 0; i < s.mx; ++i)
+          if (std::hypot((i + 0.5) / s.mx - 0.5, (j + 0.5) / s.my - 0.5) > 0.45)
+            p[0][static_cast<std::size_t>(j) * s.mx + i] = p[1][static_cast<std::size_t>(j) * s.mx + i] = 0;
+      Pair u = product(matrix, p);
+      for (std::size_t k = 0; k < s.count(); ++k)
+        if (p[0][k] == 0) u[0][k] = u[1][k] = 0; // the part on the disk
+      const double ratio = dot(u, product(near_inverse, u)) / dot(p, u);
+      EXPECT_GT(ratio, 0.5) << is_smooth;
+      EXPECT_LT(ratio, 3) << is_smooth;
+    }
+  }
+}
+
 TEST(SymmetricToeplitz, MovedObjectsWork) {
   const Shape s{6, 4};
   const RandomKernels kernels(s, 51), others({3, 3}, 52);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
+#include <string>
 
 namespace microslip {
 namespace {
@@ -145,6 +147,41 @@ TEST(TangentialShift, EnergyBalanceOfAShift) {
   EXPECT_GT(s.frictional_power, 0);
   EXPECT_GT(s.elastic_energy, 0);
   EXPECT_NEAR(s.power_by_creepage, 2 * s.elastic_energy + s.frictional_power, 1e-9 * s.power_by_creepage);
+}
+
+/// By the near inverse of the displacements: without it products grow with the grid, and steps where adhesion is told
+/// from slip by an element's own displacement.
+TEST(TangentialShift, StepsAndProductsHardlyGrowWithTheGrid) {
+  for (const bool by_force : {false, true})
+    for (const int n : {16, 32, 64, 128}) {
+      SCOPED_TRACE(std::to_string(n) + (by_force ? ", forces given" : ", shift given"));
+      const Cattaneo c(0.28, n);
+      TangentialInput input = c.input();
+      if (!by_force) {
+        input.force_x = input.force_y = std::nullopt;
+        input.creepage = {c.shift, 0.3 * c.shift, 0.4 * c.shift / c.radius};
+      }
+      const TangentialSolution s = solve(c.problem, input);
+      EXPECT_EQ(s.forces.status, Status::ok);
+      EXPECT_LE(s.residual, input.tolerance);
+      EXPECT_LE(s.newton_steps, 16);
+      EXPECT_LE(s.products, 60);
+    }
+}
+
+/// Where the elements lie does not matter to what is kept of them.
+TEST(TangentialShift, OfElementsThatAreMoved) {
+  const Cattaneo c(0.28, 12);
+  TangentialInput input = c.input();
+  input.force_x = input.force_y = std::nullopt;
+  input.creepage = {c.shift, 0, c.shift / c.radius};
+  ElementGrid elsewhere = c.problem.grid;
+  elsewhere.x0 += 0.3 * c.radius, elsewhere.y0 -= 0.2 * c.radius;
+  TangentialProblem there(c.problem.material, elsewhere), moved(c.problem.material, c.problem.grid);
+  moved.move_to(elsewhere.x0, elsewhere.y0);
+  const TangentialSolution a = there.solve(c.problem.bound, input), b = moved.solve(c.problem.bound, input);
+  EXPECT_EQ(a.tractions.px, b.tractions.px);
+  EXPECT_EQ(a.forces.mz, b.forces.mz);
 }
 
 } // namespace

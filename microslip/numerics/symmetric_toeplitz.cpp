@@ -22,12 +22,12 @@ constexpr int batch = 2 * block;                   // transforms in one call: ro
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 constexpr double smallest_share = 1e-2;            // of the kernels at 0, in the transform that is inverted
 
-/// Transform of a kernel from its quarter of the padded grid.
+/// Transform of a kernel from its quarter of the periodic grid. An odd one is zero at half the period.
 std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, Parity parity, std::span<const double> kernel) {
-  const int columns = nx / 2 + 1, rows = ny / 2 + 1;
+  const int columns = nx / 2 + 1, rows = ny / 2 + 1, beyond = parity == Parity::odd ? 1 : 0;
   std::vector<double> quarter(static_cast<std::size_t>(columns) * rows);
-  for (int j = 0; j < std::min(my, rows); ++j)
-    std::copy_n(kernel.begin() + static_cast<std::ptrdiff_t>(j) * mx, std::min(mx, columns),
+  for (int j = 0; j < std::min(my, rows - beyond); ++j)
+    std::copy_n(kernel.begin() + static_cast<std::ptrdiff_t>(j) * mx, std::min(mx, columns - beyond),
                 quarter.begin() + static_cast<std::ptrdiff_t>(j) * columns);
   transform_quarter(columns, rows, parity, quarter);
   return quarter;
@@ -196,6 +196,23 @@ template <class Real> std::complex<Real>* SymmetricToeplitz<Real>::cleared_field
 template <class Real> const std::complex<Real>* SymmetricToeplitz<Real>::apply() {
   plans_->apply();
   return plans_->field.get();
+}
+
+template <class Real>
+void SymmetricToeplitz<Real>::apply(std::span<const Real> px, std::span<const Real> py, Real factor, std::span<Real> ux,
+                                    std::span<Real> uy) {
+  const auto mx = static_cast<std::size_t>(plans_->mx), my = static_cast<std::size_t>(plans_->my);
+  Complex* field = cleared_field();
+  for (std::size_t j = 0; j < my; ++j)
+    for (std::size_t i = 0; i < mx; ++i)
+      field[j * stride() + i] = {px[j * mx + i], py.empty() ? Real(0) : py[j * mx + i]};
+  apply();
+  for (std::size_t j = 0; j < my; ++j)
+    for (std::size_t i = 0; i < mx; ++i) {
+      const Complex u = factor * field[j * stride() + i];
+      ux[j * mx + i] = u.real();
+      if (!uy.empty()) uy[j * mx + i] = u.imag();
+    }
 }
 
 template class SymmetricToeplitz<double>;

@@ -42,6 +42,10 @@ public:
   /// Turns the field into ux + i uy, which can be read where the grid is, and returns it.
   const Complex* apply();
 
+  /// (ux, uy) = factor times the matrix times (px, py), grid functions with index j mx + i; an empty py is zero, an
+  /// empty uy not wanted.
+  void apply(std::span<const Real> px, std::span<const Real> py, Real factor, std::span<Real> ux, std::span<Real> uy);
+
   /// Products made so far.
   long products() const;
 

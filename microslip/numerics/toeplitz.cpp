@@ -10,6 +10,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr int batch = 8; // rows, or columns next to each other, in one call
+
 /// z = k v, or z += k v, for complex numbers written out in real ones, which the compiler vectorises.
 void multiply(const double* k, const double* v, double* z, std::size_t size, bool add) {
   if (!add) std::fill_n(z, 2 * size, 0.0);
@@ -23,50 +25,80 @@ void multiply(const double* k, const double* v, double* z, std::size_t size, boo
 
 } // namespace
 
-/// Rows are transformed first, only those that are not zero; then columns, contiguous ones together. Padded rows have
-/// room for nx/2 + 1 complex numbers and are transformed in place.
+/// Rows are transformed first, then columns, which are stored one after another, so that both are contiguous.
 struct ToeplitzTransform::Plans {
   int mx, my, components;
-  int nx, ny;  ///< padded grid
-  int columns; ///< nx/2 + 1
-  fftw::Buffer<Complex> loaded, work;
-  fftw::Plan rows_forward, columns_forward, columns_backward, rows_backward;
-  fftw::Plan kernel_rows;
+  int nx, ny;                   ///< padded grid
+  int columns;                  ///< nx/2 + 1
+  fftw::Buffer<Complex> rows;   ///< of `columns`, a multiple of `batch` of them
+  fftw::Buffer<Complex> loaded; ///< transforms of the components
+  fftw::Buffer<Complex> work;   ///< a batch of rows, or two of columns
+  fftw::Plan row_forward, row_backward;
+  fftw::Transforms<double> column_forward, column_backward;
   int loaded_components = 0;
   long products = 0;
 
   Plans(int x, int y, int n)
-      : mx(x), my(y), components(n), nx(fftw::good_size(2 * x - 1)), ny(fftw::good_size(2 * y - 1)) {
-    columns = nx / 2 + 1;
-    loaded = fftw::allocate<Complex>(size() * components);
-    work = fftw::allocate<Complex>(size());
-    fftw_complex* z = fftw::raw(work.get());
-    auto* r = reinterpret_cast<double*>(work.get());
-    const auto rows_plan = [&](int count) {
-      return fftw::make([&] {
-        return fftw_plan_many_dft_r2c(1, &nx, count, r, nullptr, 1, 2 * columns, z, nullptr, 1, columns, FFTW_ESTIMATE);
-      });
-    };
-    const auto columns_plan = [&](int sign) {
-      return fftw::make([&] {
-        return fftw_plan_many_dft(1, &ny, columns, z, nullptr, columns, 1, z, nullptr, columns, 1, sign, FFTW_ESTIMATE);
-      });
-    };
-    rows_forward = rows_plan(my);
-    kernel_rows = rows_plan(ny);
-    columns_forward = columns_plan(FFTW_FORWARD);
-    columns_backward = columns_plan(FFTW_BACKWARD);
-    rows_backward = fftw::make([&] {
-      return fftw_plan_many_dft_c2r(1, &nx, my, z, nullptr, 1, columns, r, nullptr, 1, 2 * columns, FFTW_ESTIMATE);
+      : mx(x), my(y), components(n), nx(fftw::quick_size(2 * x - 1)), ny(padded_rows(y)), columns(nx / 2 + 1),
+        rows(fftw::allocate<Complex>(static_cast<std::size_t>(in_batches(ny)) * columns)),
+        loaded(fftw::allocate<Complex>(size() * components)),
+        work(fftw::allocate<Complex>(2 * static_cast<std::size_t>(batch) * std::max(columns, ny))),
+        column_forward(ny, batch, FFTW_FORWARD, work.get(), loaded.get()),
+        column_backward(ny, batch, FFTW_BACKWARD, work.get(), second_work()) {
+    auto* real = reinterpret_cast<double*>(work.get());
+    fftw_complex* complex = fftw::raw(rows.get());
+    row_forward = fftw::make([&] {
+      return fftw_plan_many_dft_r2c(1, &nx, batch, real, nullptr, 1, 2 * columns, complex, nullptr, 1, columns,
+                                    FFTW_ESTIMATE);
+    });
+    row_backward = fftw::make([&] {
+      return fftw_plan_many_dft_c2r(1, &nx, batch, complex, nullptr, 1, columns, real, nullptr, 1, 2 * columns,
+                                    FFTW_ESTIMATE);
     });
   }
 
-  std::size_t size() const { return static_cast<std::size_t>(columns) * ny; }
-  double* row(Complex* z, int j) const { return reinterpret_cast<double*>(z + static_cast<std::size_t>(j) * columns); }
+  static int in_batches(int count) { return (count + batch - 1) / batch * batch; }
+  static int padded_rows(int my) { return my == 1 ? 1 : fftw::quick_size(2 * my - 1); }
 
-  void forward(Complex* z, fftw_plan rows) {
-    fftw_execute_dft_r2c(rows, reinterpret_cast<double*>(z), fftw::raw(z));
-    fftw_execute_dft(columns_forward.get(), fftw::raw(z), fftw::raw(z));
+  std::size_t size() const { return static_cast<std::size_t>(in_batches(columns)) * ny; }
+  Complex* second_work() const { return work.get() + static_cast<std::size_t>(batch) * ny; }
+
+  /// The transform of a function with `count` rows that are not zero; fill(j, row) sets row j, zero before.
+  template <class Fill> void forward(int count, Complex* to, Fill fill) {
+    auto* real = reinterpret_cast<double*>(work.get());
+    for (int first = 0; first < count; first += batch) {
+      std::fill_n(real, static_cast<std::size_t>(batch) * 2 * columns, 0.0);
+      for (int j = first; j < std::min(first + batch, count); ++j)
+        fill(j, real + static_cast<std::size_t>(j - first) * 2 * columns);
+      fftw_execute_dft_r2c(row_forward.get(), real, fftw::raw(rows.get() + static_cast<std::size_t>(first) * columns));
+    }
+    for (int kx = 0; kx < columns; kx += batch) {
+      std::fill_n(work.get(), static_cast<std::size_t>(batch) * ny, Complex(0));
+      const int together = std::min(batch, columns - kx);
+      for (int j = 0; j < count; ++j)
+        for (int c = 0; c < together; ++c)
+          work[static_cast<std::size_t>(c) * ny + j] = rows[static_cast<std::size_t>(j) * columns + kx + c];
+      column_forward.execute(work.get(), to + static_cast<std::size_t>(kx) * ny);
+    }
+  }
+
+  /// What `multiply(offset, z)` makes of the columns from an offset on, transformed back.
+  template <class Multiply> void backward(std::span<double> out, Multiply multiply_columns) {
+    for (int kx = 0; kx < columns; kx += batch) {
+      multiply_columns(static_cast<std::size_t>(kx) * ny, work.get());
+      column_backward.execute(work.get(), second_work());
+      const int together = std::min(batch, columns - kx);
+      for (int j = 0; j < my; ++j)
+        for (int c = 0; c < together; ++c)
+          rows[static_cast<std::size_t>(j) * columns + kx + c] = second_work()[static_cast<std::size_t>(c) * ny + j];
+    }
+    auto* real = reinterpret_cast<double*>(work.get());
+    for (int first = 0; first < my; first += batch) {
+      fftw_execute_dft_c2r(row_backward.get(), fftw::raw(rows.get() + static_cast<std::size_t>(first) * columns), real);
+      for (int j = first; j < std::min(first + batch, my); ++j)
+        std::copy_n(real + static_cast<std::size_t>(j - first) * 2 * columns, mx,
+                    out.data() + static_cast<std::size_t>(j) * mx);
+    }
   }
 };
 
@@ -80,8 +112,8 @@ ToeplitzTransform& ToeplitzTransform::operator=(ToeplitzTransform&&) noexcept = 
 ToeplitzTransform::~ToeplitzTransform() = default;
 
 std::size_t ToeplitzTransform::padded_size(int mx, int my) {
-  return (static_cast<std::size_t>(fftw::good_size(2 * mx - 1)) / 2 + 1) *
-         static_cast<std::size_t>(fftw::good_size(2 * my - 1));
+  return static_cast<std::size_t>(Plans::in_batches(fftw::quick_size(2 * mx - 1) / 2 + 1)) *
+         static_cast<std::size_t>(Plans::padded_rows(my));
 }
 
 int ToeplitzTransform::mx() const {
@@ -96,15 +128,14 @@ long ToeplitzTransform::products() const {
 
 ToeplitzTransform::Spectrum ToeplitzTransform::kernel_spectrum(std::span<const double> kernel) {
   Plans& p = *plans_;
-  Complex* z = p.work.get();
-  std::fill_n(z, p.size(), Complex(0));
-  for (int j = 1 - p.my; j < p.my; ++j) {
-    double* to = p.row(z, j < 0 ? j + p.ny : j);
+  const fftw::Buffer<Complex> z = fftw::allocate<Complex>(p.size());
+  p.forward(p.ny, z.get(), [&](int row, double* to) {
+    const int j = row < p.my ? row : row - p.ny;
+    if (j <= -p.my) return;
     const double* from = kernel.data() + static_cast<std::size_t>(j + p.my - 1) * (2 * p.mx - 1);
     for (int i = 1 - p.mx; i < p.mx; ++i) to[i < 0 ? i + p.nx : i] = from[i + p.mx - 1];
-  }
-  p.forward(z, p.kernel_rows.get());
-  Spectrum spectrum(z, z + p.size());
+  });
+  Spectrum spectrum(z.get(), z.get() + p.size());
   const double scale = 1.0 / p.nx / p.ny;
   for (Complex& value : spectrum) value *= scale;
   return spectrum;
@@ -113,31 +144,24 @@ ToeplitzTransform::Spectrum ToeplitzTransform::kernel_spectrum(std::span<const d
 void ToeplitzTransform::load(std::span<const std::span<const double>> in) {
   Plans& p = *plans_;
   p.loaded_components = static_cast<int>(in.size());
-  for (int c = 0; c < p.loaded_components; ++c) {
-    Complex* z = p.loaded.get() + c * p.size();
-    std::fill_n(z, p.size(), Complex(0));
-    for (int j = 0; j < p.my; ++j) std::copy_n(in[c].data() + static_cast<std::size_t>(j) * p.mx, p.mx, p.row(z, j));
-    p.forward(z, p.rows_forward.get());
-  }
+  for (int c = 0; c < p.loaded_components; ++c)
+    p.forward(p.my, p.loaded.get() + c * p.size(),
+              [&](int j, double* to) { std::copy_n(in[c].data() + static_cast<std::size_t>(j) * p.mx, p.mx, to); });
 }
 
 void ToeplitzTransform::apply(std::span<const Spectrum* const> kernels, std::span<const std::span<double>> out) {
   Plans& p = *plans_;
   const int n = p.loaded_components;
-  const std::size_t size = p.size();
   ++p.products;
-  for (std::size_t r = 0; r < out.size(); ++r) {
-    auto* z = reinterpret_cast<double*>(p.work.get());
-    for (int c = 0; c < n; ++c) {
-      const auto* k = reinterpret_cast<const double*>(kernels[r * n + c]->data());
-      const auto* v = reinterpret_cast<const double*>(p.loaded.get() + c * size);
-      multiply(k, v, z, size, c > 0);
-    }
-    fftw_execute_dft(p.columns_backward.get(), fftw::raw(p.work.get()), fftw::raw(p.work.get()));
-    fftw_execute_dft_c2r(p.rows_backward.get(), fftw::raw(p.work.get()), z);
-    for (int j = 0; j < p.my; ++j)
-      std::copy_n(p.row(p.work.get(), j), p.mx, out[r].data() + static_cast<std::size_t>(j) * p.mx);
-  }
+  for (std::size_t r = 0; r < out.size(); ++r)
+    p.backward(out[r], [&](std::size_t offset, Complex* z) {
+      for (int c = 0; c < n; ++c) {
+        const Complex* kernel = kernels[r * n + c]->data() + offset;
+        const Complex* v = p.loaded.get() + c * p.size() + offset;
+        multiply(reinterpret_cast<const double*>(kernel), reinterpret_cast<const double*>(v),
+                 reinterpret_cast<double*>(z), static_cast<std::size_t>(batch) * p.ny, c > 0);
+      }
+    });
 }
 
 } // namespace microslip

@@ -64,11 +64,21 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
-  CoupledOperator::displacement(bodies_, grid_, way_of(motion, shift ? 0 : step), shift ? 1 : std::abs(step),
-                                motion.progress)
+  displacement_at(way_of(motion, shift ? 0 : step), motion.progress)
       .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
              std::array{std::span(ux), std::span(uy)});
-  for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k], cy[k] -= uy[k];
+  const double length = shift ? 1 : std::abs(step);
+  for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k] / length, cy[k] -= uy[k] / length;
+}
+
+/// Displacements at the points `way` further.
+CoupledOperator& CoupledContact::displacement_at(Vec2 way, const Progress& progress) {
+  if (way.x == 0 && way.y == 0) return displacement_;
+  if (!ahead_ || way_.x != way.x || way_.y != way.y) {
+    ahead_ = std::make_unique<CoupledOperator>(CoupledOperator::displacement(bodies_, grid_, way, 1, progress));
+    way_ = way;
+  }
+  return *ahead_;
 }
 
 void CoupledContact::find_displacements(ContactStepSolution& out) {
@@ -99,8 +109,10 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
     out.normal = alone;
     return out;
   }
+  CoupledOperator& response = coupled_operator(step.motion, way);
+  if (step.motion.motion == ContactMotion::steady) response.expect_contact(alone.pressure, step.motion.direction);
   const bool starts = !start.px.empty() && !start.pressure.empty();
-  const CoupledFrictionProblem problem{coupled_operator(step.motion, way),
+  const CoupledFrictionProblem problem{response,
                                        gap,
                                        step.load,
                                        friction.coefficients,

@@ -27,6 +27,7 @@ public:
 private:
   using Field = std::vector<double>;
 
+  CoupledOperator& displacement_at(Vec2 way, const Progress& progress);
   CoupledOperator& coupled_operator(const TangentialInput& motion, double step);
   void add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx, Field& cy);
   ContactStepSolution solve_newton(const ContactStep& step, const ElementFriction& friction,
@@ -45,6 +46,8 @@ private:
   std::unique_ptr<CoupledOperator> coupled_operator_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   Vec2 step_ = {};
+  std::unique_ptr<CoupledOperator> ahead_; ///< displacements further on, kept for the next step of the same way
+  Vec2 way_ = {};                          ///< of it
   CoupledNewton newton_;
 };
 

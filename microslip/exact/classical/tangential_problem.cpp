@@ -278,7 +278,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
       start = {.px = input.start->px, .py = input.start->py};
     } else if (!steady && input.previous) { // a step changes what was there before, so that is where to begin
       start = {.px = input.previous->px, .py = input.previous->py};
-    } else if (steady && !input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
+    } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
       coarse = start_from_coarser(bound, input, step);
       start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
       options.progress = part(input.progress, share_of_coarser, 1);

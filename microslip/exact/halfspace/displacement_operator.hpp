@@ -28,10 +28,7 @@ private:
   using Transform = SymmetricToeplitz<double>;
 
   DisplacementOperator(const DisplacementQuadrant& quadrant, const ElementGrid& grid);
-  void transform(Transform& transform, std::span<const double> in_x, std::span<const double> in_y, double factor,
-                 std::span<double> out_x, std::span<double> out_y) const;
 
-  int mx_, my_;
   double diagonal_, scale_;
   Transform displacement_, near_inverse_;
 };

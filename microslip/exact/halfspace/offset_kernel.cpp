@@ -3,6 +3,7 @@
 #include "microslip/elasticity/bilinear_influence.hpp"
 #include "microslip/exact/halfspace/retarded_influence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -112,7 +113,8 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
                              const Progress& progress) {
   check(grid);
   const OffsetTable empty(grid);
-  CoupledKernel kernel{{empty, empty, empty}, empty, empty, empty, empty, empty};
+  const bool is_displacement = !rate.before && rate.shift.x == 0 && rate.shift.y == 0;
+  CoupledKernel kernel{{empty, empty, empty}, empty, empty, empty, empty, empty, is_displacement};
   for_offsets(bodies, grid, rate, progress, [&](int i, int j, const Influence& slip, const Influence& here) {
     kernel.slip.xx.at(i, j) = slip.xx;
     kernel.slip.xy.at(i, j) = slip.xy;
@@ -176,6 +178,17 @@ DisplacementQuadrant displacement_quadrant(const Bodies& bodies, const ElementGr
   quadrant.xx[0] += bodies.layer.flexibility; // sheared where the traction is
   quadrant.yy[0] += bodies.layer.flexibility;
   return quadrant;
+}
+
+double middle_eigenvalue(std::span<const double> quadrant, int mx) {
+  double longest = 0, shortest = 0;
+  for (std::size_t k = 0; k < quadrant.size(); ++k) {
+    const std::size_t i = k % mx, j = k / mx;
+    const double value = quadrant[k] * (i > 0 ? 2 : 1) * (j > 0 ? 2 : 1);
+    longest += value;
+    shortest += (i + j) % 2 == 0 ? value : -value;
+  }
+  return std::sqrt(longest / 2 * std::max(shortest, 0.1 * quadrant[0]));
 }
 
 CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,

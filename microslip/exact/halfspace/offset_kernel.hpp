@@ -77,11 +77,17 @@ struct DisplacementQuadrant {
 DisplacementQuadrant displacement_quadrant(const Bodies& bodies, const ElementGrid& grid, int columns,
                                            const Progress& progress = {});
 
+/// The geometric mean of the largest and the smallest eigenvalue of a matrix with an even positive kernel, about: half
+/// the sum of the kernel over all offsets, and its transform at the shortest wave. `quadrant`: at the offsets 0 .. mx -
+/// 1, 0 .. my - 1.
+double middle_eigenvalue(std::span<const double> quadrant, int mx);
+
 /// The map from tractions and pressure to slip and normal displacement that CoupledOperator applies.
 struct CoupledKernel {
   TangentialKernel slip;
   OffsetTable xz, yz;     ///< slip from the pressure
   OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
+  bool is_displacement;   ///< slip is a displacement at the elements' centres over a length
 
   /// As CoupledOperator::displacement and CoupledOperator::difference.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,

@@ -2,9 +2,36 @@
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace microslip {
+namespace {
+
+/// A kernel at the offsets 0 .. mx - 1, 0 .. my - 1.
+std::vector<double> quadrant(const OffsetTable& kernel) {
+  std::vector<double> values;
+  for (int j = 0; j < kernel.my(); ++j)
+    for (int i = 0; i < kernel.mx(); ++i) values.push_back(kernel.at(i, j));
+  return values;
+}
+
+/// The same of its part that is even along x; a kernel of retarded deformation has another one.
+std::vector<double> even_part(const OffsetTable& kernel) {
+  std::vector<double> values;
+  for (int j = 0; j < kernel.my(); ++j)
+    for (int i = 0; i < kernel.mx(); ++i) values.push_back((kernel.at(i, j) + kernel.at(-i, j)) / 2);
+  return values;
+}
+
+SymmetricToeplitz<double> near_inverse(const ElementGrid& grid, const std::vector<double>& xx, std::vector<double> xy,
+                                       const std::vector<double>& yy) {
+  xy.resize(xx.size());
+  return SymmetricToeplitz<double>::near_inverse(grid.mx, grid.my, {xx, xy, yy.empty() ? xx : yy});
+}
+
+} // namespace
 
 NormalOperator::NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
     : zz_((check(grid), grid.mx), grid.my,
@@ -35,22 +62,45 @@ void TangentialOperator::apply(std::span<const double> px, std::span<const doubl
   transform_.apply(std::array<const ToeplitzTransform::Spectrum*, 4>{&xx_, &xy_, &xy_, &yy_}, std::array{ux, uy});
 }
 
-CoupledOperator::CoupledOperator(const CoupledKernel& kernel)
-    : transform_(kernel.zz.mx(), kernel.zz.my(), 3), xx_(transform_.kernel_spectrum(kernel.slip.xx.values())),
+CoupledOperator::CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid)
+    : grid_(grid), transform_(grid.mx, grid.my, 3), xx_(transform_.kernel_spectrum(kernel.slip.xx.values())),
       xy_(transform_.kernel_spectrum(kernel.slip.xy.values())),
       yy_(transform_.kernel_spectrum(kernel.slip.yy.values())), xz_(transform_.kernel_spectrum(kernel.xz.values())),
       yz_(transform_.kernel_spectrum(kernel.yz.values())), zx_(transform_.kernel_spectrum(kernel.zx.values())),
       zy_(transform_.kernel_spectrum(kernel.zy.values())), zz_(transform_.kernel_spectrum(kernel.zz.values())),
-      slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)) {}
+      slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)), slip_scale_(slip_diagonal_),
+      normal_scale_(normal_diagonal_), normal_inverse_(near_inverse(grid, even_part(kernel.zz), {}, {})) {
+  normal_scale_ = middle_eigenvalue(even_part(kernel.zz), grid.mx);
+  if (!kernel.is_displacement) return;
+  const auto xx = even_part(kernel.slip.xx), xy = quadrant(kernel.slip.xy), yy = even_part(kernel.slip.yy);
+  slip_inverse_ = near_inverse(grid, xx, xy, yy);
+  slip_scale_ = (middle_eigenvalue(xx, grid.mx) + middle_eigenvalue(yy, grid.mx)) / 2;
+}
 
 CoupledOperator CoupledOperator::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
                                               const Progress& progress) {
-  return CoupledOperator(CoupledKernel::displacement(bodies, grid, shift, length, progress));
+  return {CoupledKernel::displacement(bodies, grid, shift, length, progress), grid};
 }
 
 CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                             const Progress& progress) {
-  return CoupledOperator(CoupledKernel::difference(bodies, grid, step, progress));
+  return {CoupledKernel::difference(bodies, grid, step, progress), grid};
+}
+
+void CoupledOperator::expect_contact(std::span<const double> pressure, RollingDirection direction) {
+  rolling_.emplace(grid_, pressure, direction);
+}
+
+void CoupledOperator::precondition_tractions(std::span<const double> px, std::span<const double> py,
+                                             std::span<double> qx, std::span<double> qy) {
+  if (slip_inverse_) return slip_inverse_->apply(px, py, slip_scale_, qx, qy);
+  std::copy(px.begin(), px.end(), qx.begin());
+  std::copy(py.begin(), py.end(), qy.begin());
+  if (rolling_) rolling_->precondition(px, py, qx, qy);
+}
+
+void CoupledOperator::precondition_pressure(std::span<const double> pressure, std::span<double> q) {
+  normal_inverse_.apply(pressure, {}, normal_scale_, q, {});
 }
 
 void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> out) {

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "microslip/contact/element_grid.hpp"
+#include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
+#include "microslip/numerics/symmetric_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
 #include "microslip/progress.hpp"
 #include "microslip/vec2.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace microslip {
@@ -82,14 +86,33 @@ public:
   /// Diagonal entries of an interior element: the mean of D_xx and D_yy; A_zz [m/Pa].
   double slip_diagonal() const { return slip_diagonal_; }
   double normal_diagonal() const { return normal_diagonal_; }
+  /// As SlipOperator::scale, of slip from tractions and of A_zz.
+  double slip_scale() const { return slip_scale_; }
+  double normal_scale() const { return normal_scale_; }
+
+  /// (qx, qy) = M^-1 (px, py) and q_n = M_n^-1 p_n, where M is near the map from tractions to slip over its scale, M_n
+  /// near A_zz over its own: SymmetricToeplitz::near_inverse, and RollingPreconditioner where slip is a difference.
+  /// What pressure does to slip, and tractions to the normal displacement, is left out.
+  void precondition_tractions(std::span<const double> px, std::span<const double> py, std::span<double> qx,
+                              std::span<double> qy);
+  void precondition_pressure(std::span<const double> pressure, std::span<double> q);
+  /// For steady rolling: the elements that are about in contact, those with a pressure.
+  void expect_contact(std::span<const double> pressure, RollingDirection direction);
+
   long products() const { return transform_.products(); }
 
 private:
-  explicit CoupledOperator(const CoupledKernel& kernel);
+  using NearInverse = SymmetricToeplitz<double>;
 
+  CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid);
+
+  ElementGrid grid_;
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yy_, xz_, yz_, zx_, zy_, zz_;
-  double slip_diagonal_, normal_diagonal_;
+  double slip_diagonal_, normal_diagonal_, slip_scale_, normal_scale_;
+  std::optional<NearInverse> slip_inverse_; ///< of displacements
+  NearInverse normal_inverse_;
+  std::optional<RollingPreconditioner<double>> rolling_; ///< of differences
 };
 
 } // namespace microslip

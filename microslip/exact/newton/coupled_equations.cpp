@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace microslip {
 namespace {
 
+using Field = std::vector<double>;
+
 constexpr double least_unit = 1e-12; // of the mean friction: there may be none
+
+double sum_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 std::size_t elements_of(std::span<const double> pressure) {
   return static_cast<std::size_t>(std::count_if(pressure.begin(), pressure.end(), [](double p) { return p > 0; }));
@@ -23,9 +30,9 @@ struct CoupledEquations::Point {
 };
 
 CoupledEquations::CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure)
-    : problem_(problem), n_(problem.gap.size()), rho_(1 / problem.coupled_operator.slip_diagonal()),
-      normal_rho_(1 / problem.coupled_operator.normal_diagonal()), friction_(n_), in_contact_(n_), under_pressure_(n_),
-      bound_(n_), bound_change_(n_), pressure_change_(n_), px_(n_), py_(n_) {
+    : problem_(problem), n_(problem.gap.size()), rho_(1 / problem.coupled_operator.slip_scale()),
+      normal_rho_(1 / problem.coupled_operator.normal_scale()), friction_(n_), in_contact_(n_), under_pressure_(n_),
+      bound_(n_), bound_change_(n_), pressure_change_(n_), change_(2 * n_), px_(n_), py_(n_) {
   double sum = 0, bound = 0;
   for (std::size_t k = 0; k < n_; ++k) {
     sum += pressure[k];
@@ -44,7 +51,7 @@ CoupledEquations::CoupledEquations(const CoupledFrictionProblem& problem, std::s
   constant_unit_ = share * unit_ / rho_;
   row_unit_ = share;
   if (!problem.slip_dependent) return;
-  rho_ = std::max(rho_, problem.slip_dependent->least_rho(pressure));
+  rho_ = std::max(1 / problem.coupled_operator.slip_diagonal(), problem.slip_dependent->least_rho(pressure));
   for (auto* field : {&sizes_, &pressure_, &q_, &own_}) field->resize(n_);
 }
 
@@ -114,6 +121,7 @@ void CoupledEquations::linearise(std::span<const double> v, std::span<const doub
     if (in_contact_[k]) sum += size > bound_[k] ? bound_[k] / size : 1, ++count;
   }
   mean_alpha_ = count > 0 ? sum / count : 1;
+  find_responses_to_constants();
 }
 
 void CoupledEquations::derivative(std::span<const double> v, std::span<const double> response, double damping,
@@ -132,6 +140,93 @@ void CoupledEquations::derivative(std::span<const double> v, std::span<const dou
     const auto& force = c == 0 ? problem_.force_x : problem_.force_y;
     if (force_[c]) out[*force_[c]] = row_unit_ * (forces[c] - *force / unit_ * forces[2]) - damping * v[*force_[c]];
   }
+}
+
+void CoupledEquations::precondition(std::span<double> unknowns) {
+  precondition_pressure(unknowns.subspan(2 * n_, n_));
+  satisfy_load(unknowns);
+  precondition_tractions(unknowns.first(2 * n_));
+  follow_pressure(unknowns);
+  satisfy_forces(unknowns);
+}
+
+void CoupledEquations::precondition_pressure(std::span<double> pressure) {
+  for (std::size_t k = 0; k < n_; ++k) px_[k] = in_contact_[k] ? pressure[k] : 0;
+  problem_.coupled_operator.precondition_pressure(px_, py_);
+  for (std::size_t k = 0; k < n_; ++k)
+    if (in_contact_[k]) pressure[k] = py_[k];
+}
+
+/// As FrictionEquations does.
+void CoupledEquations::precondition_tractions(std::span<double> tractions) {
+  friction_.free_part(tractions, change_);
+  problem_.coupled_operator.precondition_tractions(std::span(change_).first(n_), std::span(change_).subspan(n_), px_,
+                                                   py_);
+  const double share = 1 / (rho_ * problem_.coupled_operator.slip_scale());
+  for (std::size_t k = 0; k < n_; ++k) {
+    change_[k] = share * px_[k] - change_[k];
+    change_[n_ + k] = share * py_[k] - change_[n_ + k];
+  }
+  friction_.free_part(change_, change_);
+  for (std::size_t k = 0; k < 2 * n_; ++k) tractions[k] += change_[k];
+}
+
+/// Tractions that slide grow with the pressure.
+void CoupledEquations::follow_pressure(std::span<double> unknowns) {
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double grown = under_pressure_[k] ? problem_.friction[k] / unit_ * unknowns[2 * n_ + k] : 0;
+    bound_change_[k] = -(1 - friction_.beta(k)) * grown;
+  }
+  friction_.subtract_along(bound_change_, unknowns.first(2 * n_));
+}
+
+void CoupledEquations::find_responses_to_constants() {
+  if (delta_) {
+    by_delta_.assign(n_, normal_rho_ * delta_unit_);
+    for (std::size_t k = 0; k < n_; ++k)
+      if (!in_contact_[k]) by_delta_[k] = 0;
+    precondition_pressure(by_delta_);
+  }
+  for (std::size_t c = 0; c < 2; ++c) {
+    if (!force_[c]) continue;
+    Field& by = by_constant_[c];
+    by.assign(2 * n_, 0.0);
+    std::fill_n(by.begin() + static_cast<std::ptrdiff_t>(c * n_), n_, -rho_ / unit_ * constant_unit_);
+    friction_.free_part(by, by);
+    precondition_tractions(by);
+    friction_.free_part(by, by);
+  }
+}
+
+/// Chooses the approach that the load requires.
+void CoupledEquations::satisfy_load(std::span<double> unknowns) const {
+  if (!delta_) return;
+  const std::span<double> pressure = unknowns.subspan(2 * n_, n_);
+  const double slope = sum_of(by_delta_);
+  if (slope == 0) return;
+  const double delta = (unknowns[*delta_] / row_unit_ - sum_of(pressure)) / slope;
+  unknowns[*delta_] = delta;
+  for (std::size_t k = 0; k < n_; ++k) pressure[k] += delta * by_delta_[k];
+}
+
+/// Chooses the constants that the forces require, one after the other: a constant hardly changes the other force.
+void CoupledEquations::satisfy_forces(std::span<double> unknowns) const {
+  const double normal = sum_of(unknowns.subspan(2 * n_, n_));
+  for (std::size_t c = 0; c < 2; ++c) {
+    if (!force_[c]) continue;
+    const double slope = sum_of(std::span(by_constant_[c]).subspan(c * n_, n_));
+    if (slope == 0) continue;
+    const double wanted = *(c == 0 ? problem_.force_x : problem_.force_y) / unit_ * normal;
+    const double lack = unknowns[*force_[c]] / row_unit_ + wanted - sum_of(unknowns.subspan(c * n_, n_));
+    const double constant = lack / slope;
+    unknowns[*force_[c]] = constant;
+    for (std::size_t k = 0; k < 2 * n_; ++k) unknowns[k] += constant * by_constant_[c][k];
+  }
+}
+
+double CoupledEquations::strictness() const {
+  const CoupledOperator& o = problem_.coupled_operator;
+  return std::max({1.0, 1 / (rho_ * o.slip_diagonal()), 1 / (normal_rho_ * o.normal_diagonal())});
 }
 
 CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, std::span<const double> response) {

@@ -3,6 +3,7 @@
 #include "microslip/exact/newton/coupled_friction_problem.hpp"
 #include "microslip/exact/newton/linearised_friction.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -12,7 +13,7 @@ namespace microslip {
 
 /// The equations F(x) = 0 of a CoupledFrictionProblem as take_newton_steps has them, for all n elements:
 /// p - P_g(p - rho s) = 0 with g = mu p_n (B3), p_n - max(0, p_n - r e) = 0 (B2) and those of the prescribed forces,
-/// where rho and r are one over the operator's diagonal entries.
+/// where rho and r are one over the operator's scales, rho more where a slip-dependent bound needs it.
 /// Unknowns x are px and py in units of the mean friction, p_n, and then what forces determine, in units of their own:
 /// delta and the constants of cx, cy. The response of x is the slip and the deformed gap: sx, sy, e. A residual in
 /// tractions counts in units of the mean friction.
@@ -27,6 +28,8 @@ public:
   std::size_t responses() const { return 3 * n_; }
   /// The norm of the pressure, in which |F| counts.
   double scale() const { return scale_; }
+  /// As FrictionEquations::strictness.
+  double strictness() const;
 
   /// Unknowns and response to begin with.
   void start(const CoupledFrictionStart& from, std::span<double> unknowns, std::span<double> response);
@@ -34,8 +37,10 @@ public:
   void find_response(std::span<const double> unknowns, std::span<double> response);
   /// Their change for a change of the unknowns. One product.
   void respond(std::span<const double> unknowns, std::span<double> response);
-  /// The linear systems have no preconditioner.
-  void precondition(std::span<double>) const {}
+  /// The linear systems' right preconditioner: the operator's for the pressure of the elements in contact and for the
+  /// part of the tractions that slip can change. Tractions that slide follow the pressure; approach and constants are
+  /// such that the equations of the forces hold.
+  void precondition(std::span<double> unknowns);
   /// F; returns its norm.
   double evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f);
   /// Fixes contact, adhesion, slip and directions for the derivative at this point.
@@ -55,6 +60,12 @@ private:
   void find_bounds(std::span<const double> v, std::span<const double> response);
   void find_bound_changes(std::span<const double> v, std::span<const double> response);
   void choose_constants(std::span<double> unknowns, std::span<double> response) const;
+  void find_responses_to_constants();
+  void precondition_pressure(std::span<double> pressure);
+  void precondition_tractions(std::span<double> tractions);
+  void follow_pressure(std::span<double> unknowns);
+  void satisfy_load(std::span<double> unknowns) const;
+  void satisfy_forces(std::span<double> unknowns) const;
 
   CoupledFrictionProblem problem_;
   std::size_t n_, size_ = 0;
@@ -66,8 +77,12 @@ private:
   LinearisedFriction<double> friction_; ///< in units of the tractions
   std::vector<char> in_contact_, under_pressure_;
   double mean_alpha_ = 1;
-  std::vector<double> bound_, bound_change_;       ///< at the last point, in units of the tractions
-  std::vector<double> pressure_change_;            ///< [Pa]
+  std::vector<double> bound_, bound_change_; ///< at the last point, in units of the tractions
+  std::vector<double> pressure_change_;      ///< [Pa]
+  /// What the preconditioner makes of a unit of the approach, pressure, and of each constant, tractions.
+  std::vector<double> by_delta_;
+  std::array<std::vector<double>, 2> by_constant_;
+  std::vector<double> change_;                     ///< of the tractions
   std::vector<double> px_, py_;                    ///< [Pa]
   std::vector<double> sizes_, pressure_, q_, own_; ///< |z|, p_n, q [Pa], dq/d|z| of a slip-dependent bound
 };

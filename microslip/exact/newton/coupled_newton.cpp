@@ -3,7 +3,15 @@
 #include "microslip/exact/newton/coupled_equations.hpp"
 #include "microslip/exact/newton/semismooth_newton.hpp"
 
+#include <algorithm>
+
 namespace microslip {
+namespace {
+
+/// Of |F| over the pressure's norm: what rounding leaves of it on fine grids.
+constexpr double least_goal = 1e-12;
+
+} // namespace
 
 CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& problem, const Options& options,
                                              const CoupledFrictionStart& start) {
@@ -11,7 +19,9 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
   CoupledEquations equations(problem, start.pressure);
   std::vector<double> x(equations.size()), response(equations.responses()), f(equations.size());
   equations.start(start, x, response);
-  const NewtonLimits limits{options.tolerance * equations.scale(), options.most_steps, options.progress};
+  const double wanted = options.tolerance * equations.scale();
+  const double goal = std::max(wanted / equations.strictness(), std::min(wanted, least_goal * equations.scale()));
+  const NewtonLimits limits{goal, options.most_steps, options.progress};
   NewtonState state;
   for (bool done = false; !done;) {
     take_newton_steps(equations, gmres_, limits, x, response, state);
@@ -20,7 +30,7 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
     done = equations.evaluate(x, response, f) <= limits.goal;
   }
   CoupledFrictionSolution s = equations.solution(x, response);
-  s.friction.residual = equations.scale() > 0 ? state.norm / equations.scale() : 0;
+  s.friction.residual = equations.scale() > 0 ? equations.strictness() * state.norm / equations.scale() : 0;
   s.friction.newton_steps = state.steps;
   s.friction.products = problem.coupled_operator.products() - products_before;
   s.friction.status = state.norm <= limits.goal ? Status::ok : Status::not_converged;
