@@ -7,7 +7,6 @@
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/method.hpp"
-#include "microslip/simplified/fastsim2_start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,12 +118,6 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   input.tolerance = options_.tolerance;
   input.progress = motion.kind == ContactMotion::transient ? within_step(motion.steps, history, progress) : progress;
   TangentialState state;
-  const bool creepages_given = !motion.force_x && !motion.force_y;
-  if (motion.kind == ContactMotion::steady && creepages_given) {
-    VectorField start = start_from_fastsim2(contact, grid_, bound, options_.direction);
-    state = {.px = std::move(start.x), .py = std::move(start.y)};
-    input.start = &state;
-  }
   TangentialSolution s = tangential_->solve(bound, input);
   if (motion.kind != ContactMotion::transient) return s;
   const auto remember = [&] {

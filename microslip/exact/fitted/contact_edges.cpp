@@ -64,21 +64,44 @@ class EdgeFit {
 public:
   explicit EdgeFit(bool one_row) : functions_(one_row ? 3 : most_functions), spare_(one_row ? 0 : 2) {}
 
-  void add(double u, double v, double value, double weight) {
-    const Row f = {1, u, u * u, u * u * u, v, v * v, u * v, u * u * v, u * v * v, v * v * v, value};
-    for (std::size_t r = 0; r < functions_; ++r) {
-      for (std::size_t c = 0; c < functions_; ++c) normal_[r][c] += weight * f[r] * f[c];
-      normal_[r][most_functions] += weight * f[r] * value;
+  /// Sums along a row of points: of w u^k and of w z u^k for the values z and weights w.
+  struct RowSums {
+    std::array<double, 7> weights{};
+    std::array<double, 4> values{};
+    std::size_t points = 0;
+
+    void add(double u, double value, double weight) {
+      double power = weight;
+      for (std::size_t k = 0; k < weights.size(); ++k, power *= u) {
+        weights[k] += power;
+        if (k < values.size()) values[k] += power * value;
+      }
+      ++points;
     }
-    ++points_;
+  };
+
+  void add(double v, const RowSums& row) {
+    points_ += row.points;
+    double power = 1;
+    for (std::size_t j = 0; j < weights_.size(); ++j, power *= v) {
+      for (std::size_t i = 0; i + j < weights_.size(); ++i) weights_[j][i] += power * row.weights[i];
+      for (std::size_t i = 0; i + j < values_.size(); ++i) values_[j][i] += power * row.values[i];
+    }
   }
 
   /// The coefficients of 1, u, u^2, u^3 at v = 0; nothing if there are too few points or they do not determine it.
   std::optional<std::array<double, 4>> along_row() const {
     if (points_ < functions_ + spare_) return {};
-    auto a = normal_;
+    std::array<std::array<double, most_functions + 1>, most_functions> a{};
+    std::array<double, most_functions> diagonal{};
+    for (std::size_t r = 0; r < functions_; ++r) {
+      const auto [ru, rv] = exponents[r];
+      for (std::size_t c = 0; c < functions_; ++c) a[r][c] = weights_[rv + exponents[c].v][ru + exponents[c].u];
+      a[r][most_functions] = values_[rv][ru];
+      diagonal[r] = a[r][r];
+    }
     for (std::size_t k = 0; k < functions_; ++k) {
-      if (!(a[k][k] > pivot_limit * normal_[k][k])) return {};
+      if (!(a[k][k] > pivot_limit * diagonal[k])) return {};
       for (std::size_t r = 0; r < functions_; ++r) {
         if (r == k) continue;
         const double factor = a[r][k] / a[k][k];
@@ -93,10 +116,15 @@ public:
 
 private:
   static constexpr std::size_t most_functions = 10;
-  using Row = std::array<double, most_functions + 1>;
+  struct Exponents {
+    std::size_t u, v;
+  };
+  static constexpr std::array<Exponents, most_functions> exponents = {
+      {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 1}, {0, 2}, {1, 1}, {2, 1}, {1, 2}, {0, 3}}};
 
   std::size_t functions_, spare_, points_ = 0;
-  std::array<Row, most_functions> normal_{};
+  std::array<std::array<double, 7>, 7> weights_{}; ///< sums of w u^i v^j in [j][i], i + j <= 6
+  std::array<std::array<double, 4>, 4> values_{};  ///< of w z u^i v^j, i + j <= 3
 };
 
 /// Where a polynomial falls through zero, by Newton's method from 0 on.
@@ -116,7 +144,14 @@ std::optional<double> falling_zero(const std::array<double, 4>& c) {
 class EdgeSearch {
 public:
   EdgeSearch(const ElementGrid& grid, std::span<const double> pressure)
-      : grid_(grid), pressure_(pressure), patches_(find_patches(grid, pressure)) {}
+      : grid_(grid), patches_(find_patches(grid, pressure)), square_(pressure.size()), weight_(pressure.size()) {
+    const double peak = *std::max_element(pressure.begin(), pressure.end());
+    for (std::size_t k = 0; k < pressure.size(); ++k) {
+      const double p = pressure[k] / peak;
+      square_[k] = p * p;
+      weight_[k] = std::sqrt(p);
+    }
+  }
 
   /// How far the edge is outward of the centre of the run's outermost element (`side` 1: high x, -1: low) [elements].
   double edge(const ContactRun& run, int side) const {
@@ -138,14 +173,14 @@ private:
     const int inward = column - side * static_cast<int>(std::lround(inward_window * columns)),
               outward = column + side * columns;
     const int low = std::max(std::min(inward, outward), 0), high = std::min(std::max(inward, outward), grid_.mx - 1);
-    const double scale = pressure_[at(column, row)];
     EdgeFit fit(rows == 0);
-    for (int j = std::max(row - rows, 0); j <= std::min(row + rows, grid_.my - 1); ++j)
-      for (int i = low; i <= high; ++i) {
-        if (patches_.of[at(i, j)] != label) continue;
-        const double p = pressure_[at(i, j)] / scale;
-        fit.add(double(side * (i - column)) / columns, rows > 0 ? double(j - row) / rows : 0, p * p, std::sqrt(p));
-      }
+    for (int j = std::max(row - rows, 0); j <= std::min(row + rows, grid_.my - 1); ++j) {
+      EdgeFit::RowSums sums;
+      for (int i = low; i <= high; ++i)
+        if (patches_.of[at(i, j)] == label)
+          sums.add(double(side * (i - column)) / columns, square_[at(i, j)], weight_[at(i, j)]);
+      fit.add(rows > 0 ? double(j - row) / rows : 0, sums);
+    }
     const auto c = fit.along_row();
     const auto zero = c ? falling_zero(*c) : std::nullopt;
     if (!zero) return {};
@@ -153,8 +188,8 @@ private:
   }
 
   const ElementGrid& grid_;
-  std::span<const double> pressure_;
   Patches patches_;
+  std::vector<double> square_, weight_; ///< p_n squared, what is fitted, and sqrt(p_n); of the peak pressure's
 };
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "microslip/simplified/fastsim2_start.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace microslip {
@@ -35,25 +34,6 @@ VectorField from_fastsim2(const EllipticContact& contact, const FittedContact& f
   return start;
 }
 
-/// The derivative of FASTSIM2's tractions, `start`, with respect to the longitudinal (0) or lateral (1) creepage.
-/// Nothing near full sliding, where it nearly vanishes: such numbers would mislead.
-VectorField derivative(const EllipticContact& contact, int direction, const FittedContact& fitted,
-                       std::span<const double> bound, const VectorField& start) {
-  const double stiffness = contact.shear_modulus * contact.a * contact.b; // dF/dxi in adhesion over Kalker's C11
-  const double unit = 1e-3 * capacity_of(contact) / stiffness;
-  EllipticContact moved = contact;
-  (direction == 0 ? moved.creepage.longitudinal : moved.creepage.lateral) += unit;
-  VectorField derivative = from_fastsim2(moved, fitted, bound);
-  double slope = 0;
-  for (std::size_t k = 0; k < bound.size(); ++k) {
-    derivative.x[k] = (derivative.x[k] - start.x[k]) / unit;
-    derivative.y[k] = (derivative.y[k] - start.y[k]) / unit;
-    slope += (direction == 0 ? derivative.x[k] : derivative.y[k]) * fitted.elements[k].width() * fitted.grid.dy;
-  }
-  if (std::abs(slope) < 0.02 * stiffness) return {};
-  return derivative;
-}
-
 } // namespace
 
 HertzianRolling::HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my,
@@ -66,23 +46,15 @@ std::vector<double> HertzianRolling::bound(const EllipticContact& contact) const
 
 SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::optional<double> force_x,
                                            std::optional<double> force_y, double tolerance, const Progress& progress) {
-  const bool force_given = force_x || force_y;
-  const NestedRolling::StartOf start_of = [&](const FittedContact& fitted, std::span<const double> bound,
-                                              const std::optional<Creepage>& near) {
-    RollingStart start;
-    if (near && !force_given) return start;
-    const auto creepage = near          ? near
-                          : force_given ? creepage_from_fastsim2(contact, force_x, force_y)
-                                        : std::optional(contact.creepage);
-    if (!creepage) return start;
-    EllipticContact at_start = contact; // with creepages near those of the solution
-    at_start.creepage = *creepage;
-    start.tractions = from_fastsim2(at_start, fitted, bound);
-    start.creepage = Vec2{creepage->longitudinal, creepage->lateral};
-    for (int i = 0; i < 2 && force_given; ++i)
-      start.by_creepage[i] = derivative(at_start, i, fitted, bound, start.tractions);
-    return start;
-  };
+  const RollingEstimate estimate{
+      .tractions =
+          [&](const FittedContact& fitted, std::span<const double> bound, const Creepage& creepage) {
+            EllipticContact at_creepage = contact;
+            at_creepage.creepage = creepage;
+            return from_fastsim2(at_creepage, fitted, bound);
+          },
+      .creepage = [&] { return creepage_from_fastsim2(contact, force_x, force_y); },
+      .stiffness = contact.shear_modulus * contact.a * contact.b};
   return rolling_->solve(capacity_of(contact),
                          {.creepage = contact.creepage,
                           .force_x = force_x,
@@ -90,7 +62,7 @@ SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::
                           .start = {},
                           .progress = progress,
                           .tolerance = tolerance},
-                         start_of);
+                         estimate);
 }
 
 SecondOrderRolling::Derivatives HertzianRolling::differentiate(const EllipticContact& contact,

@@ -3,6 +3,8 @@
 #include "microslip/exact/fitted/coarse_start.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace microslip {
@@ -11,7 +13,59 @@ namespace {
 constexpr double tolerance_of_coarser = 1e-3; // of the order of the discretisation error between the grids
 constexpr double share_of_coarser = 0.2;      // of the work
 
+/// The derivative of estimated tractions, those `at` a creepage, with respect to its longitudinal or lateral part.
+/// Nothing near full sliding, where it nearly vanishes: such numbers would mislead.
+VectorField derivative(const RollingEstimate& estimate, const FittedContact& contact, std::span<const double> bound,
+                       const Creepage& creepage, double Creepage::*part, const VectorField& at) {
+  double capacity = 0;
+  for (std::size_t k = 0; k < bound.size(); ++k) capacity += bound[k] * contact.elements[k].width() * contact.grid.dy;
+  const double unit = 1e-3 * capacity / estimate.stiffness;
+  Creepage moved = creepage;
+  moved.*part += unit;
+  VectorField derivative = estimate.tractions(contact, bound, moved);
+  double slope = 0;
+  for (std::size_t k = 0; k < bound.size(); ++k) {
+    derivative.x[k] = (derivative.x[k] - at.x[k]) / unit;
+    derivative.y[k] = (derivative.y[k] - at.y[k]) / unit;
+    const double along = part == &Creepage::longitudinal ? derivative.x[k] : derivative.y[k];
+    slope += along * contact.elements[k].width() * contact.grid.dy;
+  }
+  if (std::abs(slope) < 0.02 * estimate.stiffness) return {};
+  return derivative;
+}
+
 } // namespace
+
+/// What is empty is not known.
+struct NestedRolling::Start {
+  VectorField tractions;
+  std::optional<Vec2> creepage;
+  std::array<VectorField, 2> by_creepage;
+
+  FrictionStart view() const {
+    return {.px = tractions.x,
+            .py = tractions.y,
+            .constants = creepage,
+            .by_constants = {TractionsView{by_creepage[0].x, by_creepage[0].y},
+                             TractionsView{by_creepage[1].x, by_creepage[1].y}}};
+  }
+};
+
+/// By the estimate, `near` the creepage of the coarser contact if that is known.
+NestedRolling::Start NestedRolling::start(std::span<const double> bound, const SecondOrderInput& input,
+                                          const std::optional<Creepage>& near, const RollingEstimate& estimate) const {
+  Start start;
+  const bool forces_given = input.force_x || input.force_y;
+  if (near && !forces_given) return start;
+  const auto creepage = near ? near : forces_given ? estimate.creepage() : std::optional(input.creepage);
+  if (!creepage) return start;
+  start.tractions = estimate.tractions(contact(), bound, *creepage);
+  start.creepage = Vec2{creepage->longitudinal, creepage->lateral};
+  if (forces_given)
+    start.by_creepage = {derivative(estimate, contact(), bound, *creepage, &Creepage::longitudinal, start.tractions),
+                         derivative(estimate, contact(), bound, *creepage, &Creepage::lateral, start.tractions)};
+  return start;
+}
 
 NestedRolling::NestedRolling(const CombinedMaterial& material, FittedContact contact,
                              std::unique_ptr<NestedRolling> coarser, const Progress& progress)
@@ -23,7 +77,7 @@ std::vector<double> NestedRolling::bound(double capacity) const {
   return bound;
 }
 
-SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input, const StartOf& start_of) {
+SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input, const RollingEstimate& estimate) {
   const std::vector<double> bound = this->bound(capacity);
   std::optional<Creepage> near;
   VectorField tractions;
@@ -34,20 +88,18 @@ SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input
     on_coarser.progress = [&](double done) {
       return !(stopped = input.progress && !input.progress(share_of_coarser * done));
     };
-    const SecondOrderSolution coarse = coarser_->solve(capacity, std::move(on_coarser), start_of);
+    const SecondOrderSolution coarse = coarser_->solve(capacity, std::move(on_coarser), estimate);
     if (coarse.friction.status == Status::ok) {
       near = coarse.creepage;
       tractions = start_from_coarser(coarser_->contact(), coarser_->bound(capacity), coarse.friction, contact(), bound);
     }
   }
-  RollingStart start = start_of ? start_of(contact(), bound, near) : RollingStart();
+  Start start = this->start(bound, input, near, estimate);
   if (near) {
     start.tractions = std::move(tractions);
     start.creepage = Vec2{near->longitudinal, near->lateral};
   }
-  input.start = {.px = start.tractions.x, .py = start.tractions.y, .constants = start.creepage, .by_constants = {}};
-  for (std::size_t i = 0; i < start.by_creepage.size(); ++i)
-    input.start.by_constants[i] = {start.by_creepage[i].x, start.by_creepage[i].y};
+  input.start = start.view();
   const Progress whole = input.progress;
   if (coarser_) input.progress = part(whole, share_of_coarser, 1);
   if (stopped) input.progress = [](double) { return false; };

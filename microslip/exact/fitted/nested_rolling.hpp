@@ -3,7 +3,6 @@
 #include "microslip/contact/vector_field.hpp"
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,11 +11,14 @@
 
 namespace microslip {
 
-/// Where a solve on a fitted contact begins; what is empty is not known.
-struct RollingStart {
-  VectorField tractions;                  ///< [Pa]
-  std::optional<Vec2> creepage;           ///< longitudinal and lateral, where forces are given
-  std::array<VectorField, 2> by_creepage; ///< derivatives of the tractions with respect to each of them
+/// What a simpler theory says of a contact, to begin with.
+struct RollingEstimate {
+  /// Tractions of the elements [Pa] with these creepages, where friction's bound is g [Pa].
+  std::function<VectorField(const FittedContact& contact, std::span<const double> bound, const Creepage& creepage)>
+      tractions;
+  /// The creepages with which they have the prescribed forces; nothing if there are none.
+  std::function<std::optional<Creepage>()> creepage;
+  double stiffness = 0; ///< G a b [N]: by how much, but for a factor of the order of 4, forces grow with a creepage
 };
 
 /// Steady rolling along +x at second order, started from the solution on a coarser cover of the same contact, and so on
@@ -31,14 +33,9 @@ public:
   /// g of the elements [Pa] if friction bears `capacity` = mu Fn [N].
   std::vector<double> bound(double capacity) const;
 
-  /// What else is known of the solution on a contact with this bound, where `near` is the creepage on the coarser one;
-  /// without one, tractions and creepage to begin with.
-  using StartOf = std::function<RollingStart(const FittedContact& contact, std::span<const double> bound,
-                                             const std::optional<Creepage>& near)>;
-
   /// `input` without start. Newton steps and products are those on the finest grid. Its progress is told of all grids;
   /// false ends the solve with status not_converged.
-  SecondOrderSolution solve(double capacity, SecondOrderInput input, const StartOf& start_of = {});
+  SecondOrderSolution solve(double capacity, SecondOrderInput input, const RollingEstimate& estimate);
 
   /// As SecondOrderRolling::differentiate.
   SecondOrderRolling::Derivatives differentiate(double capacity, const SecondOrderSolution& solution, double tolerance,
@@ -47,6 +44,10 @@ public:
   }
 
 private:
+  struct Start;
+  Start start(std::span<const double> bound, const SecondOrderInput& input, const std::optional<Creepage>& near,
+              const RollingEstimate& estimate) const;
+
   SecondOrderRolling rolling_;
   std::unique_ptr<NestedRolling> coarser_;
 };

@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
+#include "microslip/exact/fitted/patch_estimate.hpp"
 #include "microslip/exact/halfspace/coarser_elements.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 
@@ -70,7 +71,7 @@ PressureField coarser(const PressureField& fine, const Extent& contact) {
 /// Elements fitted to the contact, and to coarser ones as long as these have enough elements.
 std::unique_ptr<NestedRolling> nested(const CombinedMaterial& material, const PressureField& field,
                                       const Progress& progress) {
-  constexpr int smallest_with_coarser = 16; // elements across
+  constexpr int smallest_with_coarser = 48; // elements across; below, a coarser grid saves less than it costs
   const Extent contact = extent_of(field);
   std::unique_ptr<NestedRolling> on_coarser;
   if (contact.shortest() >= smallest_with_coarser) on_coarser = nested(material, coarser(field, contact), progress);
@@ -93,7 +94,7 @@ void check(const PatchRollingMotion& motion) {
 
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                            const NormalLoad& load, RollingDirection direction, const Progress& progress)
-    : direction_(direction) {
+    : material_(material), direction_(direction) {
   if (material.dissimilarity != 0)
     throw Error("dissimilarity", material.dissimilarity, "-",
                 "0: rolling of patches is for elastically similar bodies");
@@ -133,7 +134,9 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side;
   const std::vector<double> bound = rolling_->bound(capacity);
-  ContactSolution out = contact_solution(rolling_->contact(), rolling_->solve(capacity, input),
+  const SecondOrderSolution found =
+      rolling_->solve(capacity, input, estimate_by_fastsim(material_, rolling_->contact(), capacity, input));
+  ContactSolution out = contact_solution(rolling_->contact(), found,
                                          {.bound = bound,
                                           .normal_force = normal_.normal_force,
                                           .approach = normal_.approach,

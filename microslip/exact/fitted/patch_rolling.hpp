@@ -49,6 +49,7 @@ public:
   ContactSolution solve(const PatchRollingMotion& motion);
 
 private:
+  CombinedMaterial material_;
   RollingDirection direction_;
   NormalSolution normal_;
   std::unique_ptr<NestedRolling> rolling_; ///< none without contact
