@@ -14,8 +14,9 @@ constexpr double share_of_coarser = 0.2;      // of the work
 } // namespace
 
 NestedRolling::NestedRolling(const CombinedMaterial& material, FittedContact contact,
-                             std::unique_ptr<NestedRolling> coarser, const Progress& progress)
-    : rolling_(material, std::move(contact), progress), coarser_(std::move(coarser)) {}
+                             std::unique_ptr<NestedRolling> coarser, const Progress& progress,
+                             const TransformPlans& plans)
+    : rolling_(material, std::move(contact), progress, plans), coarser_(std::move(coarser)) {}
 
 std::vector<double> NestedRolling::bound(double capacity) const {
   std::vector<double> bound = contact().load_share;
