@@ -28,8 +28,8 @@ TEST(QuickSize, IsTheNextOfEvenSizesThatAreNotFarApart) {
 template <class Real> void wave_there_and_back(Real tolerance) {
   constexpr int n = 20, count = 3, wave = 7;
   const auto in = allocate<std::complex<Real>>(n * count), out = allocate<std::complex<Real>>(n * count);
-  const Transforms<Real> forward(n, count, FFTW_FORWARD, in.get(), out.get());
-  const Transforms<Real> backward(n, count, FFTW_BACKWARD, out.get(), in.get());
+  const Transforms<Real> forward(n, count, FFTW_FORWARD);
+  const Transforms<Real> backward(n, count, FFTW_BACKWARD);
   const auto value = [](int row, int i) {
     return static_cast<Real>(row + 1) * std::polar<Real>(1, static_cast<Real>(2 * M_PI * wave * i / n));
   };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "microslip/numerics/transform_plans.hpp"
+
 #include <functional>
 #include <memory>
 #include <span>
@@ -16,9 +18,12 @@ namespace microslip {
 /// depend on the number of OpenMP threads, which large grids use. Distinct objects may be used from distinct threads.
 class EvenToeplitz {
 public:
-  /// `kernel` gives the entry at the offset of i columns and j rows, 0 .. half of the padded grid, which is a little
-  /// beyond mx and my. It must be largest, and positive, at 0. Throws Error for a grid without elements.
-  EvenToeplitz(int mx, int my, const std::function<double(int i, int j)>& kernel);
+  /// Sets the entries at the offsets of j rows and 0, 1, 2 ... columns.
+  using KernelRow = std::function<void(int j, std::span<double> entries)>;
+
+  /// The kernel is asked for j = 0, 1, 2 ... in turn, a little beyond mx and my, to half of the padded grid. It must be
+  /// largest, and positive, at 0. Throws Error for a grid without elements.
+  EvenToeplitz(int mx, int my, const KernelRow& kernel, const TransformPlans& plans = {});
   EvenToeplitz(EvenToeplitz&&) noexcept;
   EvenToeplitz& operator=(EvenToeplitz&&) noexcept;
   ~EvenToeplitz();

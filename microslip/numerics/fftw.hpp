@@ -1,5 +1,7 @@
 #pragma once
 
+#include "microslip/numerics/transform_plans.hpp"
+
 #include <complex>
 #include <cstddef>
 #include <memory>
@@ -38,18 +40,30 @@ template <class Planner> Plan make(Planner planner) {
 }
 
 /// Unscaled transforms of `count` sequences of n complex numbers, one after another, in double or single precision;
-/// made for memory from `allocate`, in place if `in` is `out`.
+/// not in place, in memory as aligned as that from `allocate`.
 template <class Real> class Transforms {
 public:
   using Complex = std::complex<Real>;
+  using PlanOf = std::conditional_t<std::is_same_v<Real, float>, fftwf_plan_s, fftw_plan_s>;
 
   /// `sign`: FFTW_FORWARD or FFTW_BACKWARD.
-  Transforms(int n, int count, int sign, Complex* in, Complex* out);
-  /// For memory as aligned as that, and in place where that was.
+  Transforms(int n, int count, int sign, const TransformPlans& plans = {});
   void execute(Complex* in, Complex* out) const;
 
 private:
-  std::unique_ptr<std::conditional_t<std::is_same_v<Real, float>, fftwf_plan_s, fftw_plan_s>, Destroy> plan_;
+  std::shared_ptr<PlanOf> plan_;
+};
+
+/// Unscaled transforms of `count` sequences of n real numbers to n/2 + 1 complex ones each and back, which destroys
+/// them. Sequences follow one another; of real numbers each has room for 2 (n/2 + 1). As Transforms otherwise.
+class RealTransforms {
+public:
+  RealTransforms(int n, int count, const TransformPlans& plans = {});
+  void forward(double* in, std::complex<double>* out) const;
+  void backward(std::complex<double>* in, double* out) const;
+
+private:
+  std::shared_ptr<fftw_plan_s> forward_, backward_;
 };
 
 /// The smallest number from n on that has only the factors 2, 3, 5, 7, for which transforms are fast.

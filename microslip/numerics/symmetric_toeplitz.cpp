@@ -2,7 +2,6 @@
 
 #include "microslip/numerics/fftw.hpp"
 #include "microslip/numerics/precision.hpp"
-#include "microslip/numerics/quarter_transform.hpp"
 #include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
@@ -21,17 +20,6 @@ constexpr int block = 6;                           // columns next to each other
 constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 constexpr double smallest_share = 1e-2;            // of the kernels at 0, in the transform that is inverted
-
-/// Transform of a kernel from its quarter of the periodic grid. An odd one is zero at half the period.
-std::vector<double> quarter_spectrum(int nx, int ny, int mx, int my, Parity parity, std::span<const double> kernel) {
-  const int columns = nx / 2 + 1, rows = ny / 2 + 1, beyond = parity == Parity::odd ? 1 : 0;
-  std::vector<double> quarter(static_cast<std::size_t>(columns) * rows);
-  for (int j = 0; j < std::min(my, rows - beyond); ++j)
-    std::copy_n(kernel.begin() + static_cast<std::ptrdiff_t>(j) * mx, std::min(mx, columns - beyond),
-                quarter.begin() + static_cast<std::ptrdiff_t>(j) * columns);
-  transform_quarter(columns, rows, parity, quarter);
-  return quarter;
-}
 
 /// A symmetric matrix of two rows: `mean` times unity and `difference`, -`difference` on the diagonal, `mixed` beside.
 struct SymmetricPair {
@@ -71,18 +59,18 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   fftw::Transforms<Real> rows_forward, rows_backward, columns_forward, columns_backward;
   long products = 0;
 
-  Plans(int x, int y, int period_x, int period_y)
+  Plans(int x, int y, int period_x, int period_y, const TransformPlans& plans)
       : mx(x), my(y), nx(fftw::quick_size(period_x)), ny(fftw::quick_size(period_y)),
         field(fftw::allocate<Complex>(field_size())), z(fftw::allocate<Complex>(field_size())),
         threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1),
-        work(fftw::allocate<Complex>(threads * 3 * batch_size())),
-        rows_forward(nx, batch, FFTW_FORWARD, field.get(), z.get()),
-        rows_backward(nx, batch, FFTW_BACKWARD, z.get(), field.get()),
-        columns_forward(ny, batch, FFTW_FORWARD, work.get(), work.get() + batch_size()),
-        columns_backward(ny, batch, FFTW_BACKWARD, work.get() + batch_size(), work.get() + 2 * batch_size()) {
+        work(fftw::allocate<Complex>(threads * 3 * batch_size())), rows_forward(nx, batch, FFTW_FORWARD, plans),
+        rows_backward(nx, batch, FFTW_BACKWARD, plans), columns_forward(ny, batch, FFTW_FORWARD, plans),
+        columns_backward(ny, batch, FFTW_BACKWARD, plans) {
     std::fill_n(work.get(), threads * 3 * batch_size(), Complex(0));
   }
-  template <class Other> Plans(const Other& other, double factor) : Plans(other.mx, other.my, other.nx, other.ny) {
+  template <class Other>
+  Plans(const Other& other, double factor, const TransformPlans& plans)
+      : Plans(other.mx, other.my, other.nx, other.ny, plans) {
     const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
       to.resize(from.size());
       convert(from, factor, to);
@@ -92,21 +80,47 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     scaled(other.mixed, mixed);
   }
 
-  /// What becomes of each wave's pair of the kernels is up to `use`.
+  /// All three kernels go through one transform, of xx + xy + i yy: those of xx and yy are real and even in kx, that of
+  /// xy is real and odd. What becomes of each wave's pair of the kernels is up to `use`.
   template <class Use> void find_spectra(const Kernels& kernels, Use use) {
-    const auto xx = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.xx);
-    const auto yy = quarter_spectrum(nx, ny, mx, my, Parity::even, kernels.yy);
-    const auto xy = quarter_spectrum(nx, ny, mx, my, Parity::odd, kernels.xy);
-    const int columns = nx / 2 + 1;
-    for (auto* spectrum : {&mean, &difference, &mixed}) spectrum->resize(static_cast<std::size_t>(columns) * ny);
-    for (int i = 0; i < columns; ++i)
+    std::fill_n(field.get(), field_size(), Complex(0));
+    for (int j = 0; j < std::min(my, ny / 2 + 1); ++j)
+      for (int i = 0; i < std::min(mx, nx / 2 + 1); ++i) {
+        const std::size_t k = static_cast<std::size_t>(j) * mx + i, row = static_cast<std::size_t>(j) * nx;
+        const bool is_mirror = i % (nx / 2) == 0 || j % (ny / 2) == 0; // where odd periodic kernels are zero
+        const double xx = kernels.xx[k], xy = is_mirror ? 0 : kernels.xy[k], yy = kernels.yy[k];
+        field[row + (nx - i) % nx] = {static_cast<Real>(xx - xy), static_cast<Real>(yy)};
+        field[row + i] = {static_cast<Real>(xx + xy), static_cast<Real>(yy)};
+      }
+    for (auto* spectrum : {&mean, &difference, &mixed}) spectrum->resize(static_cast<std::size_t>(nx / 2 + 1) * ny);
+    transform_rows();
+    share_out(column_blocks(), threads, [&](int b, int thread) { find_spectra_of_columns(b * block, thread, use); });
+    std::fill_n(work.get(), threads * 3 * batch_size(), Complex(0));
+  }
+
+  /// Of the columns from kx on. The kernels' row -j is the mirror image of row j.
+  template <class Use> void find_spectra_of_columns(int kx, int thread, Use use) {
+    Complex *in = work.get() + thread * 3 * batch_size(), *out = in + batch_size();
+    const int count = std::min(block, nx / 2 + 1 - kx);
+    std::fill_n(in, batch_size(), Complex(0));
+    for (int j = 0; j < std::min(my, ny / 2 + 1); ++j) {
+      const Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
+      for (int c = 0; c < count; ++c) {
+        const Complex here = row[kx + c], image = row[(nx - kx - c) % nx];
+        Complex *column = in + static_cast<std::size_t>(c) * ny, *other = column + static_cast<std::size_t>(block) * ny;
+        column[(ny - j) % ny] = image, other[(ny - j) % ny] = here;
+        column[j] = here, other[j] = image;
+      }
+    }
+    columns_forward.execute(in, out);
+    const double points = double(nx) * ny; // scales the transforms
+    for (int c = 0; c < count; ++c)
       for (int j = 0; j < ny; ++j) {
-        const bool upper = j > ny / 2;
-        const std::size_t from = static_cast<std::size_t>(upper ? ny - j : j) * columns + i;
-        const std::size_t to = static_cast<std::size_t>(i) * ny + j;
-        const SymmetricPair pair =
-            use(SymmetricPair{(xx[from] + yy[from]) / 2, (xx[from] - yy[from]) / 2, upper ? -xy[from] : xy[from]});
-        const double points = double(nx) * ny; // scales the transforms
+        const Complex here = out[c * ny + j], image = out[(block + c) * ny + j];
+        const double xx = (double(here.real()) + image.real()) / 2, yy = (double(here.imag()) + image.imag()) / 2;
+        const double xy = (double(here.real()) - image.real()) / 2;
+        const std::size_t to = static_cast<std::size_t>(kx + c) * ny + j;
+        const SymmetricPair pair = use(SymmetricPair{(xx + yy) / 2, (xx - yy) / 2, xy});
         mean[to] = static_cast<Real>(pair.mean / points);
         difference[to] = static_cast<Real>(pair.difference / points);
         mixed[to] = static_cast<Real>(pair.mixed / points);
@@ -150,32 +164,49 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     }
   }
 
+  void transform_rows() {
+    const std::size_t rows = static_cast<std::size_t>(batch) * nx;
+    share_out(row_batches(), threads, [&](int b, int) { rows_forward.execute(&field[b * rows], &z[b * rows]); });
+  }
+
   void apply() {
     ++products;
     const std::size_t rows = static_cast<std::size_t>(batch) * nx;
-    share_out(row_batches(), threads, [&](int b, int) { rows_forward.execute(&field[b * rows], &z[b * rows]); });
+    transform_rows();
     share_out(column_blocks(), threads, [&](int b, int thread) { convolve_columns(b * block, thread); });
     share_out(row_batches(), threads, [&](int b, int) { rows_backward.execute(&z[b * rows], &field[b * rows]); });
   }
 };
 
 template <class Real>
-SymmetricToeplitz<Real>::SymmetricToeplitz(int mx, int my, const Kernels& kernels)
-    : plans_(std::make_unique<Plans>(mx, my, 2 * mx, 2 * my)) {
-  plans_->find_spectra(kernels, [](const SymmetricPair& pair) { return pair; });
+SymmetricToeplitz<Real>::SymmetricToeplitz(int mx, int my, const Kernels& kernels, const TransformPlans& plans)
+    : plans_(std::make_unique<Plans>(mx, my, 2 * mx, 2 * my, plans)) {
+  replace(kernels);
 }
 template <class Real>
 SymmetricToeplitz<Real>::SymmetricToeplitz(std::unique_ptr<Plans> plans) : plans_(std::move(plans)) {}
 template <class Real>
-SymmetricToeplitz<Real> SymmetricToeplitz<Real>::near_inverse(int mx, int my, const Kernels& kernels) {
-  auto plans = std::make_unique<Plans>(mx, my, mx, my);
+SymmetricToeplitz<Real> SymmetricToeplitz<Real>::near_inverse(int mx, int my, const Kernels& kernels,
+                                                              const TransformPlans& transform_plans) {
+  auto plans = std::make_unique<Plans>(mx, my, mx, my, transform_plans);
   const double least = smallest_share * (kernels.xx[0] + kernels.yy[0]) / 2;
   plans->find_spectra(kernels, [least](const SymmetricPair& pair) { return pair.inverse(least); });
   return SymmetricToeplitz(std::move(plans));
 }
 template <class Real>
-SymmetricToeplitz<Real>::SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor)
-    : plans_(std::make_unique<Plans>(*other.plans_, factor)) {}
+SymmetricToeplitz<Real>::SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor,
+                                           const TransformPlans& plans)
+    : plans_(std::make_unique<Plans>(*other.plans_, factor, plans)) {}
+template <class Real> void SymmetricToeplitz<Real>::replace(const Kernels& kernels) {
+  plans_->find_spectra(kernels, [](const SymmetricPair& pair) { return pair; });
+  plans_->products = 0;
+}
+template <class Real> int SymmetricToeplitz<Real>::mx() const {
+  return plans_->mx;
+}
+template <class Real> int SymmetricToeplitz<Real>::my() const {
+  return plans_->my;
+}
 template <class Real> SymmetricToeplitz<Real>::SymmetricToeplitz(SymmetricToeplitz&&) noexcept = default;
 template <class Real>
 SymmetricToeplitz<Real>& SymmetricToeplitz<Real>::operator=(SymmetricToeplitz&&) noexcept = default;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "microslip/numerics/transform_plans.hpp"
+
 #include <complex>
 #include <cstddef>
 #include <memory>
@@ -23,14 +25,20 @@ public:
     std::span<const double> xx, xy, yy;
   };
 
-  SymmetricToeplitz(int mx, int my, const Kernels& kernels);
+  /// Cost: about half a product's, and making the plans that are not kept yet.
+  SymmetricToeplitz(int mx, int my, const Kernels& kernels, const TransformPlans& plans = {});
   /// A symmetric positive map near the inverse of that matrix and of its part on any set of the grid: the inverse,
   /// restricted to the grid, of the kernels repeated with a period that is hardly larger than the grid. For kernels
   /// that fall like 1/distance the inverse falls like 1/distance^3, so that padding would gain nothing. Waves at which
   /// the periodic kernels have next to nothing are damped. A quarter of the cost.
-  static SymmetricToeplitz near_inverse(int mx, int my, const Kernels& kernels);
+  static SymmetricToeplitz near_inverse(int mx, int my, const Kernels& kernels, const TransformPlans& plans = {});
   /// `factor` times another matrix.
-  SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor);
+  SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor, const TransformPlans& plans = {});
+  /// Other kernels in the place of these, for a grid of the same size; products are counted anew. Not for what
+  /// near_inverse made. Cost: about half a product's.
+  void replace(const Kernels& kernels);
+  int mx() const;
+  int my() const;
   SymmetricToeplitz(SymmetricToeplitz&&) noexcept;
   SymmetricToeplitz& operator=(SymmetricToeplitz&&) noexcept;
   ~SymmetricToeplitz();

@@ -75,22 +75,21 @@ ContactProblem EllipticContactSolver::problem_of(const EllipticContact& contact,
   return problem;
 }
 
-/// Whether what depends on ellipse and material only is there for this contact; if not, room is made for it.
-bool EllipticContactSolver::is_prepared_for(const EllipticContact& contact, bool second_order) {
-  const bool same = a_ == contact.a && b_ == contact.b && material_.shear_modulus == contact.shear_modulus &&
-                    material_.poisson_ratio == contact.poisson_ratio;
-  if (same && (second_order ? second_order_ != nullptr : tangential_ != nullptr)) return true;
-  tangential_.reset();
-  second_order_.reset();
+/// Takes the ellipse and the material. Whether they are those of before.
+bool EllipticContactSolver::is_of_last(const EllipticContact& contact) {
+  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+  const bool same = a_ == contact.a && b_ == contact.b && material_ == material;
   a_ = contact.a;
   b_ = contact.b;
-  material_ = {contact.shear_modulus, contact.poisson_ratio, 0};
-  return false;
+  material_ = material;
+  return same;
 }
 
 /// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact, const Progress& progress) {
-  if (is_prepared_for(contact, false)) return;
+  if (is_of_last(contact) && tangential_) return;
+  tangential_.reset();
+  second_order_.reset();
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, contact_margin);
   grid_.shape = options_.elements;
   normal_ = unit_load(contact, grid_, progress);
@@ -98,9 +97,10 @@ void EllipticContactSolver::prepare_classical(const EllipticContact& contact, co
 }
 
 void EllipticContactSolver::prepare_second_order(const EllipticContact& contact, const Progress& progress) {
-  if (is_prepared_for(contact, true)) return;
-  second_order_ =
-      std::make_unique<HertzianRolling>(a_, b_, material_, options_.mx, options_.my, essential_part(progress, 0, 0));
+  is_of_last(contact);
+  tangential_.reset();
+  if (!second_order_) second_order_ = std::make_unique<HertzianRolling>(options_.mx, options_.my);
+  second_order_->prepare(a_, b_, material_, essential_part(progress, 0, 0));
 }
 
 /// Solves the tangential problem; transient rolling step by step.

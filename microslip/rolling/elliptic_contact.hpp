@@ -100,7 +100,7 @@ private:
   void require_memory_for(ContactProblem problem) const;
   void prepare_classical(const EllipticContact& contact, const Progress& progress);
   void prepare_second_order(const EllipticContact& contact, const Progress& progress);
-  bool is_prepared_for(const EllipticContact& contact, bool second_order);
+  bool is_of_last(const EllipticContact& contact);
   ContactSolution solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
                           const Progress& progress, std::vector<SolutionStep>& history);

@@ -105,6 +105,7 @@ struct Solver::Kept {
   std::optional<ExactOptions> accurate_of;
   std::optional<AccurateContactSolver> accurate;
   std::optional<KeptPatch> patch;
+  TransformPlans plans; ///< of patches
   ContactSequence sequence;
 
   ContactSolution solve_ellipse(const RollingProblem& problem, const Progress& progress) {
@@ -137,8 +138,8 @@ struct Solver::Kept {
 
   ContactSolution solve_patch(const RollingProblem& p, GapValues shape, const Progress& progress) {
     if (!patch || !is_of(*patch, shape, p)) {
-      PatchRolling rolling(p.bodies.material, shape.grid, shape.gap, p.load, p.motion.direction,
-                           part(progress, 0, 0.3));
+      PatchRolling rolling(p.bodies.material, shape.grid, shape.gap, p.load, p.motion.direction, part(progress, 0, 0.3),
+                           plans);
       patch.emplace(KeptPatch{std::move(shape), p.bodies.material, p.load, p.motion.direction, std::move(rolling)});
     }
     return patch->rolling.solve({.friction = p.friction.law.static_coefficient(),

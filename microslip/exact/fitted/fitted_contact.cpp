@@ -113,6 +113,15 @@ FittedContact fit_ellipse(double a, double b, int n, int m) {
   return contact;
 }
 
+FittedContact stretched(FittedContact contact, double along, double across) {
+  ElementGrid& grid = contact.grid;
+  grid.x0 *= along, grid.dx *= along;
+  grid.y0 *= across, grid.dy *= across;
+  for (FittedElement& e : contact.elements) e.left *= along, e.right *= along, e.end *= along;
+  for (double& share : contact.load_share) share /= along * across;
+  return contact;
+}
+
 namespace {
 
 void check_pressure(const ElementGrid& grid, std::span<const double> pressure) {

@@ -35,6 +35,10 @@ struct FittedContact {
 /// element covers counts for the nearest one of its row, so that the shares times the areas have the sum 1 to rounding.
 FittedContact fit_ellipse(double a, double b, int n, int m);
 
+/// The same elements when x is stretched by `along` and y by `across`: fit_ellipse(a, b, n, m) is fit_ellipse(1, 1, n,
+/// m) stretched by a and b, up to rounding.
+FittedContact stretched(FittedContact contact, double along, double across);
+
 /// n elements across a Hertzian line contact of half-width a; forces are counted for `length` [m]. As fit_ellipse.
 FittedContact fit_line(double a, int n, double length = 1);
 

@@ -5,14 +5,17 @@
 #include "microslip/exact/fitted/fitted_product.hpp"
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
+#include "microslip/numerics/transform_plans.hpp"
 #include "microslip/progress.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace microslip {
 
-class EvenKernel;
-
 /// RollingPreconditioner for a fitted contact, which rolls along +x.
-template <class Real> RollingPreconditioner<Real> rolling_preconditioner(const FittedContact& contact);
+template <class Real>
+RollingPreconditioner<Real> rolling_preconditioner(const FittedContact& contact, const TransformPlans& plans = {});
 
 /// What the tractions of a fitted contact contribute to the slip in steady rolling along +x, (E25): D p =
 /// (u(centre) - u(end))/(end - centre), with one number for each element. The regular grid's part goes by fast
@@ -23,33 +26,43 @@ template <class Real> RollingPreconditioner<Real> rolling_preconditioner(const F
 class FittedOperator : public SlipOperator {
 public:
   /// Throws Stopped if `progress` returns false.
-  FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress = {});
+  FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress = {},
+                 const TransformPlans& plans = {});
+
+  /// For the same contact and material but for size and stiffness: dx [m] and G [Pa]. Costs nothing.
+  void rescale(double dx, double shear_modulus);
+
+  /// As one made anew, in the memory of this one; products are counted anew. Of no use if it is stopped.
+  void renew(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress,
+             const TransformPlans& plans);
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override {
-    product_.apply(px, py, sx, sy);
+    product_->apply(px, py, sx, sy);
   }
   bool precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                     std::span<double> qy) override {
     preconditioner_.precondition(px, py, qx, qy);
     return true;
   }
-  double diagonal() const override { return diagonal_; }
-  long products() const override { return product_.products(); }
-  const FittedProduct<double>& product() const { return product_; }
+  double diagonal() const override { return diagonal_ / shear_modulus_; }
+  long products() const override { return product_->products(); }
+  const FittedProduct<double>& product() const { return *product_; }
 
   /// The displacement difference u at the elements' centres [m] for the tractions of the last apply.
-  std::span<const double> ux() const { return product_.ux().first(elements_); }
-  std::span<const double> uy() const { return product_.uy().first(elements_); }
+  std::vector<double> ux() const { return in_metres(product_->ux()); }
+  std::vector<double> uy() const { return in_metres(product_->uy()); }
 
 private:
-  FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const EvenKernel& kernel,
-                 const Progress& progress);
+  void make_product(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress,
+                    const TransformPlans& plans);
+  std::vector<double> in_metres(std::span<const double> displacement) const;
 
-  std::size_t elements_;
-  FittedProduct<double> product_;
+  std::size_t elements_ = 0;
+  std::optional<FittedProduct<double>> product_; ///< there is one
   RollingPreconditioner<double> preconditioner_;
-  double diagonal_;
+  double diagonal_ = 0;               ///< [1/G]
+  double dx_ = 0, shear_modulus_ = 0; ///< units of length and pressure
 };
 
 } // namespace microslip

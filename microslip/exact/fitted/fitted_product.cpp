@@ -14,18 +14,17 @@ namespace simd = std::experimental;
 constexpr auto unaligned = simd::element_aligned;
 
 template <class Real>
-typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>::Corrections& from, double factor) {
+typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>::Corrections& from) {
   typename FittedProduct<Real>::Corrections to;
   for (const auto& run : from.runs) to.runs.push_back({run.point, run.element, run.count});
   for (auto [values, other] : {std::pair{&from.xx, &to.xx}, {&from.xy, &to.xy}, {&from.yy, &to.yy}}) {
     other->resize(values->size());
-    convert(*values, factor, *other);
+    convert(*values, 1, *other);
   }
   return to;
 }
 
-template <class Real>
-typename FittedProduct<Real>::Tables converted(const FittedProduct<double>::Tables& from, double factor) {
+template <class Real> typename FittedProduct<Real>::Tables converted(const FittedProduct<double>::Tables& from) {
   typename FittedProduct<Real>::Tables to;
   for (const auto& p : from.places) to.places.push_back({p.element, p.cell});
   for (const auto& m : from.moments) {
@@ -37,8 +36,8 @@ typename FittedProduct<Real>::Tables converted(const FittedProduct<double>::Tabl
     convert(s.weight, 1, to.stencils.back().weight);
   }
   to.nodes = from.nodes;
-  to.at_points = converted<Real>(from.at_points, factor);
-  to.of_elements = converted<Real>(from.of_elements, factor);
+  to.at_points = converted<Real>(from.at_points);
+  to.of_elements = converted<Real>(from.of_elements);
   to.points = from.points;
   to.end_point = from.end_point;
   to.way.resize(from.way.size());
@@ -49,13 +48,14 @@ typename FittedProduct<Real>::Tables converted(const FittedProduct<double>::Tabl
 } // namespace
 
 template <class Real>
-FittedProduct<Real>::FittedProduct(Tables tables, SymmetricToeplitz<Real> transform)
-    : tables_(std::move(tables)), transform_(std::move(transform)), px_(tables_.way.size() + lanes), py_(px_),
-      ux_(tables_.points + lanes), uy_(ux_) {}
+FittedProduct<Real>::FittedProduct(Tables tables, SymmetricToeplitz<Real> transform, double compliance)
+    : tables_(std::move(tables)), transform_(std::move(transform)), compliance_(compliance),
+      px_(tables_.way.size() + lanes), py_(px_), ux_(tables_.points + lanes), uy_(ux_) {}
 
 template <class Real>
-FittedProduct<Real>::FittedProduct(const FittedProduct<double>& other, double factor)
-    : FittedProduct(converted<Real>(other.tables_, factor), SymmetricToeplitz<Real>(other.transform_, factor)) {}
+FittedProduct<Real>::FittedProduct(const FittedProduct<double>& other, double factor, const TransformPlans& plans)
+    : FittedProduct(converted<Real>(other.tables_), SymmetricToeplitz<Real>(other.transform_, 1, plans),
+                    factor * other.compliance_) {}
 
 template <class Real> void FittedProduct<Real>::load(std::span<const Real> px, std::span<const Real> py) {
   std::copy(px.begin(), px.end(), px_.begin());
@@ -118,10 +118,12 @@ void FittedProduct<Real>::apply(std::span<const Real> px, std::span<const Real> 
   read();
   correct_points();
   correct_for_elements();
+  const auto compliance = static_cast<Real>(compliance_);
   for (std::size_t k = 0; k < tables_.way.size(); ++k) {
     const std::size_t end = tables_.end_point[k];
-    sx[k] = (ux_[k] - ux_[end]) / tables_.way[k];
-    sy[k] = (uy_[k] - uy_[end]) / tables_.way[k];
+    const Real factor = compliance / tables_.way[k];
+    sx[k] = factor * (ux_[k] - ux_[end]);
+    sy[k] = factor * (uy_[k] - uy_[end]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace microslip {
@@ -38,8 +39,14 @@ public:
   struct Corrections {
     std::vector<Run> runs;
     std::vector<Real> xx, xy, yy;
+
+    void clear() {
+      runs.clear();
+      for (auto* weights : {&xx, &xy, &yy}) weights->clear();
+    }
   };
-  /// Points are the elements' centres and then the ends of slip that are no centres.
+  /// Lengths are in units of the grid's dx, displacements by unit tractions in units of dx/G: nothing depends on size
+  /// or stiffness. Points are the elements' centres and then the ends of slip that are no centres.
   struct Tables {
     std::vector<Place> places;
     std::vector<Moments> moments;
@@ -49,17 +56,29 @@ public:
     Corrections of_elements;       ///< of fitted elements, at the grid's points
     std::size_t points = 0;
     std::vector<std::size_t> end_point; ///< of each element
-    std::vector<Real> way;              ///< from each element's centre to the end of its slip [m]
+    std::vector<Real> way;              ///< from each element's centre to the end of its slip
+
+    /// Nothing, in the memory that there is.
+    void clear() {
+      places.clear(), moments.clear(), stencils.clear(), end_point.clear(), way.clear();
+      at_points.clear(), of_elements.clear();
+    }
   };
 
-  FittedProduct(Tables tables, SymmetricToeplitz<Real> transform);
+  /// `compliance`: 1/G [1/Pa].
+  FittedProduct(Tables tables, SymmetricToeplitz<Real> transform, double compliance);
   /// `factor` times another product.
-  FittedProduct(const FittedProduct<double>& other, double factor);
+  FittedProduct(const FittedProduct<double>& other, double factor, const TransformPlans& plans = {});
+
+  /// Takes the parts out, to make another one in their memory.
+  std::pair<Tables, SymmetricToeplitz<Real>> take_apart() { return {std::move(tables_), std::move(transform_)}; }
+
+  void set_compliance(double compliance) { compliance_ = compliance; }
 
   /// s = D p; one number for each element.
   void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> sx, std::span<Real> sy);
 
-  /// The displacement difference at the points for the tractions of the last apply.
+  /// The displacement difference [dx/G] at the points for the tractions of the last apply.
   std::span<const Real> ux() const { return std::span(ux_).first(tables_.points); }
   std::span<const Real> uy() const { return std::span(uy_).first(tables_.points); }
   long products() const { return transform_.products(); }
@@ -73,6 +92,7 @@ private:
 
   Tables tables_;
   SymmetricToeplitz<Real> transform_;
+  double compliance_;
   std::vector<Real> px_, py_, ux_, uy_; ///< with room for `lanes` more
 };
 

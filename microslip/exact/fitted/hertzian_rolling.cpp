@@ -4,6 +4,8 @@
 #include "microslip/simplified/fastsim2_start.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace microslip {
@@ -13,13 +15,6 @@ constexpr int smallest_with_coarser = 64; // elements across; below, a coarser g
 
 double capacity_of(const EllipticContact& contact) {
   return contact.friction.static_coefficient() * contact.normal_force;
-}
-
-std::unique_ptr<NestedRolling> nested(double a, double b, const CombinedMaterial& material, int mx, int my,
-                                      const Progress& progress) {
-  std::unique_ptr<NestedRolling> coarser;
-  if (std::min(mx, my) >= smallest_with_coarser) coarser = nested(a, b, material, (mx + 1) / 2, (my + 1) / 2, progress);
-  return std::make_unique<NestedRolling>(material, fit_ellipse(a, b, mx, my), std::move(coarser), progress);
 }
 
 VectorField from_fastsim2(const EllipticContact& contact, const FittedContact& fitted, std::span<const double> bound) {
@@ -36,9 +31,35 @@ VectorField from_fastsim2(const EllipticContact& contact, const FittedContact& f
 
 } // namespace
 
-HertzianRolling::HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my,
-                                 const Progress& progress)
-    : rolling_(nested(a, b, material, mx, my, progress)) {}
+HertzianRolling::HertzianRolling(int mx, int my) {
+  of_circle_.push_back(fit_ellipse(1, 1, mx, my));
+  for (; std::min(mx, my) >= smallest_with_coarser; of_circle_.push_back(fit_ellipse(1, 1, mx, my)))
+    mx = (mx + 1) / 2, my = (my + 1) / 2;
+}
+
+/// From a level on, down to the coarsest one.
+std::unique_ptr<NestedRolling> HertzianRolling::nested(std::size_t level, const Progress& progress) const {
+  auto coarser = level + 1 < of_circle_.size() ? nested(level + 1, progress) : nullptr;
+  return std::make_unique<NestedRolling>(material_, stretched(of_circle_[level], a_, b_), std::move(coarser), progress,
+                                         plans_);
+}
+
+void HertzianRolling::prepare(double a, double b, const CombinedMaterial& material, const Progress& progress) {
+  if (rolling_ && a == a_ && b == b_ && material == material_) return;
+  const bool scaled = std::abs(b * a_ - b_ * a) <= 4 * std::numeric_limits<double>::epsilon() * b * a_ &&
+                      material.poisson_ratio == material_.poisson_ratio;
+  std::unique_ptr<NestedRolling> rolling = std::exchange(rolling_, nullptr); // there is none if this is stopped
+  a_ = a, b_ = b, material_ = material;
+  NestedRolling* on_level = rolling.get();
+  for (std::size_t level = 0; rolling && level < of_circle_.size(); ++level, on_level = on_level->coarser()) {
+    FittedContact contact = stretched(of_circle_[level], a, b);
+    if (scaled)
+      on_level->rescale(std::move(contact), material.shear_modulus);
+    else
+      on_level->renew(material, std::move(contact), progress);
+  }
+  rolling_ = rolling ? std::move(rolling) : nested(0, progress);
+}
 
 std::vector<double> HertzianRolling::bound(const EllipticContact& contact) const {
   return rolling_->bound(capacity_of(contact));

@@ -12,8 +12,18 @@ namespace microslip {
 /// on large grids from the solution on a grid with half the elements in each direction, and so on down.
 class HertzianRolling {
 public:
-  /// Throws Stopped if `progress` returns false.
-  HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my, const Progress& progress = {});
+  /// mx x my elements across every ellipse.
+  HertzianRolling(int mx, int my);
+  /// Prepared for an ellipse.
+  HertzianRolling(double a, double b, const CombinedMaterial& material, int mx, int my, const Progress& progress = {})
+      : HertzianRolling(mx, my) {
+    prepare(a, b, material, progress);
+  }
+
+  /// For an ellipse and the bodies' material; before anything else. What depends on the number of elements alone has
+  /// been found before. Next to nothing is to do for an ellipse with the axes' ratio of the last one and bodies with
+  /// its Poisson's ratio: everything else scales. Throws Stopped if `progress` returns false.
+  void prepare(double a, double b, const CombinedMaterial& material, const Progress& progress = {});
 
   const FittedContact& contact() const { return rolling_->contact(); }
   /// The traction bound of each element [Pa].
@@ -29,6 +39,12 @@ public:
                                                 double tolerance, const Progress& progress = {});
 
 private:
+  std::unique_ptr<NestedRolling> nested(std::size_t level, const Progress& progress) const;
+
+  TransformPlans plans_;
+  std::vector<FittedContact> of_circle_; ///< of the radius 1; the finest one, and coarser ones
+  double a_ = 0, b_ = 0;                 ///< of rolling_
+  CombinedMaterial material_ = {0, 0, 0};
   std::unique_ptr<NestedRolling> rolling_;
 };
 

@@ -68,8 +68,9 @@ NestedRolling::Start NestedRolling::start(std::span<const double> bound, const S
 }
 
 NestedRolling::NestedRolling(const CombinedMaterial& material, FittedContact contact,
-                             std::unique_ptr<NestedRolling> coarser, const Progress& progress)
-    : rolling_(material, std::move(contact), progress), coarser_(std::move(coarser)) {}
+                             std::unique_ptr<NestedRolling> coarser, const Progress& progress,
+                             const TransformPlans& plans)
+    : rolling_(material, std::move(contact), progress, plans), coarser_(std::move(coarser)) {}
 
 std::vector<double> NestedRolling::bound(double capacity) const {
   std::vector<double> bound = contact().load_share;

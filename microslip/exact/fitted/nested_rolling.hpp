@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace microslip {
@@ -27,7 +28,14 @@ class NestedRolling {
 public:
   /// Throws Stopped if `progress` returns false.
   NestedRolling(const CombinedMaterial& material, FittedContact contact, std::unique_ptr<NestedRolling> coarser,
-                const Progress& progress = {});
+                const Progress& progress = {}, const TransformPlans& plans = {});
+
+  /// As SecondOrderRolling's; without what is coarser.
+  void renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress) {
+    rolling_.renew(material, std::move(contact), progress);
+  }
+  void rescale(FittedContact contact, double shear_modulus) { rolling_.rescale(std::move(contact), shear_modulus); }
+  NestedRolling* coarser() { return coarser_.get(); }
 
   const FittedContact& contact() const { return rolling_.contact(); }
   /// g of the elements [Pa] if friction bears `capacity` = mu Fn [N].

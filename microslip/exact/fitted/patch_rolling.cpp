@@ -70,13 +70,14 @@ PressureField coarser(const PressureField& fine, const Extent& contact) {
 
 /// Elements fitted to the contact, and to coarser ones as long as these have enough elements.
 std::unique_ptr<NestedRolling> nested(const CombinedMaterial& material, const PressureField& field,
-                                      const Progress& progress) {
+                                      const Progress& progress, const TransformPlans& plans) {
   constexpr int smallest_with_coarser = 48; // elements across; below, a coarser grid saves less than it costs
   const Extent contact = extent_of(field);
   std::unique_ptr<NestedRolling> on_coarser;
-  if (contact.shortest() >= smallest_with_coarser) on_coarser = nested(material, coarser(field, contact), progress);
+  if (contact.shortest() >= smallest_with_coarser)
+    on_coarser = nested(material, coarser(field, contact), progress, plans);
   return std::make_unique<NestedRolling>(material, fit_contact(field.grid, field.pressure), std::move(on_coarser),
-                                         progress);
+                                         progress, plans);
 }
 
 void check(const PatchRollingMotion& motion) {
@@ -93,7 +94,8 @@ void check(const PatchRollingMotion& motion) {
 } // namespace
 
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
-                           const NormalLoad& load, RollingDirection direction, const Progress& progress)
+                           const NormalLoad& load, RollingDirection direction, const Progress& progress,
+                           const TransformPlans& plans)
     : material_(material), direction_(direction) {
   if (material.dissimilarity != 0)
     throw Error("dissimilarity", material.dissimilarity, "-",
@@ -101,13 +103,13 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
   require_memory(ContactProblem::tangential, grid);
   try {
     const Progress essential = essential_part(progress, 0, 1);
-    normal_ = NormalProblem(material, grid, essential).solve(gap, load, normal_tolerance, essential);
+    normal_ = NormalProblem(material, grid, essential, plans).solve(gap, load, normal_tolerance, essential);
     if (normal_.contact_elements == 0) return;
     const bool forward = direction == RollingDirection::forward;
     rolling_ = nested(material,
                       forward ? PressureField{grid, normal_.pressure}
                               : PressureField{mirrored(grid), mirrored(grid, normal_.pressure)},
-                      essential);
+                      essential, plans);
   } catch (const Stopped&) {
     normal_ = {};
     normal_.status = Status::not_converged;

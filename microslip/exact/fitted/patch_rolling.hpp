@@ -38,7 +38,7 @@ public:
   /// prepares for the tangential one; false ends them, and solve() gives not_converged.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,
-               const Progress& progress = {});
+               const Progress& progress = {}, const TransformPlans& plans = {});
 
   const NormalSolution& normal() const { return normal_; }
   /// The elements; those of the mirror image where the contact rolls along -x. Nothing without contact.

@@ -38,9 +38,10 @@ class RollingDerivative::Equations {
 public:
   using Real = float;
 
-  Equations(const FittedOperator& fitted_operator, const FittedContact& contact)
-      : rho_(1 / fitted_operator.diagonal()), n_(contact.elements.size()), product_(fitted_operator.product(), rho_),
-        preconditioner_(rolling_preconditioner<float>(contact)), friction_(n_), free_(2 * n_), undone_(2 * n_),
+  Equations(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans)
+      : rho_(1 / fitted_operator.diagonal()), n_(contact.elements.size()),
+        product_(fitted_operator.product(), rho_, plans),
+        preconditioner_(rolling_preconditioner<float>(contact, plans)), friction_(n_), free_(2 * n_), undone_(2 * n_),
         mapped_(2 * n_) {}
 
   std::size_t size() const { return 2 * n_; }
@@ -82,9 +83,9 @@ private:
 };
 
 struct RollingDerivative::Solver {
-  Solver(const FittedOperator& fitted_operator, const FittedContact& contact)
-      : equations(fitted_operator, contact), linearised(equations, gmres, equations.size()), change(equations.size()),
-        slip(change), right(change) {}
+  Solver(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans)
+      : equations(fitted_operator, contact, plans), linearised(equations, gmres, equations.size()),
+        change(equations.size()), slip(change), right(change) {}
 
   Equations equations;
   Gmres<float> gmres;
@@ -92,8 +93,9 @@ struct RollingDerivative::Solver {
   Vector change, slip, right;
 };
 
-RollingDerivative::RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact)
-    : solver_(std::make_unique<Solver>(fitted_operator, contact)) {}
+RollingDerivative::RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact,
+                                     const TransformPlans& plans)
+    : solver_(std::make_unique<Solver>(fitted_operator, contact, plans)) {}
 RollingDerivative::RollingDerivative(RollingDerivative&&) noexcept = default;
 RollingDerivative& RollingDerivative::operator=(RollingDerivative&&) noexcept = default;
 RollingDerivative::~RollingDerivative() = default;

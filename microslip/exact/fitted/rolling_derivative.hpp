@@ -15,7 +15,7 @@ namespace microslip {
 /// less time and whose rounding is far below the accuracy wanted of derivatives of forces.
 class RollingDerivative {
 public:
-  RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact);
+  RollingDerivative(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans);
   RollingDerivative(RollingDerivative&&) noexcept;
   RollingDerivative& operator=(RollingDerivative&&) noexcept;
   ~RollingDerivative();

@@ -18,8 +18,26 @@ constexpr double tolerance_of_first = 3e-3;
 using Field = std::vector<double>;
 
 SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedContact contact,
-                                       const Progress& progress)
-    : contact_(std::move(contact)), operator_(material, contact_, progress) {
+                                       const Progress& progress, const TransformPlans& plans)
+    : plans_(plans), contact_(std::move(contact)), operator_(material, contact_, progress, plans) {
+  find_area_shares();
+}
+
+void SecondOrderRolling::renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress) {
+  contact_ = std::move(contact);
+  derivative_.reset();
+  operator_.renew(material, contact_, progress, plans_);
+  find_area_shares();
+}
+
+void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
+  contact_ = std::move(contact);
+  derivative_.reset();
+  operator_.rescale(contact_.grid.dx, shear_modulus);
+}
+
+void SecondOrderRolling::find_area_shares() {
+  area_share_.clear();
   for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
 }
 
@@ -99,15 +117,15 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   out.creepage.lateral += s.constant_y;
   Field sx(bound.size()), sy(sx);
   operator_.apply(s.px, s.py, sx, sy);
-  out.ux.assign(operator_.ux().begin(), operator_.ux().end());
-  out.uy.assign(operator_.uy().begin(), operator_.uy().end());
+  out.ux = operator_.ux();
+  out.uy = operator_.uy();
   return out;
 }
 
 SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<const double> bound,
                                                                   const SecondOrderSolution& solution, double tolerance,
                                                                   const Progress& progress) {
-  if (!derivative_) derivative_.emplace(operator_, contact_);
+  if (!derivative_) derivative_.emplace(operator_, contact_, plans_);
   derivative_->linearise(bound, solution.friction, CentredSlip<float>(contact_, solution.centred));
   CentredSlip<double> at_centres(contact_, solution.centred);
   Field dcx(contact_.elements.size()), dcy(dcx);

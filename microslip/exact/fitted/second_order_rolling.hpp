@@ -37,7 +37,14 @@ struct SecondOrderSolution {
 class SecondOrderRolling {
 public:
   /// Throws Stopped if `progress` returns false.
-  SecondOrderRolling(const CombinedMaterial& material, FittedContact contact, const Progress& progress = {});
+  SecondOrderRolling(const CombinedMaterial& material, FittedContact contact, const Progress& progress = {},
+                     const TransformPlans& plans = {});
+
+  /// As one made anew, in the memory of this one. Of no use if it is stopped.
+  void renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress = {});
+
+  /// The same contact stretched evenly, and bodies with another shear modulus. Costs next to nothing.
+  void rescale(FittedContact contact, double shear_modulus);
 
   const FittedContact& contact() const { return contact_; }
 
@@ -55,10 +62,12 @@ public:
                             const Progress& progress = {});
 
 private:
+  void find_area_shares();
   void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;
   FrictionSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
 
+  TransformPlans plans_;
   FittedContact contact_;
   FittedOperator operator_;
   FrictionNewton newton_;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -149,6 +151,28 @@ OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& g
 
 double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j) {
   return influence_at(material, grid, i * grid.dx, j * grid.dy).zz;
+}
+
+void NormalRows::find(int j, std::span<double> entries) {
+  const std::size_t count = entries.size();
+  if (grid_.shape != ElementShape::constant) {
+    for (std::size_t i = 0; i < count; ++i) entries[i] = normal_coefficient(material_, grid_, static_cast<int>(i), j);
+    return;
+  }
+  if (!strips_) strips_ = half_strips(grid_, -0.5, count + 1);
+  const HalfStrips::Row row = strips_->at(j);
+  const double f = grid_.dx / (std::numbers::pi * material_.contact_modulus());
+  for (std::size_t i = 0; i < count; ++i) entries[i] = f * (row.xx[i + 1] - row.xx[i] + row.yy[i + 1] - row.yy[i]);
+}
+
+HalfStrips half_strips(const ElementGrid& grid, std::vector<double> x) {
+  return grid.line ? HalfStrips::endless(std::move(x), grid.mx) : HalfStrips(std::move(x), grid.dy / grid.dx);
+}
+
+HalfStrips half_strips(const ElementGrid& grid, double first, std::size_t count) {
+  std::vector<double> x(count);
+  for (std::size_t k = 0; k < count; ++k) x[k] = first + static_cast<double>(k);
+  return half_strips(grid, std::move(x));
 }
 
 TangentialKernel TangentialKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift,

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "microslip/contact/element_grid.hpp"
+#include "microslip/elasticity/half_strips.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/progress.hpp"
 #include "microslip/vec2.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,11 @@ private:
   std::vector<double> values_;
 };
 
+/// Half strips of the grid's rows, with the grid's dx for the unit of length: endless ones for a line contact.
+HalfStrips half_strips(const ElementGrid& grid, std::vector<double> x);
+/// With `count` points, the first one at `first` and one more for each element.
+HalfStrips half_strips(const ElementGrid& grid, double first, std::size_t count);
+
 /// The influence of a constant element of any width in a grid's rows on a point at an offset from its centre; of an
 /// endless strip for a line contact.
 Influence element_influence(const CombinedMaterial& material, const ElementGrid& grid, double width, double x,
@@ -49,6 +56,18 @@ OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& g
 
 /// Its entry for the element i columns and j rows further, which may lie beyond the grid.
 double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j);
+
+/// The same for rows of offsets 0, 1, 2 ... columns and j = 0, 1, 2 ... rows, in turn, which share what they can.
+class NormalRows {
+public:
+  NormalRows(const CombinedMaterial& material, const ElementGrid& grid) : material_(material), grid_(grid) {}
+  void find(int j, std::span<double> entries);
+
+private:
+  CombinedMaterial material_;
+  ElementGrid grid_;
+  std::optional<HalfStrips> strips_; ///< in units of dx; of constant elements
+};
 
 /// The map D from tractions to slip that TangentialOperator applies by transforms, element by element.
 struct TangentialKernel {

@@ -55,11 +55,11 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   fftw::Buffer<Complex> tractions, waves;
   fftw::Transforms<Real> to_waves, from_waves;
 
-  WaveFilter(const ElementGrid& grid, RollingDirection direction)
+  WaveFilter(const ElementGrid& grid, RollingDirection direction, const TransformPlans& plans)
       : mx(grid.mx), my(grid.my), ny(fftw::quick_size(my)), forward(direction == RollingDirection::forward),
         threads(count() >= smallest_threaded ? omp_get_max_threads() : 1), tractions(fftw::allocate<Complex>(count())),
-        waves(fftw::allocate<Complex>(count())), to_waves(ny, batch, FFTW_FORWARD, tractions.get(), waves.get()),
-        from_waves(ny, batch, FFTW_BACKWARD, waves.get(), tractions.get()) {
+        waves(fftw::allocate<Complex>(count())), to_waves(ny, batch, FFTW_FORWARD, plans),
+        from_waves(ny, batch, FFTW_BACKWARD, plans) {
     const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
     for (int j = 0; j < ny; ++j) {
       const double c = 1 + ky_share * grid.dx * lowest * std::min(j, ny - j);
@@ -130,15 +130,16 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
 
 template <class Real>
 RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, RollingDirection direction,
-                                                   std::span<const RollingElement> elements)
-    : filter_(std::make_unique<WaveFilter>(grid, direction)) {
+                                                   std::span<const RollingElement> elements,
+                                                   const TransformPlans& plans)
+    : filter_(std::make_unique<WaveFilter>(grid, direction, plans)) {
   for (const RollingElement& e : elements) filter_->add(e.element, e.cell, e.leads);
 }
 
 template <class Real>
 RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound,
-                                                   RollingDirection direction)
-    : filter_(std::make_unique<WaveFilter>(grid, direction)) {
+                                                   RollingDirection direction, const TransformPlans& plans)
+    : filter_(std::make_unique<WaveFilter>(grid, direction, plans)) {
   const int ahead = filter_->forward ? 1 : -1, trailing = filter_->forward ? 0 : grid.mx - 1;
   for (int j = 0; j < grid.my; ++j)
     for (int i = trailing; i >= 0 && i < grid.mx; i += ahead) {

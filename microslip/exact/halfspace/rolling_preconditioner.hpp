@@ -2,6 +2,7 @@
 
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/contact/motion.hpp"
+#include "microslip/numerics/transform_plans.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -27,9 +28,11 @@ struct RollingElement {
 template <class Real> class RollingPreconditioner {
 public:
   /// For elements row after row, in each from the trailing to the leading edge, at most one in each of the grid's.
-  RollingPreconditioner(const ElementGrid& grid, RollingDirection direction, std::span<const RollingElement> elements);
+  RollingPreconditioner(const ElementGrid& grid, RollingDirection direction, std::span<const RollingElement> elements,
+                        const TransformPlans& plans = {});
   /// For the elements of a grid that have a traction bound; numbers of the others are neither read nor written.
-  RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound, RollingDirection direction);
+  RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound, RollingDirection direction,
+                        const TransformPlans& plans = {});
   RollingPreconditioner(RollingPreconditioner&&) noexcept;
   RollingPreconditioner& operator=(RollingPreconditioner&&) noexcept;
   ~RollingPreconditioner();

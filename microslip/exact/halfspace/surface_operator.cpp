@@ -33,12 +33,14 @@ SymmetricToeplitz<double> near_inverse(const ElementGrid& grid, const std::vecto
 
 } // namespace
 
-NormalOperator::NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
+NormalOperator::NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress,
+                               const TransformPlans& plans)
     : zz_((check(grid), grid.mx), grid.my,
-          [&](int i, int j) {
-            if (i == 0) go_on(progress, 0);
-            return normal_coefficient(material, grid, i, j);
-          }),
+          [&, rows = NormalRows(material, grid)](int j, std::span<double> entries) mutable {
+            go_on(progress, 0);
+            rows.find(j, entries);
+          },
+          plans),
       diagonal_(normal_coefficient(material, grid, 0, 0)) {}
 
 TangentialOperator::TangentialOperator(const TangentialKernel& kernel)

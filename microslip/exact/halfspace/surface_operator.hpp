@@ -25,7 +25,8 @@ struct TangentialKernel;
 class NormalOperator {
 public:
   /// Throws Stopped if `progress`, which is told of the rows of coefficients, returns false; as the others do.
-  NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {});
+  NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
+                 const TransformPlans& plans = {});
   void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }
   /// A symmetric positive map near the inverse of A_zz, also of its part on any area: a preconditioner.
   void apply_near_inverse(std::span<const double> displacement, std::span<double> pressure) {

@@ -229,10 +229,11 @@ private:
 
 } // namespace
 
-NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress)
-    : grid_(require_memory(ContactProblem::normal, grid)), operator_(material, grid, progress) {
+NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress,
+                             const TransformPlans& plans)
+    : grid_(require_memory(ContactProblem::normal, grid)), operator_(material, grid, progress, plans) {
   if (std::max(grid.mx, grid.my) > largest_coarsest)
-    coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress);
+    coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress, plans);
 }
 
 void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load) {

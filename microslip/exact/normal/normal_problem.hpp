@@ -49,7 +49,8 @@ class NormalProblem {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has, and Stopped if
   /// `progress` returns false.
-  NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {});
+  NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
+                const TransformPlans& plans = {});
 
   /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN or a load out of
   /// range. Input so large that the result overflows gives Status::invalid_input. `progress` is told of the iterations

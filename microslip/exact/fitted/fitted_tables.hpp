@@ -1,0 +1,23 @@
+#pragma once
+
+#include "microslip/exact/fitted/fitted_contact.hpp"
+#include "microslip/exact/fitted/fitted_product.hpp"
+#include "microslip/exact/fitted/grid_kernel.hpp"
+#include "microslip/progress.hpp"
+
+#include <cstddef>
+
+namespace microslip {
+
+/// The same contact on the part of its grid that FittedProduct uses: columns and rows with elements, and those beside
+/// them by which fitted elements and their points are represented. The whole grid for a line contact, whose
+/// displacements are 0 at a distance that the grid tells.
+FittedContact without_spare_elements(const FittedContact& contact);
+
+/// What FittedProduct needs besides the transforms, for similar bodies. `stride`: of rows in the transforms' field.
+/// `memory`: tables that are not needed any more. Throws Stopped if `progress` returns false.
+FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedContact& contact,
+                                            const GridKernel& kernel, std::size_t stride, const Progress& progress,
+                                            FittedProduct<double>::Tables memory = {});
+
+} // namespace microslip

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+namespace microslip {
+
+/// Plans of fast transforms, one for each size, number of sequences, direction and precision, which cost more than many
+/// a transform to make. They are made when they are first needed and live as long as anything that uses them. Copies
+/// share their plans. Distinct threads may use the same ones.
+class TransformPlans {
+public:
+  TransformPlans();
+
+  struct Kept;
+  Kept& kept() const { return *kept_; }
+
+private:
+  std::shared_ptr<Kept> kept_;
+};
+
+} // namespace microslip
