@@ -33,7 +33,7 @@ struct ToeplitzTransform::Plans {
   fftw::Buffer<Complex> rows;   ///< of `columns`, a multiple of `batch` of them
   fftw::Buffer<Complex> loaded; ///< transforms of the components
   fftw::Buffer<Complex> work;   ///< a batch of rows, or two of columns
-  fftw::Plan row_forward, row_backward;
+  fftw::RealTransforms row_transforms;
   fftw::Transforms<double> column_forward, column_backward;
   int loaded_components = 0;
   long products = 0;
@@ -43,19 +43,7 @@ struct ToeplitzTransform::Plans {
         rows(fftw::allocate<Complex>(static_cast<std::size_t>(in_batches(ny)) * columns)),
         loaded(fftw::allocate<Complex>(size() * components)),
         work(fftw::allocate<Complex>(2 * static_cast<std::size_t>(batch) * std::max(columns, ny))),
-        column_forward(ny, batch, FFTW_FORWARD, work.get(), loaded.get()),
-        column_backward(ny, batch, FFTW_BACKWARD, work.get(), second_work()) {
-    auto* real = reinterpret_cast<double*>(work.get());
-    fftw_complex* complex = fftw::raw(rows.get());
-    row_forward = fftw::make([&] {
-      return fftw_plan_many_dft_r2c(1, &nx, batch, real, nullptr, 1, 2 * columns, complex, nullptr, 1, columns,
-                                    FFTW_ESTIMATE);
-    });
-    row_backward = fftw::make([&] {
-      return fftw_plan_many_dft_c2r(1, &nx, batch, complex, nullptr, 1, columns, real, nullptr, 1, 2 * columns,
-                                    FFTW_ESTIMATE);
-    });
-  }
+        row_transforms(nx, batch), column_forward(ny, batch, FFTW_FORWARD), column_backward(ny, batch, FFTW_BACKWARD) {}
 
   static int in_batches(int count) { return (count + batch - 1) / batch * batch; }
   static int padded_rows(int my) { return my == 1 ? 1 : fftw::quick_size(2 * my - 1); }
@@ -70,7 +58,7 @@ struct ToeplitzTransform::Plans {
       std::fill_n(real, static_cast<std::size_t>(batch) * 2 * columns, 0.0);
       for (int j = first; j < std::min(first + batch, count); ++j)
         fill(j, real + static_cast<std::size_t>(j - first) * 2 * columns);
-      fftw_execute_dft_r2c(row_forward.get(), real, fftw::raw(rows.get() + static_cast<std::size_t>(first) * columns));
+      row_transforms.forward(real, rows.get() + static_cast<std::size_t>(first) * columns);
     }
     for (int kx = 0; kx < columns; kx += batch) {
       std::fill_n(work.get(), static_cast<std::size_t>(batch) * ny, Complex(0));
@@ -94,7 +82,7 @@ struct ToeplitzTransform::Plans {
     }
     auto* real = reinterpret_cast<double*>(work.get());
     for (int first = 0; first < my; first += batch) {
-      fftw_execute_dft_c2r(row_backward.get(), fftw::raw(rows.get() + static_cast<std::size_t>(first) * columns), real);
+      row_transforms.backward(rows.get() + static_cast<std::size_t>(first) * columns, real);
       for (int j = first; j < std::min(first + batch, my); ++j)
         std::copy_n(real + static_cast<std::size_t>(j - first) * 2 * columns, mx,
                     out.data() + static_cast<std::size_t>(j) * mx);
