@@ -15,6 +15,7 @@
 #include <ctime>
 #include <functional>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,54 @@ Figures ellipse(int n) {
   return figures;
 }
 
+/// Ellipses, one after another, that have nothing to do with one another, as the contacts of a vehicle: means of all.
+Figures new_ellipses(int n) {
+  constexpr int count = 300;
+  std::mt19937 engine(1);
+  const auto between = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
+  HertzianRolling rolling(n, n);
+  Figures figures;
+  figures.solved = true;
+  for (int i = 0; i < count; ++i) {
+    const EllipticContact contact{.a = between(1e-3, 8e-3),
+                                  .b = between(1e-3, 8e-3),
+                                  .shear_modulus = steel.shear_modulus,
+                                  .poisson_ratio = steel.poisson_ratio,
+                                  .normal_force = between(20e3, 120e3),
+                                  .friction = FrictionLaw::coulomb(between(0.2, 0.4)),
+                                  .creepage = {between(-3e-3, 3e-3), between(-3e-3, 3e-3), between(-0.5, 0.5)}};
+    const double start = processor_time();
+    rolling.prepare(contact.a, contact.b, steel);
+    const double ready = processor_time();
+    const SecondOrderSolution s = rolling.solve(contact, {}, {}, 1e-6);
+    figures.set_up += (ready - start) / count;
+    figures.solve += (processor_time() - ready) / count;
+    figures.newton_steps += s.friction.newton_steps;
+    figures.products += s.friction.products;
+    figures.solved = figures.solved && s.friction.status == Status::ok;
+  }
+  figures.elements = rolling.contact().elements.size();
+  figures.newton_steps /= count;
+  figures.products /= count;
+  return figures;
+}
+
+Figures normal_problem(int n) {
+  const ElementGrid grid = grid_of(n, 0);
+  const std::vector<double> gap = gap_on(grid, 0);
+  Figures figures;
+  measure(
+      figures, [&] { return NormalProblem(steel, grid); },
+      [&](NormalProblem& problem) {
+        const NormalSolution s = problem.solve(gap, {NormalLoad::Given::force, load});
+        figures.elements = static_cast<std::size_t>(s.contact_elements);
+        figures.newton_steps = s.iterations;
+        figures.products = s.products;
+        figures.solved = s.status == Status::ok;
+      });
+  return figures;
+}
+
 Figures patch(int n, double skewness) {
   const ElementGrid grid = grid_of(n, skewness);
   const std::vector<double> gap = gap_on(grid, skewness);
@@ -165,7 +214,9 @@ const std::vector<Problem>& problems() {
       {"steady, ellipse, second order", growing, ellipse},
       {"steady, gap of the ellipse, classical", growing, [](int n) { return classical(n, 0); }},
       {"steady, egg, classical", growing, [](int n) { return classical(n, egg); }},
-      {"steady, gap of the ellipse, second order", {20, 96}, [](int n) { return patch(n, 0); }},
+      {"steady, a new ellipse each time, second order", {12, 24}, new_ellipses},
+      {"normal problem, gap of the ellipse", {63}, normal_problem},
+      {"steady, gap of the ellipse, second order", {12, 20, 96}, [](int n) { return patch(n, 0); }},
       {"steady, egg, second order", {20, 96, 254}, [](int n) { return patch(n, egg); }},
   };
   return all;

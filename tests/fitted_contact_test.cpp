@@ -188,6 +188,26 @@ TEST(FittedContact, DoesNotDependOnUnits) {
   }
 }
 
+TEST(FittedContact, OfAnEllipseIsThatOfACircleStretched) {
+  for (const Ellipse& e : ellipses) {
+    const FittedContact direct = fit_ellipse(e.a, e.b, e.n, e.m);
+    const FittedContact circle = stretched(fit_ellipse(1, 1, e.n, e.m), e.a, e.b);
+    const double rounding = 1e-14 * e.a;
+    EXPECT_NEAR(circle.grid.x0, direct.grid.x0, rounding);
+    EXPECT_NEAR(circle.grid.dx, direct.grid.dx, rounding);
+    EXPECT_NEAR(circle.grid.y0, direct.grid.y0, 1e-14 * e.b);
+    EXPECT_NEAR(circle.grid.dy, direct.grid.dy, 1e-14 * e.b);
+    ASSERT_EQ(circle.elements.size(), direct.elements.size());
+    for (std::size_t k = 0; k < direct.elements.size(); ++k) {
+      EXPECT_EQ(circle.elements[k].cell, direct.elements[k].cell);
+      EXPECT_NEAR(circle.elements[k].left, direct.elements[k].left, rounding);
+      EXPECT_NEAR(circle.elements[k].right, direct.elements[k].right, rounding);
+      EXPECT_NEAR(circle.elements[k].end, direct.elements[k].end, rounding);
+      EXPECT_NEAR(circle.load_share[k], direct.load_share[k], 1e-11 * direct.load_share[k]);
+    }
+  }
+}
+
 TEST(FittedContact, RefusesWhatIsNoEllipse) {
   expect_error([] { fit_ellipse(0, 1, 3, 3); }, "a", "[m]");
   expect_error([] { fit_ellipse(1, -1, 3, 3); }, "b", "[m]");

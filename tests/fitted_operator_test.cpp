@@ -1,6 +1,7 @@
 #include "microslip/exact/fitted/fitted_operator.hpp"
 
 #include "microslip/elasticity/influence.hpp"
+#include "microslip/exact/fitted/fitted_contact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -192,6 +193,62 @@ TEST(FittedOperator, CanBeUsedAgain) {
   response.apply(contact.load_share, contact.load_share, again[0], again[1]);
   EXPECT_EQ(again, first);
   EXPECT_EQ(response.products(), 3);
+}
+
+/// The products of two operators with the same tractions.
+Pair product(FittedOperator& response, const FittedContact& contact) {
+  const std::size_t n = contact.elements.size();
+  Pair p{Field(n), Field(n)}, s = p;
+  for (std::size_t k = 0; k < n; ++k) p[0][k] = std::sin(double(k) + 1), p[1][k] = std::cos(1.7 * double(k));
+  response.apply(p[0], p[1], s[0], s[1]);
+  return s;
+}
+
+/// Whatever it was before, larger or smaller.
+TEST(FittedOperator, RenewedIsTheSameAsFreshToTheLastBit) {
+  const std::array contacts = {contact_of(12, 12, 1), contact_of(12, 12, 0.3), contact_of(20, 7, 0.8),
+                               contact_of(5, 9, 2),   fit_line(2e-3, 15),      contact_of(12, 12, 1)};
+  const TransformPlans plans;
+  FittedOperator response(steel, contacts[2], {}, plans);
+  for (const FittedContact& contact : contacts) {
+    response.renew(steel, contact, {}, plans);
+    FittedOperator fresh(steel, contact);
+    EXPECT_EQ(product(response, contact), product(fresh, contact));
+    EXPECT_EQ(response.ux(), fresh.ux());
+    EXPECT_EQ(response.diagonal(), fresh.diagonal());
+    EXPECT_EQ(response.products(), 1);
+  }
+}
+
+/// Lengths and stiffness scale out; by powers of 2, to the last bit.
+TEST(FittedOperator, RescaledIsTheSameAsFresh) {
+  const FittedContact contact = contact_of(13, 10, 0.6), larger = stretched(contact, 4, 4);
+  const CombinedMaterial softer = {steel.shear_modulus / 8, steel.poisson_ratio, 0};
+  FittedOperator response(steel, contact), fresh(softer, larger);
+  const Pair before = product(response, contact);
+  response.rescale(larger.grid.dx, softer.shear_modulus);
+  const Pair after = product(response, larger);
+  EXPECT_EQ(after, product(fresh, larger));
+  EXPECT_EQ(response.uy(), fresh.uy());
+  EXPECT_EQ(response.diagonal(), fresh.diagonal());
+  for (std::size_t k = 0; k < before[0].size(); ++k) EXPECT_EQ(after[0][k], 8 * before[0][k]);
+}
+
+/// Rows and columns that nothing uses change nothing.
+TEST(FittedOperator, SpareElementsDoNotMatter) {
+  const FittedContact contact = contact_of(9, 8, 1.2);
+  FittedContact wide = contact;
+  constexpr int columns = 7, rows = 5;
+  wide.grid.mx += columns, wide.grid.my += rows + 3;
+  wide.grid.x0 -= columns * wide.grid.dx, wide.grid.y0 -= rows * wide.grid.dy;
+  for (FittedElement& e : wide.elements) {
+    e.cell = (e.cell / contact.grid.mx + rows) * wide.grid.mx + e.cell % contact.grid.mx + columns;
+    e.row += rows;
+  }
+  FittedOperator response(steel, contact), on_wide(steel, wide);
+  const Pair s = product(response, contact), on_wide_s = product(on_wide, wide);
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t k = 0; k < s[c].size(); ++k) EXPECT_NEAR(on_wide_s[c][k], s[c][k], 1e-12 * response.diagonal());
 }
 
 /// Slip in units of the size of its terms.

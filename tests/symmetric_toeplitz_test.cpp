@@ -190,6 +190,20 @@ TEST(SymmetricToeplitz, CanBeUsedAgain) {
   }
 }
 
+TEST(SymmetricToeplitz, ReplacedKernelsAreAsFreshOnesToTheLastBit) {
+  for (const Shape& s : {Shape{1, 1}, {9, 5}, {24, 17}, large}) {
+    const RandomKernels kernels(s, 71), others(s, 72);
+    const TransformPlans plans;
+    SymmetricToeplitz<double> transform(s.mx, s.my, {kernels.xx, kernels.xy, kernels.yy}, plans);
+    const Pair p = random_pair(s, 73);
+    product(transform, s, p);
+    transform.replace({others.xx, others.xy, others.yy});
+    SymmetricToeplitz fresh = others.transform();
+    EXPECT_EQ(product(transform, s, p), product(fresh, s, p)) << text(s);
+    EXPECT_EQ(transform.products(), 1);
+  }
+}
+
 TEST(SymmetricToeplitz, AFactorTimesItInSinglePrecision) {
   for (const Shape& s : {Shape{1, 1}, {9, 5}, {24, 17}, large}) {
     const RandomKernels kernels(s, 61);
