@@ -173,8 +173,8 @@ void TangentialProblem::find_displacements(const TangentialState& tractions, Vec
   ahead_->apply(tractions.px, tractions.py, ux, uy);
 }
 
-/// Steady rolling on elements twice as long and wide, solved roughly, gives tractions and constants to begin with. The
-/// step is as many of these elements, and the rigid slip is taken at the same distance.
+/// Steady rolling, or the first shift or step, on elements twice as long and wide, solved roughly, gives tractions and
+/// constants to begin with. The step is as many of these elements, and the rigid slip is taken at the same distance.
 TangentialProblem::CoarseStart TangentialProblem::start_from_coarser(std::span<const double> bound,
                                                                      const TangentialInput& input, double step) {
   const ElementGrid coarse = coarser_grid(grid_);
@@ -182,6 +182,7 @@ TangentialProblem::CoarseStart TangentialProblem::start_from_coarser(std::span<c
   const double ratio = coarse.dx / grid_.dx;
   const Field extra_x = mean_on_coarser(grid_, input.extra_x), extra_y = mean_on_coarser(grid_, input.extra_y);
   TangentialInput on_coarse = input;
+  on_coarse.previous = nullptr;
   on_coarse.step = ratio * std::abs(step);
   on_coarse.spin_offset = input.spin_offset / ratio;
   on_coarse.extra_x = extra_x, on_coarse.extra_y = extra_y;
@@ -276,7 +277,8 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     CoarseStart coarse;
     if (input.start) {
       start = {.px = input.start->px, .py = input.start->py};
-    } else if (!steady && input.previous) { // a step changes what was there before, so that is where to begin
+    } else if (!steady && input.previous &&
+               !input.previous->px.empty()) { // a step changes what was there before, so that is where to begin
       start = {.px = input.previous->px, .py = input.previous->py};
     } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
       coarse = start_from_coarser(bound, input, step);
