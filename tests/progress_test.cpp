@@ -151,7 +151,7 @@ TEST(Progress, OfCoarserGridsAndGivenForces) {
   EXPECT_GT(once.told.size(),
             static_cast<std::size_t>(solved.report.products) + 10); // those of the coarser grid as well
   EXPECT_TRUE(std::is_sorted(once.told.begin(), once.told.end()));
-  expect_ended_anywhere(200, [&](const Progress& progress) {
+  expect_ended_anywhere(100, [&](const Progress& progress) {
     return EllipticContactSolver(options).solve(contact(), {.force_x = 5e3}, progress).report.status;
   });
 }
@@ -183,7 +183,7 @@ TEST(Progress, OfBodiesAndFrictionThatNeedASequence) {
 }
 
 TEST(Progress, OfAccurateContacts) {
-  expect_ended_anywhere(100, [&](const Progress& progress) {
+  expect_ended_anywhere(60, [&](const Progress& progress) {
     const auto solved = AccurateContactSolver(1e-2).solve(contact(), {}, progress);
     if (solved.forces.status != Status::ok && solved.elements == 0) {
       EXPECT_TRUE(std::isnan(solved.forces.fx));

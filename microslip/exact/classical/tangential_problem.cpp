@@ -120,6 +120,17 @@ std::optional<int> whole_elements(double distance, double size, int most) {
   return static_cast<int>(nearest);
 }
 
+/// Of work that its progress function has ended before the first step.
+TangentialSolution nothing_found(const ElementGrid& grid, const TangentialInput& input, TangentialSolution out) {
+  const Field zero(grid.count());
+  out.ux = out.uy = zero;
+  FrictionSolution s{.px = zero, .py = zero, .sx = zero, .sy = zero, .sliding = std::vector<char>(zero.size())};
+  s.residual = 1;
+  s.status = Status::not_converged;
+  find_totals(grid, input, std::move(s), out);
+  return out;
+}
+
 } // namespace
 
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input) {
@@ -284,7 +295,7 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
       coarse = start_from_coarser(bound, input, step);
       start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
       options.progress = part(input.progress, share_of_coarser, 1);
-      if (coarse.stopped) options.progress = [](double) { return false; };
+      if (coarse.stopped) return nothing_found(grid_, input, std::move(out));
     }
     if (!steady) options.before = tractions_of(input.previous);
     SlipOperator* slip = steady ? &difference(input, step) : &displacement(input.progress);
