@@ -77,8 +77,8 @@ class SignalTest(unittest.TestCase):
         return hertz, pair, grid, microslip.hertzian_gap(hertz.gap, grid)
 
     def test_hertzian_contacts(self):
-        for solver in (microslip.EllipticContactSolver(200, 200),
-                       microslip.EllipticContactSolver(100, 100, discretisation="classical")):
+        for solver in (microslip.EllipticContactSolver(400, 400),
+                       microslip.EllipticContactSolver(300, 300, discretisation="classical")):
             self.expect_heard(lambda: solver.solve(contact()))
             self.expect_heard(lambda: solver.solve(contact(), motion="transient", steps=100))
         solver = microslip.EllipticContactSolver(250, 250)
