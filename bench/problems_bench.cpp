@@ -116,7 +116,9 @@ Figures ellipse(int n) {
 Figures new_ellipses(int n) {
   constexpr int count = 300;
   std::mt19937 engine(1);
-  const auto between = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) * 0x1p-32;
+  };
   HertzianRolling rolling(n, n);
   Figures figures;
   figures.solved = true;

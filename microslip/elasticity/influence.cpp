@@ -19,17 +19,16 @@ double y_log(double y, double r) {
   return y == 0 ? 0 : y * std::log(r);
 }
 
-/// The primitives at a corner.
-struct Corner {
-  double j1, j2, r, k1, k2;
-
-  Corner(double x, double y) : r(std::hypot(x, y)) {
-    j1 = y_log_sum(x, y, r);
-    j2 = y_log_sum(y, x, r);
-    k1 = y_log(y, r) + x_atan(x, y);
-    k2 = y_log(x, r) + x_atan(y, x);
-  }
-};
+/// Adds the primitives at a corner, those of x/r^2 and y/r^2 only for dissimilar bodies.
+void add_corner(double sign, double x, double y, bool dissimilar, KernelIntegrals& sum) {
+  const double r = std::hypot(x, y);
+  sum.xx += sign * y_log_sum(x, y, r);
+  sum.yy += sign * y_log_sum(y, x, r);
+  sum.xy -= sign * r;
+  if (!dissimilar) return;
+  sum.x += sign * (y_log(y, r) + x_atan(x, y));
+  sum.y += sign * (y_log(x, r) + x_atan(y, x));
+}
 
 } // namespace
 
@@ -43,15 +42,8 @@ Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& 
 Influence influence(const CombinedMaterial& material, double dx, double dy, double x, double y) {
   KernelIntegrals sum;
   for (const int sx : {-1, 1})
-    for (const int sy : {-1, 1}) {
-      const Corner c(x + sx * dx / 2, y + sy * dy / 2);
-      const double sign = sx * sy;
-      sum.xx += sign * c.j1;
-      sum.yy += sign * c.j2;
-      sum.xy -= sign * c.r;
-      sum.x += sign * c.k1;
-      sum.y += sign * c.k2;
-    }
+    for (const int sy : {-1, 1})
+      add_corner(sx * sy, x + sx * dx / 2, y + sy * dy / 2, material.dissimilarity != 0, sum);
   return influence_of(material, sum);
 }
 

@@ -101,12 +101,15 @@ public:
 
   void build() {
     for (std::size_t begin = 0; begin < leading_.size(); begin += most_together) {
-      go_on(progress_, 0);
       const std::size_t end = std::min(begin + most_together, leading_.size());
       find_strips(begin, end);
       find_pairs(begin, end);
       for (std::size_t k = begin; k < end; ++k) {
-        for (std::size_t which = 0; which < 2; ++which) correct_point(k, which);
+        for (std::size_t which = 0; which < 2; ++which) {
+          go_on(progress_, 0);
+          correct_point(k, which);
+        }
+        go_on(progress_, 0);
         correct_element(k);
       }
     }
