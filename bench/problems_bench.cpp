@@ -294,6 +294,57 @@ Figures compression(int n) {
   });
 }
 
+/// The ellipse with a layer that hardens, from a tenth of the friction's peak on.
+ContactStep on_a_layer(int n) {
+  ContactStep step;
+  step.grid = grid_of(n, 0);
+  step.bodies = steel;
+  step.bodies.layer = {
+      .flexibility = 2.5e-14, .yield_stress = 0.1 * friction * hertz().peak_pressure, .hardening = 5e12};
+  step.gap = gap_on(step.grid, 0);
+  step.load = {NormalLoad::Given::force, load};
+  step.friction = {FrictionLaw::coulomb(friction)};
+  step.motion.tolerance = 1e-8;
+  return step;
+}
+
+/// 63 steps of transient rolling under a growing creepage.
+Figures yielding_transient(int n) {
+  return sequence(on_a_layer(n), 63, [](ContactStep& s, int k) {
+    s.motion.motion = ContactMotion::transient;
+    s.motion.creepage = {1e-4 * (k + 1), -2e-5 * (k + 1), 0.1};
+    s.start = k == 0 ? StepStart::fresh : StepStart::previous;
+  });
+}
+
+/// 24 creepages of steady rolling from adhesion to sliding.
+Figures yielding_steady(int n) {
+  return sequence(on_a_layer(n), 24, [](ContactStep& s, int k) {
+    const double size = 1e-4 * std::pow(1.25, k);
+    s.motion.creepage = {size, -0.3 * size, 0.1};
+  });
+}
+
+/// A cylinder whose friction falls with the slip: 51 steps of a tenth of a millimetre after the steady state, as those
+/// of Vollebregt & Schuttelaars (2012).
+Figures falling_transient(int n) {
+  const double a = 4e-3, curvature = 1 / 0.92;
+  ContactStep step;
+  step.grid = ElementGrid::across_line(a, n, 5);
+  step.bodies = steel;
+  for (int i = 0; i < step.grid.mx; ++i) step.gap.push_back(curvature * step.grid.x(i) * step.grid.x(i));
+  step.load = {NormalLoad::Given::force, line_contact_from_half_width(curvature, steel, a).force_per_length};
+  step.friction = {FrictionLaw::exponential(0.18, {.drop = 0.12, .half_velocity = 0.1})};
+  step.motion.creepage = {-1e-3, 0, 0};
+  step.motion.rolling_speed = 45;
+  step.motion.step = 1e-4;
+  step.motion.tolerance = 1e-8;
+  return sequence(step, 52, [](ContactStep& s, int k) {
+    s.motion.motion = k == 0 ? ContactMotion::steady : ContactMotion::transient;
+    s.start = k == 0 ? StepStart::fresh : StepStart::previous;
+  });
+}
+
 const std::vector<Problem>& problems() {
   static const std::vector<int> growing = {64, 128, 254, 506};
   static const std::vector<Problem> all = {
@@ -306,6 +357,9 @@ const std::vector<Problem>& problems() {
       {"steady, egg, second order", {20, 96, 254}, [](int n) { return patch(n, egg); }},
       {"shift, classical", growing, shift},
       {"onset of rolling, each of 57 steps, classical", {28, 56}, onset_of_rolling},
+      {"layer that yields, each of 63 transient steps", {24, 48, 96}, yielding_transient},
+      {"layer that yields, each of 24 steady contacts", {24, 48, 96}, yielding_steady},
+      {"cylinder with falling friction, each of 51 transient steps", {82}, falling_transient},
       {"Spence's compression, each of as many steps as elements across", {35, 69}, compression},
   };
   return all;
