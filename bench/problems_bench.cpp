@@ -210,6 +210,90 @@ Figures classical(int n, double skewness) {
   return figures;
 }
 
+/// A first shift, by .6 of the sliding force.
+Figures shift(int n) {
+  const ElementGrid grid = grid_of(n, 0);
+  const NormalSolution normal = NormalProblem(steel, grid).solve(gap_on(grid, 0), {NormalLoad::Given::force, load});
+  std::vector<double> bound = normal.pressure;
+  for (double& g : bound) g *= friction;
+  TangentialInput input;
+  input.motion = ContactMotion::shift;
+  input.force_x = -0.6 * friction * load;
+  input.creepage.lateral = 2e-6;
+  input.tolerance = 1e-8;
+  Figures figures;
+  measure(
+      figures, [&] { return TangentialProblem(steel, grid); },
+      [&](TangentialProblem& problem) {
+        const TangentialSolution s = problem.solve(bound, input);
+        figures.elements = static_cast<std::size_t>(normal.contact_elements);
+        figures.newton_steps = s.newton_steps;
+        figures.products = s.products;
+        figures.solved = s.forces.status == Status::ok;
+      });
+  return figures;
+}
+
+/// Steps of a sequence, each of which goes on from the one before; time, Newton steps and products are the mean.
+template <class Change> Figures sequence(ContactStep step, int steps, const Change& change) {
+  Figures figures;
+  figures.solved = true;
+  measure(
+      figures, [] { return ContactSequence(); },
+      [&](ContactSequence& contact) {
+        int newton_steps = 0;
+        long products = 0;
+        for (int k = 0; k < steps; ++k) {
+          change(step, k);
+          const ContactStepSolution s = contact.solve(step);
+          figures.elements = static_cast<std::size_t>(s.contact_elements);
+          newton_steps += s.tangential.newton_steps;
+          products += s.tangential.products;
+          figures.solved = figures.solved && s.status == Status::ok;
+        }
+        figures.newton_steps = newton_steps / steps;
+        figures.products = products / steps;
+      });
+  figures.solve /= steps;
+  return figures;
+}
+
+/// From Cattaneo's shift to Carter's rolling: 57 steps of an element with the force given.
+Figures onset_of_rolling(int n) {
+  ContactStep step;
+  step.grid = grid_of(n, 0);
+  step.bodies = steel;
+  step.gap = gap_on(step.grid, 0);
+  step.load = {NormalLoad::Given::force, load};
+  step.friction = {FrictionLaw::coulomb(friction)};
+  step.force_x = -0.657 * friction;
+  step.motion.tolerance = 1e-7;
+  return sequence(step, 57, [](ContactStep& s, int k) {
+    s.motion.motion = k == 0 ? ContactMotion::shift : ContactMotion::transient;
+    s.start = k == 0 ? StepStart::fresh : StepStart::previous;
+  });
+}
+
+/// Spence's compression of a soft body and a rigid one whose contact grows by an element in each step.
+Figures compression(int n) {
+  ContactStep step;
+  step.grid = {.mx = n + 20, .my = n + 20, .x0 = -0.05e-3 * (n + 19), .y0 = 0, .dx = 0.1e-3, .dy = 0.1e-3};
+  step.grid.y0 = step.grid.x0;
+  step.bodies = combine(Material{0.5e6, 0}, Material{1e11, 0});
+  for (int j = 0; j < step.grid.my; ++j)
+    for (int i = 0; i < step.grid.mx; ++i) {
+      const double x = step.grid.x(i), y = step.grid.y(j);
+      step.gap.push_back(4.116 * (x * x + y * y));
+    }
+  step.friction = {FrictionLaw::coulomb(0.2986)};
+  step.motion.motion = ContactMotion::shift;
+  step.motion.tolerance = 1e-6;
+  return sequence(step, n, [](ContactStep& s, int k) {
+    s.load = {NormalLoad::Given::force, std::pow((k + 1) / 90.0, 3)};
+    s.start = k == 0 ? StepStart::fresh : StepStart::previous;
+  });
+}
+
 const std::vector<Problem>& problems() {
   static const std::vector<int> growing = {64, 128, 254, 506};
   static const std::vector<Problem> all = {
@@ -220,6 +304,9 @@ const std::vector<Problem>& problems() {
       {"normal problem, gap of the ellipse", {63}, normal_problem},
       {"steady, gap of the ellipse, second order", {12, 20, 96}, [](int n) { return patch(n, 0); }},
       {"steady, egg, second order", {20, 96, 254}, [](int n) { return patch(n, egg); }},
+      {"shift, classical", growing, shift},
+      {"onset of rolling, each of 57 steps, classical", {28, 56}, onset_of_rolling},
+      {"Spence's compression, each of as many steps as elements across", {35, 69}, compression},
   };
   return all;
 }

@@ -288,8 +288,8 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
     CoarseStart coarse;
     if (input.start) {
       start = {.px = input.start->px, .py = input.start->py};
-    } else if (!steady && input.previous &&
-               !input.previous->px.empty()) { // a step changes what was there before, so that is where to begin
+    } else if (!steady && input.previous && !input.previous->px.empty()) {
+      // A step changes what was there before, so that is where to begin.
       start = {.px = input.previous->px, .py = input.previous->py};
     } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
       coarse = start_from_coarser(bound, input, step);
