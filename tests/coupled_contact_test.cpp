@@ -5,6 +5,7 @@
 
 #include "dense_response.hpp"
 #include "friction_conditions.hpp"
+#include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -312,6 +313,32 @@ TEST(ViscoelasticContact, PressureLeansForward) {
   for (std::size_t k = 0; k < step.grid.count(); ++k)
     moment += s.normal.pressure[k] * step.grid.x(static_cast<int>(k) % step.grid.mx);
   EXPECT_GT(moment * step.grid.element_area() / load, 0.1 * step.grid.dx);
+}
+
+/// Next to full sliding the forces hardly depend on the creepages, and free rolling is still found: its creepage is
+/// that of the bodies' strains, near Bentall & Johnson's for no friction.
+TEST(CoupledContact, FreeRollingWithNextToNoFriction) {
+  const CombinedMaterial pair = combine(Material{26.9e9, 0.33}, Material{82e9, 0.29});
+  const double a = 2e-4, of_gap = 20; // h = of_gap x^2
+  double last = 0;
+  for (const int n : {50, 100, 200}) {
+    ContactStep step;
+    step.grid = ElementGrid::across_line(a, n, 2);
+    step.bodies = pair;
+    for (int i = 0; i < step.grid.mx; ++i) step.gap.push_back(of_gap * step.grid.x(i) * step.grid.x(i));
+    step.load = {NormalLoad::Given::force, line_contact_from_half_width(of_gap, pair, a).force_per_length};
+    step.friction = {FrictionLaw::coulomb(1e-4)};
+    step.force_x = 0;
+    step.motion.tolerance = 1e-8;
+    const ContactStepSolution s = ContactSequence().solve(step);
+    ASSERT_EQ(s.status, Status::ok) << n;
+    EXPECT_NEAR(s.tangential.forces.fx, 0, 1e-6 * 1e-4 * s.normal_force);
+    const double creepage = s.tangential.creepage.longitudinal;
+    if (last != 0) {
+      EXPECT_NEAR(creepage, last, 0.01 * std::abs(last));
+    }
+    last = creepage;
+  }
 }
 
 } // namespace

@@ -131,10 +131,14 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const TangentialState& better = with_pressure.tangential.tractions;
-    const long before = s.friction.products + with_pressure.tangential.products;
-    options.most_steps = 100;
-    s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
-    s.friction.products += before;
+    long products = s.friction.products + with_pressure.tangential.products;
+    for (const bool preconditioned : {true, false}) {
+      if (s.friction.status == Status::ok) break;
+      options.preconditioned = preconditioned;
+      options.most_steps = 100;
+      s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
+      s.friction.products = products += s.friction.products;
+    }
   }
 
   normal.pressure = std::move(s.pressure);

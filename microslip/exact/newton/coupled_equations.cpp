@@ -29,10 +29,14 @@ struct CoupledEquations::Point {
   double zx, zy, z_normal;
 };
 
-CoupledEquations::CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure)
-    : problem_(problem), n_(problem.gap.size()), rho_(1 / problem.coupled_operator.slip_scale()),
-      normal_rho_(1 / problem.coupled_operator.normal_scale()), friction_(n_), in_contact_(n_), under_pressure_(n_),
-      bound_(n_), bound_change_(n_), pressure_change_(n_), change_(2 * n_), px_(n_), py_(n_) {
+CoupledEquations::CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure,
+                                   bool preconditioned)
+    : problem_(problem), n_(problem.gap.size()), preconditioned_(preconditioned),
+      rho_(1 / (preconditioned ? problem.coupled_operator.slip_scale() : problem.coupled_operator.slip_diagonal())),
+      normal_rho_(
+          1 / (preconditioned ? problem.coupled_operator.normal_scale() : problem.coupled_operator.normal_diagonal())),
+      friction_(n_), in_contact_(n_), under_pressure_(n_), bound_(n_), bound_change_(n_), pressure_change_(n_),
+      change_(2 * n_), px_(n_), py_(n_) {
   double sum = 0, bound = 0;
   for (std::size_t k = 0; k < n_; ++k) {
     sum += pressure[k];
@@ -121,7 +125,7 @@ void CoupledEquations::linearise(std::span<const double> v, std::span<const doub
     if (in_contact_[k]) sum += size > bound_[k] ? bound_[k] / size : 1, ++count;
   }
   mean_alpha_ = count > 0 ? sum / count : 1;
-  find_responses_to_constants();
+  if (preconditioned_) find_responses_to_constants();
 }
 
 void CoupledEquations::derivative(std::span<const double> v, std::span<const double> response, double damping,
@@ -143,6 +147,7 @@ void CoupledEquations::derivative(std::span<const double> v, std::span<const dou
 }
 
 void CoupledEquations::precondition(std::span<double> unknowns) {
+  if (!preconditioned_) return;
   precondition_pressure(unknowns.subspan(2 * n_, n_));
   satisfy_load(unknowns);
   precondition_tractions(unknowns.first(2 * n_));
@@ -211,11 +216,13 @@ void CoupledEquations::satisfy_load(std::span<double> unknowns) const {
 
 /// Chooses the constants that the forces require, one after the other: a constant hardly changes the other force.
 void CoupledEquations::satisfy_forces(std::span<double> unknowns) const {
+  constexpr double least = 0.02; // of what a constant does where all adheres: near full sliding it does next to nothing
+  const auto contacts = std::count(in_contact_.begin(), in_contact_.end(), 1);
   const double normal = sum_of(unknowns.subspan(2 * n_, n_));
   for (std::size_t c = 0; c < 2; ++c) {
     if (!force_[c]) continue;
     const double slope = sum_of(std::span(by_constant_[c]).subspan(c * n_, n_));
-    if (slope == 0) continue;
+    if (!(std::abs(slope) > least * rho_ / unit_ * constant_unit_ * static_cast<double>(contacts))) continue;
     const double wanted = *(c == 0 ? problem_.force_x : problem_.force_y) / unit_ * normal;
     const double lack = unknowns[*force_[c]] / row_unit_ + wanted - sum_of(unknowns.subspan(c * n_, n_));
     const double constant = lack / slope;

@@ -21,8 +21,9 @@ class CoupledEquations {
 public:
   using Real = double;
 
-  /// Units are found from a pressure [Pa] near the solution's.
-  CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure);
+  /// Units are found from a pressure [Pa] near the solution's. Without a preconditioner rho and r are one over the
+  /// operator's diagonal entries.
+  CoupledEquations(const CoupledFrictionProblem& problem, std::span<const double> pressure, bool preconditioned = true);
 
   std::size_t size() const { return size_; }
   std::size_t responses() const { return 3 * n_; }
@@ -69,6 +70,7 @@ private:
 
   CoupledFrictionProblem problem_;
   std::size_t n_, size_ = 0;
+  bool preconditioned_;
   double rho_, normal_rho_, scale_ = 0;
   double unit_ = 1; ///< of tractions: the mean friction, so that they weigh as much as the pressure
   double delta_unit_ = 1, constant_unit_ = 1, row_unit_ = 1;

@@ -16,7 +16,7 @@ constexpr double least_goal = 1e-12;
 CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& problem, const Options& options,
                                              const CoupledFrictionStart& start) {
   const long products_before = problem.coupled_operator.products();
-  CoupledEquations equations(problem, start.pressure);
+  CoupledEquations equations(problem, start.pressure, options.preconditioned);
   std::vector<double> x(equations.size()), response(equations.responses()), f(equations.size());
   equations.start(start, x, response);
   const double wanted = options.tolerance * equations.scale();

@@ -14,7 +14,8 @@ public:
   struct Options {
     double tolerance = 1e-6;
     int most_steps = 200;
-    Progress progress = {}; ///< is told after each step and before each product; false ends the iteration
+    bool preconditioned = true; ///< else slower, and at times where that does not converge
+    Progress progress = {};     ///< is told after each step and before each product; false ends the iteration
   };
 
   CoupledFrictionSolution solve(const CoupledFrictionProblem& problem, const Options& options,

@@ -278,16 +278,19 @@ void FrictionEquations::estimate_derivatives() {
   derivatives_known_ = !forces_.empty() && n_ > 0 && find_force_slopes();
 }
 
-/// Of the forces' equations with the constants. False if a force does not depend on its constant, or one constant does
+/// Of the forces' equations with the constants. False if a force hardly depends on its constant, or one constant does
 /// what the other does.
 bool FrictionEquations::find_force_slopes() {
+  constexpr double least_slope = 0.02; // of that where all adheres; near full sliding the forces hardly depend on it
   constexpr double least_determinant = 0.1; // over the product of the diagonal entries
   auto& m = force_slope_;
   for (std::size_t f = 0; f < forces_.size(); ++f) {
     const std::span<const double> by = by_constants_[f];
     for (std::size_t i = 0; i < forces_.size(); ++i) m[i][f] = unit_[f] * mean_force(i, by.first(n_), by.subspan(n_));
   }
-  if (forces_.size() == 1) return m[0][0] != 0;
+  for (std::size_t f = 0; f < forces_.size(); ++f)
+    if (!(std::abs(m[f][f]) > least_slope)) return false;
+  if (forces_.size() == 1) return true;
   const double product = m[0][0] * m[1][1];
   return std::abs(product - m[0][1] * m[1][0]) > least_determinant * std::abs(product);
 }
