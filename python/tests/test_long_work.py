@@ -81,7 +81,7 @@ class SignalTest(unittest.TestCase):
                        microslip.EllipticContactSolver(300, 300, discretisation="classical")):
             self.expect_heard(lambda: solver.solve(contact()))
             self.expect_heard(lambda: solver.solve(contact(), motion="transient", steps=100))
-        solver = microslip.EllipticContactSolver(250, 250)
+        solver = microslip.EllipticContactSolver(400, 400)
         self.expect_heard(lambda: solver.differentiate(contact()))
 
     def test_the_normal_problem(self):
@@ -90,7 +90,7 @@ class SignalTest(unittest.TestCase):
         self.expect_heard(lambda: problem.solve(gap, normal_force=80e3))
 
     def test_the_tangential_problem(self):
-        hertz, pair, grid, _ = self.grid(150)
+        hertz, pair, grid, _ = self.grid(300)
         problem = microslip.TangentialProblem(pair, grid)
         bound = 0.3 * hertz.pressure(grid.x[None, :], grid.y[:, None])
         self.expect_heard(lambda: problem.solve(bound, (0.0018, 0.0006, 0.4)))
@@ -98,7 +98,7 @@ class SignalTest(unittest.TestCase):
     def test_patches(self):
         _, pair, grid, gap = self.grid(500)
         self.expect_heard(lambda: microslip.PatchRolling(pair, grid, gap, normal_force=80e3))
-        _, pair, grid, gap = self.grid(120)
+        _, pair, grid, gap = self.grid(300)
         rolling = microslip.PatchRolling(pair, grid, gap, normal_force=80e3)
         self.expect_heard(lambda: rolling.solve(0.3, (0.0018, 0.0006, 0.4)))
 
