@@ -195,6 +195,7 @@ TEST(Fastrip, RefusesWhatItDoesNotKnow) {
   SimplifiedOptions reduced = options(10, 10);
   reduced.slope_reduction.initial = 0.5;
   EXPECT_THROW(Fastrip{reduced}, Error);
+  EXPECT_THROW(Fastrip({.bound = TractionBound::elliptic, .precision = Precision::single}), Error);
   EllipticContact contact = steel(8e-3, 4e-3, {1e-3, 0, 0});
   contact.friction = FrictionLaw::polach(0.3, 0.4, 0.6);
   EXPECT_EQ(Fastrip(options(10, 10)).solve(contact).status, Status::invalid_input);

@@ -20,6 +20,7 @@ double root(double x) {
 }
 
 SimplifiedOptions checked(const SimplifiedOptions& options) {
+  if (options.precision == Precision::single) throw Error("precision: single is for FASTSIM and FASTSIM2");
   if (options.bound != TractionBound::elliptic) throw Error("bound = parabolic: must be elliptic for FaStrip");
   if (options.slope_reduction.initial != 1 || options.slope_reduction.at_infinity != 1)
     throw Error("slope_reduction: FaStrip has none");
