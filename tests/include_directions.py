@@ -30,6 +30,8 @@ ALLOWED = {
                           "microslip/thermal", EXACT + "classical", EXACT + "fitted", EXACT + "halfspace",
                           EXACT + "normal"],
     "microslip/batch": ["microslip/contact", "microslip/simplified"],
+    "microslip/railway": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/numerics",
+                          "microslip/simplified", EXACT + "fitted", EXACT + "normal"],
 }
 
 
