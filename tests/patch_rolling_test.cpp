@@ -234,5 +234,38 @@ TEST(FittedContact, NeedsColumnsToSpare) {
   EXPECT_THROW(fit_contact(grid, pressure), Error);
 }
 
+/// The rigid motion of a contact told row by row.
+RowVariation in_rows(const Creepage& w) {
+  return {.creepage = [w](double y) { return Creepage{w.longitudinal - w.spin * y, w.lateral, w.spin}; }};
+}
+
+TEST(PatchRolling, TakesTheMotionRowByRow) {
+  for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward}) {
+    PatchRolling patch = rolling(egg, grid_over(1.3 * radius, 1.3 * radius, 16, 0.3, 0.2), load, direction);
+    const ContactSolution rigid = patch.solve(mixed);
+    PatchRollingMotion m = mixed;
+    m.creepage = {};
+    m.variation = in_rows(mixed.creepage);
+    const ContactSolution rows = patch.solve(m);
+    ASSERT_EQ(rows.report.status, Status::ok);
+    EXPECT_NEAR(rows.totals.fx, rigid.totals.fx, 2e-6 * capacity);
+    EXPECT_NEAR(rows.totals.fy, rigid.totals.fy, 2e-6 * capacity);
+    EXPECT_NEAR(rows.totals.mz, rigid.totals.mz, 2e-6 * capacity * radius);
+    EXPECT_NEAR(rows.totals.frictional_power, rigid.totals.frictional_power, 1e-5 * rigid.totals.frictional_power);
+  }
+}
+
+TEST(PatchRolling, SlidesAtTheFrictionOfEachRow) {
+  PatchRolling patch = rolling(circular, grid_over(1.3 * radius, 1.3 * radius, 16, 0.3, 0.2));
+  PatchRollingMotion sliding = motion(1000, 0, 0);
+  sliding.variation.friction = [](double y) { return 1 + 100 * y; };
+  const ContactSolution s = patch.solve(sliding);
+  double expected = 0;
+  for (std::size_t k = 0; k < s.elements.size(); ++k)
+    expected -= friction * (1 + 100 * s.elements.y[k]) * s.fields.pressure[k] * s.elements.area[k];
+  EXPECT_NEAR(s.totals.fx, expected, 1e-7 * capacity);
+  EXPECT_GT(std::abs(s.totals.mz), 1e-3 * capacity * radius);
+}
+
 } // namespace
 } // namespace microslip

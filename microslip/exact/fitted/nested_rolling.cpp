@@ -72,14 +72,8 @@ NestedRolling::NestedRolling(const CombinedMaterial& material, FittedContact con
                              const TransformPlans& plans)
     : rolling_(material, std::move(contact), progress, plans), coarser_(std::move(coarser)) {}
 
-std::vector<double> NestedRolling::bound(double capacity) const {
-  std::vector<double> bound = contact().load_share;
-  for (double& g : bound) g *= capacity;
-  return bound;
-}
-
 SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input, const RollingEstimate& estimate) {
-  const std::vector<double> bound = this->bound(capacity);
+  const std::vector<double> bound = this->bound(capacity, input.variation);
   std::optional<Creepage> near;
   VectorField tractions;
   bool stopped = false;
@@ -92,7 +86,8 @@ SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input
     const SecondOrderSolution coarse = coarser_->solve(capacity, std::move(on_coarser), estimate);
     if (coarse.friction.status == Status::ok) {
       near = coarse.creepage;
-      tractions = start_from_coarser(coarser_->contact(), coarser_->bound(capacity), coarse.friction, contact(), bound);
+      tractions = start_from_coarser(coarser_->contact(), coarser_->bound(capacity, input.variation), coarse.friction,
+                                     contact(), bound);
     }
   }
   Start start = this->start(bound, input, near, estimate);

@@ -38,8 +38,10 @@ public:
   NestedRolling* coarser() { return coarser_.get(); }
 
   const FittedContact& contact() const { return rolling_.contact(); }
-  /// g of the elements [Pa] if friction bears `capacity` = mu Fn [N].
-  std::vector<double> bound(double capacity) const;
+  /// g of the elements [Pa] for mu Fn = `capacity` [N], mu that of the contact.
+  std::vector<double> bound(double capacity, const RowVariation& variation = {}) const {
+    return friction_bound(contact(), capacity, variation);
+  }
 
   /// `input` without start. Newton steps and products are those on the finest grid. Its progress is told of all grids;
   /// false ends the solve with status not_converged.

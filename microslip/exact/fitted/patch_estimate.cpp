@@ -13,7 +13,8 @@ namespace {
 /// FASTSIM on the cells of a fitted contact; the bound takes the place of the pressure, and friction is 1.
 class FastsimOnCells {
 public:
-  FastsimOnCells(const CombinedMaterial& material, const FittedContact& contact, std::span<const double> bound)
+  FastsimOnCells(const CombinedMaterial& material, const FittedContact& contact, std::span<const double> bound,
+                 const RowVariation& rows)
       : material_(material), contact_(contact), fastsim_(contact.grid, on_cells(contact, bound)) {
     double moment_x = 0, moment_y = 0;
     for (std::size_t k = 0; k < bound.size(); ++k) {
@@ -24,6 +25,7 @@ public:
       moment_y += load * contact.grid.y(e.row);
     }
     centre_ = {moment_x / capacity_, moment_y / capacity_};
+    if (rows.creepage) find_extra_slip(rows);
   }
 
   double area() const { return fastsim_.contact_area(); }
@@ -40,7 +42,7 @@ public:
                                   .friction = FrictionLaw::coulomb(1),
                                   .creepage = creepage};
     return fastsim_.solve(flexibilities(FlexibilityModel::blended, {}, ellipse), std::array{1.0},
-                          {.creepage = creepage, .spin_centre = centre_});
+                          {.creepage = creepage, .spin_centre = centre_, .extra_x = extra_.x, .extra_y = extra_.y});
   }
 
 private:
@@ -50,8 +52,21 @@ private:
     return cells;
   }
 
+  void find_extra_slip(const RowVariation& rows) {
+    const ElementGrid& grid = contact_.grid;
+    extra_ = VectorField(grid.count());
+    for (int j = 0; j < grid.my; ++j) {
+      const Creepage w = rows.creepage_at(grid.y(j));
+      for (int i = 0; i < grid.mx; ++i) {
+        const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
+        extra_.x[k] = w.longitudinal, extra_.y[k] = w.lateral + w.spin * grid.x(i);
+      }
+    }
+  }
+
   const CombinedMaterial& material_;
   const FittedContact& contact_;
+  VectorField extra_{}; ///< of the rows, at the cells; empty: none
   GridFastsim fastsim_;
   double capacity_ = 0;
   Vec2 centre_{};
@@ -61,12 +76,13 @@ private:
 
 RollingEstimate estimate_by_fastsim(const CombinedMaterial& material, const FittedContact& contact, double capacity,
                                     const SecondOrderInput& input) {
-  std::vector<double> bound = contact.load_share;
-  for (double& g : bound) g *= capacity;
-  const double stiffness = material.shear_modulus * FastsimOnCells(material, contact, bound).area() / std::numbers::pi;
+  const std::vector<double> bound = friction_bound(contact, capacity, input.variation);
+  const double stiffness =
+      material.shear_modulus * FastsimOnCells(material, contact, bound, {}).area() / std::numbers::pi;
   return {.tractions =
-              [material](const FittedContact& fitted, std::span<const double> fitted_bound, const Creepage& creepage) {
-                const GridSolution s = FastsimOnCells(material, fitted, fitted_bound).solve(creepage);
+              [material, rows = input.variation](const FittedContact& fitted, std::span<const double> fitted_bound,
+                                                 const Creepage& creepage) {
+                const GridSolution s = FastsimOnCells(material, fitted, fitted_bound, rows).solve(creepage);
                 VectorField tractions;
                 for (const FittedElement& e : fitted.elements) {
                   tractions.x.push_back(s.px[e.cell]);
@@ -74,10 +90,10 @@ RollingEstimate estimate_by_fastsim(const CombinedMaterial& material, const Fitt
                 }
                 return tractions;
               },
-          .creepage = [=, &contact, force_x = input.force_x, force_y = input.force_y,
-                       given = input.creepage]() -> std::optional<Creepage> {
+          .creepage = [=, &contact, force_x = input.force_x, force_y = input.force_y, given = input.creepage,
+                       rows = input.variation]() -> std::optional<Creepage> {
             constexpr double tolerance = 1e-4;
-            const FastsimOnCells fastsim(material, contact, bound);
+            const FastsimOnCells fastsim(material, contact, bound, rows);
             const FoundCreepage found =
                 find_creepage([&](const Creepage& w) { return fastsim.solve(w).forces; }, {force_x, force_y}, given,
                               capacity, capacity / stiffness, tolerance);

@@ -80,6 +80,16 @@ std::unique_ptr<NestedRolling> nested(const CombinedMaterial& material, const Pr
                                          progress, plans);
 }
 
+/// For a contact whose x axis points the other way where `side` is -1.
+RowVariation turned(RowVariation variation, double side) {
+  if (side < 0 && variation.creepage)
+    variation.creepage = [given = variation.creepage](double y) {
+      const Creepage w = given(y);
+      return Creepage{-w.longitudinal, w.lateral, -w.spin};
+    };
+  return variation;
+}
+
 void check(const PatchRollingMotion& motion) {
   require_positive("friction", motion.friction, "-");
   require_finite("creepage.longitudinal", motion.creepage.longitudinal, "-");
@@ -129,13 +139,14 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   const double side = direction_ == RollingDirection::forward ? 1 : -1;
   SecondOrderInput input{
       .creepage = {side * motion.creepage.longitudinal, motion.creepage.lateral, side * motion.creepage.spin},
+      .variation = turned(motion.variation, side),
       .force_x = motion.force_x,
       .force_y = motion.force_y,
       .start = {},
       .progress = motion.progress,
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side;
-  const std::vector<double> bound = rolling_->bound(capacity);
+  const std::vector<double> bound = rolling_->bound(capacity, input.variation);
   const SecondOrderSolution found =
       rolling_->solve(capacity, input, estimate_by_fastsim(material_, rolling_->contact(), capacity, input));
   ContactSolution out = contact_solution(rolling_->contact(), found,

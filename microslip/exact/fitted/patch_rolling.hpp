@@ -17,6 +17,7 @@ namespace microslip {
 struct PatchRollingMotion {
   double friction = 0; ///< mu [-], > 0
   Creepage creepage = {};
+  RowVariation variation = {};
   std::optional<double> force_x = {},
                         force_y = {}; ///< [N], on body 1; the creepage in that direction is an unknown then
   double rolling_speed = 1;           ///< V [m/s], for the frictional power

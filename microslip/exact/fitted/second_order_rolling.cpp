@@ -55,11 +55,14 @@ FrictionSolution SecondOrderRolling::full_sliding(std::span<const double> bound,
 }
 
 /// w at the middle of each element's slip interval, the first term of (E25).
-void SecondOrderRolling::rigid_slip(const Creepage& creepage, Field& cx, Field& cy) const {
+void SecondOrderRolling::rigid_slip(const Creepage& creepage, const RowVariation& variation, Field& cx,
+                                    Field& cy) const {
   for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
     const FittedElement& e = contact_.elements[k];
-    cx[k] = creepage.longitudinal - creepage.spin * contact_.grid.y(e.row);
-    cy[k] = creepage.lateral + creepage.spin * (e.centre() + e.end) / 2;
+    const double x = (e.centre() + e.end) / 2, y = contact_.grid.y(e.row);
+    const Creepage more = variation.creepage_at(y);
+    cx[k] = creepage.longitudinal - creepage.spin * y + more.longitudinal;
+    cy[k] = creepage.lateral + more.lateral + (creepage.spin + more.spin) * x;
   }
 }
 
@@ -67,7 +70,7 @@ void SecondOrderRolling::rigid_slip(const Creepage& creepage, Field& cx, Field& 
 void SecondOrderRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
                                      SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);
-  rigid_slip(out.creepage, cx, cy);
+  rigid_slip(out.creepage, input.variation, cx, cy);
   const auto problem = [&](SlipOperator& slip_operator) {
     return FrictionProblem{.slip_operator = slip_operator,
                            .bound = bound,
@@ -132,7 +135,7 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
   Derivatives out;
   const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
   for (std::size_t i = 0; i < units.size(); ++i) {
-    rigid_slip(units[i], dcx, dcy);
+    rigid_slip(units[i], {}, dcx, dcy);
     at_centres.move(dcx);
     at_centres.move(dcy);
     const double from = static_cast<double>(i) / units.size();

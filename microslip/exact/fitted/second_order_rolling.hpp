@@ -4,6 +4,7 @@
 #include "microslip/exact/fitted/centred_slip.hpp"
 #include "microslip/exact/fitted/fitted_operator.hpp"
 #include "microslip/exact/fitted/rolling_derivative.hpp"
+#include "microslip/exact/fitted/row_variation.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 
 #include <array>
@@ -15,6 +16,7 @@ namespace microslip {
 
 struct SecondOrderInput {
   Creepage creepage;
+  RowVariation variation = {};
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
   FrictionStart start;                    ///< for each element; the constants are the creepages where a force is given
   Progress progress = {};  ///< is told of the Newton steps; false ends the iteration, with status not_converged
@@ -63,7 +65,8 @@ public:
 
 private:
   void find_area_shares();
-  void rigid_slip(const Creepage& creepage, std::vector<double>& cx, std::vector<double>& cy) const;
+  void rigid_slip(const Creepage& creepage, const RowVariation& variation, std::vector<double>& cx,
+                  std::vector<double>& cy) const;
   FrictionSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
 
