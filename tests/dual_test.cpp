@@ -1,4 +1,4 @@
-#include "microslip/numerics/dual.hpp"
+#include "microslip/numerics/dual_angles.hpp"
 
 #include "microslip/numerics/lanes.hpp"
 
@@ -80,6 +80,23 @@ TEST(Dual, HasTheValueOfPlainArithmetic) {
   EXPECT_EQ(abs(x).value, 3.7);
   EXPECT_EQ(exp2(x).value, std::exp2(-3.7));
   EXPECT_EQ(value_of(x), -3.7);
+}
+
+TEST(Dual, AnglesCarryTheExactDerivatives) {
+  for (const double angle : {-2.5, -0.3, 0.7, 3.0}) {
+    const Number a = Number::variable(angle, 0), r = Number::variable(1.7, 1);
+    EXPECT_EQ(sin(a).value, std::sin(angle));
+    EXPECT_EQ(cos(a).value, std::cos(angle));
+    EXPECT_DOUBLE_EQ(sin(a).partial[0], std::cos(angle));
+    EXPECT_DOUBLE_EQ(cos(a).partial[0], -std::sin(angle));
+    const Number back = atan2(r * sin(a), r * cos(a));
+    EXPECT_NEAR(back.value, angle, 1e-15);
+    EXPECT_NEAR(back.partial[0], 1, 1e-15);
+    EXPECT_NEAR(back.partial[1], 0, 1e-15);
+    const Number slope = Number::variable(angle / 4, 0);
+    EXPECT_DOUBLE_EQ(asin(slope).value, std::asin(angle / 4));
+    EXPECT_NEAR(asin(slope).partial[0], 1 / std::sqrt(1 - angle * angle / 16), 1e-14);
+  }
 }
 
 TEST(Dual, OfAConstantHasNoDerivative) {

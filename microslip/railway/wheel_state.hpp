@@ -1,0 +1,50 @@
+#pragma once
+
+#include "microslip/railway/frame.hpp"
+
+namespace microslip {
+
+/// Small motion of a wheel against its axle, in the wheelset's axes at the wheel's centre: [m], [rad], [m/s], [rad/s].
+template <class T> struct WheelDeflection {
+  T longitudinal{}, lateral{}, vertical{};
+  T roll{}, yaw{}; ///< right-handed about x and z
+  T longitudinal_velocity{}, lateral_velocity{}, vertical_velocity{};
+  T roll_velocity{}, pitch_velocity{}, yaw_velocity{};
+};
+
+/// A rail off its nominal place, in track axes: [m], [rad], [m/s], [rad/s]; turned about its profile's origin.
+template <class T> struct RailDeviation {
+  T lateral{}, vertical{};
+  T roll{}; ///< right-handed about x
+  T lateral_velocity{}, vertical_velocity{}, roll_velocity{};
+};
+
+/// Where a wheelset is on the track and how it moves, with all that concerns one of its wheels. Track axes: x forward,
+/// y to the left, z up, moving along the track with the wheelset. Angles are right-handed: roll > 0 raises the left
+/// wheel, yaw > 0 turns to the left. The wheelset's axes are those of the track turned first by yaw, then by roll: R =
+/// Rx(roll) Rz(yaw). Lengths in m, angles in rad, velocities in m/s and rad/s. T is double or a dual number.
+template <class T> struct WheelState {
+  T lateral{};  ///< of the wheelset's centre
+  T vertical{}; ///< of the wheelset's centre above the nominal radius
+  T roll{}, yaw{};
+  T forward_velocity{}, lateral_velocity{}, vertical_velocity{}; ///< of the wheelset's centre, in track axes
+  T roll_velocity{}, pitch_velocity{}, yaw_velocity{};           ///< in the wheelset's axes; pitch > 0 rolls forward
+  T curvature{};                                                 ///< of the track [1/m], > 0 in a curve to the left
+  WheelDeflection<T> deflection;
+  RailDeviation<T> rail;
+
+  /// The same seen in a mirror whose plane is x, z: turns a right wheel into a left one and back.
+  WheelState mirrored() const;
+};
+
+template <class T> WheelState<T> WheelState<T>::mirrored() const {
+  WheelState m = *this;
+  for (T* odd : {&m.lateral, &m.roll, &m.yaw, &m.lateral_velocity, &m.roll_velocity, &m.yaw_velocity, &m.curvature,
+                 &m.deflection.lateral, &m.deflection.roll, &m.deflection.yaw, &m.deflection.lateral_velocity,
+                 &m.deflection.roll_velocity, &m.deflection.yaw_velocity, &m.rail.lateral, &m.rail.roll,
+                 &m.rail.lateral_velocity, &m.rail.roll_velocity})
+    *odd = -*odd;
+  return m;
+}
+
+} // namespace microslip
