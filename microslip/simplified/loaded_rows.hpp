@@ -1,0 +1,56 @@
+#pragma once
+
+#include "microslip/contact/creepage.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/elasticity/material.hpp"
+
+#include <memory>
+#include <span>
+
+namespace microslip {
+
+/// A row of a patch of any outline, as far as the normal problem knows it: the pressure's integral along x and its
+/// extent. Rows may have creepages of their own, as on surfaces that are not flat.
+struct LoadedRow {
+  double y = 0;           ///< centre [m]
+  double width = 0;       ///< [m], > 0
+  double centre = 0;      ///< x of its middle [m]
+  double half_length = 0; ///< [m], > 0
+  double load = 0;        ///< normal force of the row [N], >= 0
+  double friction = 0;    ///< mu [-], >= 0
+  Creepage creepage = {}; ///< about (0, y): w = (xi, eta + phi x)
+};
+
+/// Tangential forces of a row on body 1 and their moment about (0, y). The frictional power is -V (xi fx + eta fy + phi
+/// mz) with the row's creepages: what springs store over the contact, they give back.
+struct RowForces {
+  double fx = 0, fy = 0; ///< [N]
+  double mz = 0;         ///< [N m]
+  double slip_area = 0;  ///< [m^2]
+};
+
+/// FASTSIM2 on rows of which only load and extent are known, with all memory taken at the beginning. The bound along a
+/// row is the mean of mu p with a semi-elliptic pressure and of a parabola with the same integral: of the bounds that
+/// were compared with the exact theory on patches between wheel and rail it errs least. The flexibilities are the
+/// blended ones of the ellipse with the moments of inertia of the load, that is a = sqrt(5 <(x - xc)^2>), b likewise,
+/// and of the creepages at the load's centre; what rows move beyond that resists as spin does.
+///
+/// Forces are continuous in all that is given, and mu times the load of a row that slides. Calls marked noexcept
+/// allocate nothing.
+class LoadedRowSolver {
+public:
+  /// Throws Error for fewer than one cell or row.
+  LoadedRowSolver(int cells, int most_rows, RollingDirection direction = RollingDirection::forward);
+  LoadedRowSolver(LoadedRowSolver&&) noexcept;
+  LoadedRowSolver& operator=(LoadedRowSolver&&) noexcept;
+  ~LoadedRowSolver();
+
+  /// Forces of at most `most_rows` rows into as many places; rows without load have none. Cost O(cells rows).
+  void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::span<RowForces> forces) noexcept;
+
+private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+} // namespace microslip

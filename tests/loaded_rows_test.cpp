@@ -1,0 +1,94 @@
+#include "microslip/simplified/loaded_rows.hpp"
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/simplified/fastsim2.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr CombinedMaterial steel{82e9, 0.28, 0};
+constexpr double a = 6e-3, b = 4e-3, load = 60e3, friction = 0.3;
+
+/// The rows of an ellipse with Hertz's pressure, all moving as one body.
+std::vector<LoadedRow> ellipse(int n, const Creepage& w, double x0 = 0, double y0 = 0) {
+  std::vector<LoadedRow> rows;
+  for (int j = 0; j < n; ++j) {
+    const double t = (2 * j + 1.0) / n - 1, y = y0 + b * t, length = std::sqrt(1 - t * t);
+    rows.push_back({.y = y,
+                    .width = 2 * b / n,
+                    .centre = x0,
+                    .half_length = a * length,
+                    .load = load * 0.75 * (1 - t * t) * 2 / n,
+                    .friction = friction,
+                    .creepage = {w.longitudinal - w.spin * (y - y0), w.lateral - w.spin * x0, w.spin}});
+  }
+  return rows;
+}
+
+ContactForces total(const std::vector<LoadedRow>& rows) {
+  LoadedRowSolver solver(16, static_cast<int>(rows.size()));
+  std::vector<RowForces> forces(rows.size());
+  solver.solve(steel, rows, forces);
+  ContactForces sum;
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    sum.fx += forces[j].fx, sum.fy += forces[j].fy;
+    sum.mz += forces[j].mz - rows[j].y * forces[j].fx;
+    sum.slip_area += forces[j].slip_area;
+  }
+  return sum;
+}
+
+TEST(LoadedRows, LieBetweenTheBoundsOfFastsim2OnAnEllipse) {
+  for (const Creepage w : {Creepage{5e-4, 0, 0}, Creepage{3e-4, -4e-4, 0}, Creepage{2e-4, 1e-4, 0.2}}) {
+    EllipticContact contact{.a = a,
+                            .b = b,
+                            .shear_modulus = steel.shear_modulus,
+                            .poisson_ratio = steel.poisson_ratio,
+                            .normal_force = load,
+                            .friction = FrictionLaw::coulomb(friction),
+                            .creepage = w};
+    const auto by = [&](TractionBound bound) {
+      const SimplifiedOptions options{.mx = 16, .my = 40, .bound = bound, .flexibility = FlexibilityModel::blended};
+      return std::hypot(Fastsim2(options).solve(contact).fx, Fastsim2(options).solve(contact).fy);
+    };
+    const ContactForces rows = total(ellipse(40, w));
+    const double size = std::hypot(rows.fx, rows.fy);
+    EXPECT_GT(size, by(TractionBound::parabolic) * 0.999);
+    EXPECT_LT(size, by(TractionBound::elliptic) * 1.001);
+  }
+}
+
+TEST(LoadedRows, GiveAllOfFrictionInFullSliding) {
+  const auto rows = ellipse(11, {1, 0, 0});
+  const double bears = std::accumulate(rows.begin(), rows.end(), 0.0,
+                                       [](double sum, const LoadedRow& row) { return sum + row.load * row.friction; });
+  const ContactForces f = total(rows);
+  EXPECT_NEAR(f.fx, -bears, 1e-10 * bears);
+}
+
+TEST(LoadedRows, DoNotDependOnWhereTheContactIs) {
+  const Creepage w{2e-4, 1e-4, 0.2};
+  const ContactForces here = total(ellipse(12, w)), there = total(ellipse(12, w, 3e-3, -0.7));
+  EXPECT_NEAR(there.fx, here.fx, 1e-9 * load);
+  EXPECT_NEAR(there.fy, here.fy, 1e-9 * load);
+  EXPECT_NEAR(there.mz - 3e-3 * there.fy - 0.7 * there.fx, here.mz, 1e-9 * load);
+}
+
+TEST(LoadedRows, CarryNothingWithoutLoad) {
+  auto rows = ellipse(12, {2e-4, 1e-4, 0.2});
+  const ContactForces without = total(rows);
+  rows.push_back({.y = 0.1, .width = 1e-3, .half_length = 1e-3, .load = 0, .friction = friction});
+  const ContactForces with = total(rows);
+  EXPECT_EQ(with.fx, without.fx);
+  for (LoadedRow& row : rows) row.load = 0;
+  EXPECT_EQ(total(rows).fy, 0);
+}
+
+} // namespace
+} // namespace microslip
