@@ -1,0 +1,355 @@
+#include "microslip/railway/wheel_rail.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/railway/coarse_normal.hpp"
+#include "microslip/railway/patch_outline.hpp"
+#include "microslip/simplified/loaded_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+constexpr int columns = 12, rows = 12; ///< of a patch at the coarse level, across the overlap
+constexpr std::size_t elements = columns * rows;
+constexpr std::size_t most_patches = 6;
+constexpr double nowhere = 1; ///< gap beyond the profiles [m]
+
+/// mu at an inclination.
+double friction_at(const std::vector<InclinedFriction>& friction, double angle) {
+  const auto after =
+      std::find_if(friction.begin(), friction.end(), [angle](const InclinedFriction& f) { return f.angle > angle; });
+  if (after == friction.begin()) return friction.front().coefficient;
+  if (after == friction.end()) return friction.back().coefficient;
+  const InclinedFriction &low = *(after - 1), &high = *after;
+  return low.coefficient + (angle - low.angle) / (high.angle - low.angle) * (high.coefficient - low.coefficient);
+}
+
+void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
+  if (bodies.rail.role() != ProfileRole::rail) throw Error("rail: its profile is that of a wheel");
+  if (bodies.wheel.role() != ProfileRole::wheel) throw Error("wheel: its profile is that of a rail");
+  require_positive("shear_modulus", bodies.material.shear_modulus, "Pa");
+  require_between("poisson_ratio", bodies.material.poisson_ratio, "-", 0, 0.5);
+  if (bodies.material.dissimilarity != 0)
+    throw Error("dissimilarity", bodies.material.dissimilarity, "-", "0: wheel and rail are elastically similar");
+  if (bodies.friction.empty()) throw Error("friction: no coefficient is given");
+  for (std::size_t k = 0; k < bodies.friction.size(); ++k) {
+    require_between("friction", bodies.friction[k].coefficient, "-", 0, FrictionLaw::largest_coefficient);
+    require_finite("friction angle", bodies.friction[k].angle, "rad");
+    if (k > 0 && !(bodies.friction[k].angle > bodies.friction[k - 1].angle))
+      throw Error("friction angle", bodies.friction[k].angle, "rad", "larger than the one before");
+  }
+  require_count("elements", method.elements, 6, 1000);
+  require_between("tolerance", method.tolerance, "-", 1e-12, 1e-2);
+}
+
+/// All numbers of a state added up: not finite if one of them is not.
+double checksum(const WheelState<double>& s) {
+  const WheelDeflection<double>& d = s.deflection;
+  const RailDeviation<double>& r = s.rail;
+  return s.lateral + s.vertical + s.roll + s.yaw + s.forward_velocity + s.lateral_velocity + s.vertical_velocity +
+         s.roll_velocity + s.pitch_velocity + s.yaw_velocity + s.curvature + d.longitudinal + d.lateral + d.vertical +
+         d.roll + d.yaw + d.longitudinal_velocity + d.lateral_velocity + d.vertical_velocity + d.roll_velocity +
+         d.pitch_velocity + d.yaw_velocity + r.lateral + r.vertical + r.roll + r.lateral_velocity +
+         r.vertical_velocity + r.roll_velocity;
+}
+
+/// V: the mean of the speeds at which the contact moves over the rail and over the wheel [m/s].
+double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place) {
+  const double over_rail = p.wheel.velocity.x - p.rail.velocity_at(place).x;
+  const double by_turning = cross(p.wheel.angular_velocity, place - p.wheel.frame.origin).x;
+  return (std::abs(over_rail) + std::abs(by_turning)) / 2;
+}
+
+/// The sum of forces along a row's axes [N], and of their moment about a point of track axes [N m].
+struct Wrench {
+  Vec3<double> force, moment;
+
+  void add(const Vec3<double>& f, const Vec3<double>& arm) {
+    force = force + f;
+    moment = moment + cross(arm, f);
+  }
+};
+
+/// A patch while it is being solved: its elements at the coarse level, and its rows.
+struct Patch {
+  PatchOutline outline;
+  ElementGrid grid;
+  std::array<double, elements> gaps;
+  std::array<PatchRow, rows> row;
+  std::array<double, rows> angles;
+  std::array<double, columns> x;
+  double least_gap = 0, speed = 0;
+  std::array<LoadedRow, rows> loaded;
+  std::array<RowForces, rows> forces;
+
+  CoarsePatch view() const { return {grid, outline.frame.origin, outline.frame.angle, gaps, angles}; }
+};
+
+/// mx x my elements that cover an outline and `margin` more on both ends of x.
+ElementGrid cover(const PatchOutline& o, int mx, int my, int margin) {
+  const double dx = (o.x_high - o.x_low) / mx, dy = (o.s_high - o.s_low) / my;
+  return {
+      .mx = mx + 2 * margin, .my = my, .x0 = o.x_low + (0.5 - margin) * dx, .y0 = o.s_low + dy / 2, .dx = dx, .dy = dy};
+}
+
+} // namespace
+
+struct WheelRail::Workspace {
+  WheelRailBodies bodies;
+  WheelRailMethod method;
+  NominalPlacement nominal;
+  OverlapSearch search;
+  CoarseNormal normal{most_patches * elements};
+  LoadedRowSolver forward{columns, rows}, backward{columns, rows, RollingDirection::backward};
+  std::vector<Overlap> overlaps;
+  std::vector<Patch> patches;
+  std::vector<CoarsePatch> views;
+  std::size_t count = 0; ///< patches in use
+  WheelPlacement<double> placement{};
+
+  Workspace(WheelRailBodies given, const WheelRailMethod& how)
+      : bodies(std::move(given)), method(how),
+        nominal(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel)),
+        search(bodies.rail, bodies.wheel, nominal.rail), patches(most_patches) {
+    overlaps.reserve(100);
+    views.reserve(most_patches);
+  }
+
+  PatchSurface surface() const { return {bodies.rail, bodies.wheel, placement}; }
+  bool rolls_forward() const { return placement.wheel.velocity.x >= 0; }
+
+  void put(const WheelState<double>& state, double vertical) {
+    WheelState<double> there = state;
+    there.vertical = vertical;
+    placement = place(nominal, there);
+  }
+
+  /// Outlines, gaps and rows of all patches where the wheel is now.
+  void find_patches() {
+    search.find(placement, overlaps);
+    // Should there be more than can be, those with the least overlap are left out.
+    if (overlaps.size() > most_patches) {
+      std::nth_element(overlaps.begin(), overlaps.begin() + most_patches, overlaps.end(),
+                       [](const Overlap& a, const Overlap& b) { return a.least_gap < b.least_gap; });
+      overlaps.resize(most_patches);
+    }
+    count = 0;
+    views.clear();
+    for (const Overlap& overlap : overlaps) {
+      Patch& patch = patches[count];
+      patch.outline = find_outline(search, placement, bodies.rail, bodies.wheel, overlap);
+      if (!(patch.outline.s_high > patch.outline.s_low) || !(patch.outline.x_high > patch.outline.x_low)) continue;
+      patch.grid = cover(patch.outline, columns, rows, 0);
+      find_gaps(patch);
+      views.push_back(patch.view());
+      ++count;
+    }
+  }
+
+  void find_gaps(Patch& patch) {
+    const PatchSurface surface = this->surface();
+    for (int i = 0; i < columns; ++i) patch.x[i] = patch.grid.x(i);
+    PatchRow near = surface.first_row(patch.outline.frame, patch.outline.wheel_s);
+    patch.least_gap = 0;
+    patch.speed = rolling_speed(placement, patch.outline.frame.origin);
+    for (int j = 0; j < rows; ++j) {
+      near = patch.row[j] = surface.row(patch.outline.frame, method.shape, patch.grid.y(j), near);
+      const std::span<double> gaps(&patch.gaps[static_cast<std::size_t>(j) * columns], columns);
+      surface.find_gaps(patch.row[j], patch.x, nowhere, gaps);
+      near.wheel_s = patch.row[j].wheel_s;
+      patch.angles[j] = patch.row[j].angle;
+      for (const double h : gaps) patch.least_gap = std::min(patch.least_gap, h);
+    }
+  }
+
+  /// Loads and extents of the rows from the pressures of their elements: the half-length is that of a semi-ellipse with
+  /// the same moment of inertia.
+  void load_rows(Patch& patch, std::span<const double> pressure) {
+    const double area = patch.grid.element_area();
+    const PatchSurface surface = this->surface();
+    for (int j = 0; j < rows; ++j) {
+      double sum = 0, first = 0, second = 0;
+      for (int i = 0; i < columns; ++i) {
+        const double p = pressure[static_cast<std::size_t>(j) * columns + i], x = patch.x[i];
+        sum += p, first += p * x, second += p * x * x;
+      }
+      LoadedRow& row = patch.loaded[j];
+      row = {.y = patch.grid.y(j),
+             .width = patch.grid.dy,
+             .centre = 0,
+             .half_length = patch.grid.dx,
+             .load = 0,
+             .friction = friction_at(bodies.friction, patch.row[j].angle)};
+      row.creepage = surface.creepage(patch.row[j], 0, patch.speed);
+      if (!(sum > 0)) continue;
+      row.load = sum * area, row.centre = first / sum;
+      row.half_length =
+          2 * std::sqrt(std::max(second / sum - row.centre * row.centre, 0.0) + patch.grid.dx * patch.grid.dx / 12);
+    }
+  }
+
+  /// FASTSIM2 on all patches; returns the vertical part of the tangential forces [N].
+  double roll() {
+    double vertical = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      Patch& patch = patches[k];
+      load_rows(patch, normal.pressure().subspan(k * elements, elements));
+      (rolls_forward() ? forward : backward).solve(bodies.material, patch.loaded, patch.forces);
+      for (int j = 0; j < rows; ++j) vertical += patch.forces[j].fy * std::sin(patch.row[j].angle);
+    }
+    return vertical;
+  }
+
+  /// Lowers the wheel until the patches bear the vertical force.
+  void solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
+    constexpr int most_iterations = 50;
+    double vertical = state.vertical;
+    put(state, vertical);
+    if (vertical_force) {
+      // To begin with, as far as a contact of two spheres of half a metre.
+      const double clearance = search.clearance(placement);
+      if (!std::isfinite(clearance)) {
+        out.status = Status::no_contact;
+        return;
+      }
+      const double modulus = bodies.material.contact_modulus();
+      vertical -= clearance + std::pow(0.75 * *vertical_force / (modulus * std::sqrt(0.25)), 2.0 / 3);
+      put(state, vertical);
+    }
+    double shear = 0;
+    bool warm = false;
+    out.status = vertical_force ? Status::not_converged : Status::ok;
+    for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
+      find_patches();
+      if (count == 0) {
+        out.status = Status::no_contact;
+        return;
+      }
+      const auto wanted = vertical_force ? std::optional(*vertical_force - shear) : std::nullopt;
+      const CoarseNormal::Result found = normal.solve(bodies.material, views, wanted, warm);
+      const double before = shear;
+      shear = roll();
+      if (found.status != Status::ok) out.status = found.status;
+      if (!vertical_force) return;
+      warm = true;
+      out.residual = (std::abs(found.stiffness * found.lowering) + std::abs(shear - before)) / *vertical_force;
+      if (out.residual <= method.tolerance && found.status == Status::ok) {
+        out.status = Status::ok;
+        break;
+      }
+      vertical -= found.lowering;
+      put(state, vertical);
+    }
+    out.vertical = vertical;
+  }
+
+  /// What a patch is, apart from its forces.
+  WheelRailPatch describe(const Patch& patch) const {
+    const PatchFrame& frame = patch.outline.frame;
+    WheelRailPatch out;
+    out.place = frame.origin, out.angle = frame.angle;
+    const ProfilePoint on_wheel = bodies.wheel.at(patch.outline.wheel_s).value;
+    out.rail_y = bodies.rail.at(frame.rail_s).value.y, out.wheel_y = on_wheel.y;
+    out.rolling_radius = placement.radius - on_wheel.z;
+    out.turn = patch.outline.turn;
+    out.approach = -patch.least_gap;
+    out.rolling_speed = patch.speed;
+    const PatchSurface surface = this->surface();
+    out.creepage = surface.creepage(surface.first_row(frame, patch.outline.wheel_s), 0, patch.speed);
+    return out;
+  }
+
+  /// Forces along the axes of a row at a point x of it, added to a patch's and to the wheel's.
+  void add_forces(const PatchRow& row, const PatchFrame& frame, double x, const Vec3<double>& f, Wrench& wheel,
+                  WheelRailPatch& patch) const {
+    const Vec3<double> force = Vec3<double>{f.x, 0, 0} + f.y * row.tangent() + f.z * row.normal();
+    const Vec3<double> place = row.point + Vec3<double>{x, 0, 0};
+    wheel.add(force, place - placement.wheel.frame.origin);
+    const Vec3<double> tangent{0, std::cos(frame.angle), std::sin(frame.angle)};
+    const Vec3<double> normal_axis{0, -std::sin(frame.angle), std::cos(frame.angle)};
+    patch.fx += force.x, patch.fs += dot(force, tangent), patch.normal_force += dot(force, normal_axis);
+    const Vec3<double> tangential = Vec3<double>{f.x, 0, 0} + f.y * row.tangent();
+    patch.moment += dot(cross(place - frame.origin, tangential), normal_axis);
+  }
+
+  void sum_coarse(WheelRailSolution& out) const {
+    Wrench wheel;
+    out.patches.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+      const Patch& patch = patches[k];
+      WheelRailPatch sum = describe(patch);
+      for (int j = 0; j < rows; ++j) {
+        const LoadedRow& row = patch.loaded[j];
+        if (!(row.load > 0)) continue;
+        const RowForces& f = patch.forces[j];
+        add_forces(patch.row[j], patch.outline.frame, row.centre, {f.fx, f.fy, row.load}, wheel, sum);
+        // The row's own moment, beyond that of its forces at its centre.
+        const double own = f.mz - row.centre * f.fy;
+        sum.moment += own;
+        wheel.moment = wheel.moment + own * patch.row[j].normal();
+        sum.contact_area += 2 * row.half_length * row.width, sum.slip_area += f.slip_area;
+        sum.frictional_power -=
+            patch.speed * (row.creepage.longitudinal * f.fx + row.creepage.lateral * f.fy + row.creepage.spin * f.mz);
+        // Of a semi-ellipse along the row.
+        sum.peak_pressure =
+            std::max(sum.peak_pressure, 2 * row.load / (std::numbers::pi * row.half_length * row.width));
+      }
+      if (sum.normal_force != 0) out.patches.push_back(sum);
+    }
+    out.force = wheel.force, out.moment = wheel.moment;
+  }
+
+  void solve(const WheelState<double>& given, std::optional<double> vertical_force, WheelRailSolution& out) {
+    const bool right = bodies.side == TrackSide::right;
+    const WheelState<double> state = right ? given.mirrored() : given;
+    out.patches.clear(), out.fields.clear();
+    out.force = out.moment = {};
+    out.residual = 0, out.iterations = 0, out.at_profile_end = false;
+    out.vertical = state.vertical;
+    if (!std::isfinite(checksum(state)) || (vertical_force && !(*vertical_force > 0 && *vertical_force < 1e12))) {
+      out.status = Status::invalid_input;
+      return;
+    }
+    solve_coarse(state, vertical_force, out);
+    if (out.status == Status::no_contact) return;
+    sum_coarse(out);
+    for (const Overlap& overlap : overlaps) out.at_profile_end |= overlap.at_profile_end;
+    if (right) mirror(out);
+  }
+
+  /// A left wheel's solution as that of a right one.
+  static void mirror(WheelRailSolution& out) {
+    for (double* odd : {&out.force.y, &out.moment.x, &out.moment.z}) *odd = -*odd;
+    for (WheelRailPatch& patch : out.patches)
+      for (double* odd :
+           {&patch.place.y, &patch.angle, &patch.creepage.lateral, &patch.creepage.spin, &patch.fs, &patch.moment})
+        *odd = -*odd;
+  }
+};
+
+WheelRail::WheelRail(WheelRailBodies bodies, const WheelRailMethod& method) {
+  check(bodies, method);
+  workspace_ = std::make_unique<Workspace>(std::move(bodies), method);
+}
+WheelRail::WheelRail(WheelRail&&) noexcept = default;
+WheelRail& WheelRail::operator=(WheelRail&&) noexcept = default;
+WheelRail::~WheelRail() = default;
+
+void WheelRail::solve(const WheelState<double>& state, std::optional<double> vertical_force,
+                      WheelRailSolution& solution) {
+  workspace_->solve(state, vertical_force, solution);
+}
+
+WheelRailSolution WheelRail::solve(const WheelState<double>& state, std::optional<double> vertical_force) {
+  WheelRailSolution solution;
+  workspace_->solve(state, vertical_force, solution);
+  return solution;
+}
+
+} // namespace microslip
