@@ -1,6 +1,7 @@
 #include "io/contact_table.hpp"
 
 #include "io/nearest_word.hpp"
+#include "io/text_line.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -74,22 +75,6 @@ void require_possible(double dissimilarity, double poisson_ratio) {
   const double largest = 0.5 - poisson_ratio;
   if (std::abs(dissimilarity) > largest + rounding)
     require_between(dissimilarity_label, dissimilarity, "-", -largest, largest);
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// Takes the first line off `text`, without its end.
-std::string_view take_line(std::string_view& text) {
-  const auto end = text.find('\n');
-  auto line = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  return line;
 }
 
 bool is_blank(std::string_view line) {

@@ -1,0 +1,273 @@
+#include "io/profile_file.hpp"
+
+#include "io/nearest_word.hpp"
+#include "io/profile_formats.hpp"
+#include "io/text_line.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/report_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_file = std::size_t{16} << 20;
+
+std::string extension(const std::string& name) {
+  return lower_case(fs::path(name).extension().string());
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string_view name_of(ProfileFormat format) {
+  switch (format) {
+  case ProfileFormat::simpack:
+    return "Simpack";
+  case ProfileFormat::miniprof:
+    return "MiniProf";
+  case ProfileFormat::columns:
+    break;
+  }
+  return "columns";
+}
+
+/// By what the first lines say, else by the name.
+ProfileFormat detect_format(std::string_view text, const std::string& name) {
+  constexpr int lines_to_see = 200;
+  for (int k = 0; k < lines_to_see && !text.empty(); ++k) {
+    const auto line = trimmed(take_line(text));
+    if (is_one_of(line.substr(0, line.find_first_of(" \t!%")), {"header.begin", "spline.begin", "point.begin"}))
+      return ProfileFormat::simpack;
+    const auto lower = lower_case(line);
+    if (k < 3 && lower.find("mini") < lower.find("prof") && lower.find("prof") != std::string::npos)
+      return ProfileFormat::miniprof;
+    if (line.starts_with("[FileInfo]") ||
+        (!line.empty() && line.find_first_of("#!/%*;") != 0 && line.find('=') != std::string_view::npos))
+      return ProfileFormat::miniprof;
+  }
+  const auto ending = extension(name);
+  if (is_one_of(ending, {".prr", ".prw"})) return ProfileFormat::simpack;
+  if (is_one_of(ending, {".ban", ".whl", ".mpt"})) return ProfileFormat::miniprof;
+  return ProfileFormat::columns;
+}
+
+std::optional<ProfileRole> role_by_name(const std::string& name) {
+  const auto ending = extension(name);
+  if (is_one_of(ending, {".prr", ".ban"})) return ProfileRole::rail;
+  if (is_one_of(ending, {".prw", ".whl"})) return ProfileRole::wheel;
+  const auto stem = lower_case(fs::path(name).stem().string());
+  const bool rail = stem.find("rail") != std::string::npos, wheel = stem.find("wheel") != std::string::npos;
+  if (rail == wheel) return {};
+  return rail ? ProfileRole::rail : ProfileRole::wheel;
+}
+
+/// Makes of a file's points what stands in a profile's axes, and notes how.
+class FileInterpretation {
+public:
+  FileInterpretation(ProfileFile file, const std::string& name, ProfileFormat format, const ProfileFileOptions& options)
+      : file_(std::move(file)), name_(name), format_(format), options_(options) {
+    report_.source = name;
+    report_.format = name_of(format);
+    report_.comment = file_.comment;
+    report_.points_read = file_.points_read;
+    report_.steps = file_.steps;
+    report_.assumptions = file_.assumptions;
+    report_.warnings = file_.warnings;
+  }
+
+  PreparedProfile profile() {
+    const auto role = find_role();
+    scale_points();
+    turn_axes(role);
+    return prepare_profile(role, std::move(file_.points), options_.treatment, std::move(report_));
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& text) const { throw Error(name_ + ": " + text); }
+
+  void assume(const std::string& text) { report_.assumptions.push_back(text); }
+
+  ProfileRole find_role() {
+    if (options_.role && file_.role && *options_.role != *file_.role)
+      fail("is the profile of a " + std::string(to_string(*file_.role)) + ", not of a " +
+           std::string(to_string(*options_.role)));
+    if (options_.role) return *options_.role;
+    if (file_.role) return *file_.role;
+    const auto guess = role_by_name(name_);
+    if (!guess) fail("neither the file nor its name says whether this is a rail or a wheel; give the role");
+    assume("a " + std::string(to_string(*guess)) + ", by the file's name");
+    return *guess;
+  }
+
+  void scale_points() {
+    require_positive("scale", options_.scale, "-");
+    if (options_.unit) require_positive("unit", *options_.unit, "m");
+    const double unit = options_.unit ? *options_.unit : file_.unit ? *file_.unit : unit_by_width();
+    report_.unit = unit * options_.scale;
+    for (auto& p : file_.points) p = {p.y * report_.unit, p.z * report_.unit};
+    if (options_.scale != 1) report_.steps.push_back("scaled by " + digits(options_.scale));
+  }
+
+  double unit_by_width() {
+    const auto [left, right] = std::minmax_element(file_.points.begin(), file_.points.end(),
+                                                   [](const auto& a, const auto& b) { return a.y < b.y; });
+    const double width = right->y - left->y;
+    if (width >= 5 && width <= 500) {
+      assume("the unit of length is mm, since the profile is " + digits(width) + " wide");
+      return 1e-3;
+    }
+    if (width >= 5e-3 && width <= 0.5) {
+      assume("the unit of length is m, since the profile is " + digits(width) + " wide");
+      return 1;
+    }
+    fail("the profile is " + digits(width) + " wide, neither in mm nor in m; give the unit");
+  }
+
+  void turn_axes(ProfileRole role) {
+    const auto z = vertical_sense(role);
+    if (z == VerticalSense::down) {
+      for (auto& p : file_.points) p.z = -p.z;
+      report_.steps.emplace_back("sign of z changed: it is positive downwards in the file");
+    }
+    if (lateral_sense(role) == LateralSense::gauge) {
+      for (auto& p : file_.points) p.y = -p.y;
+      report_.steps.emplace_back("mirrored: the file's y runs to the gauge side");
+    }
+  }
+
+  VerticalSense vertical_sense(ProfileRole role) {
+    if (options_.z_axis) return *options_.z_axis;
+    if (file_.z_axis) return *file_.z_axis;
+    const int sense = sense_of_shape(role, file_.points).z;
+    const auto found = sense < 0 ? VerticalSense::down : VerticalSense::up;
+    assume(std::string("z is positive ") + (sense < 0 ? "downwards" : "upwards") +
+           (sense == 0 ? ", of which the shape says nothing" : ", by the shape"));
+    return found;
+  }
+
+  LateralSense lateral_sense(ProfileRole role) {
+    if (options_.y_axis) return *options_.y_axis;
+    if (file_.y_axis) return *file_.y_axis;
+    const int sense = sense_of_shape(role, file_.points).y; // z is up by now
+    if (sense != 0) {
+      assume(std::string("y runs to the ") + (sense > 0 ? "field" : "gauge") + " side, by the place of the flange");
+      return sense > 0 ? LateralSense::field : LateralSense::gauge;
+    }
+    const bool to_gauge = format_ == ProfileFormat::miniprof;
+    assume(to_gauge ? "y runs to the gauge side, as is usual for MiniProf's right rails" : "y runs to the field side");
+    return to_gauge ? LateralSense::gauge : LateralSense::field;
+  }
+
+  ProfileFile file_;
+  const std::string& name_;
+  ProfileFormat format_;
+  const ProfileFileOptions& options_;
+  ProfileReport report_;
+};
+
+ProfileFile parse(ProfileFormat format, std::string_view text, const std::string& name, int section) {
+  ProfileLines lines(text, name);
+  switch (format) {
+  case ProfileFormat::simpack:
+    return parse_simpack(std::move(lines));
+  case ProfileFormat::miniprof:
+    return parse_miniprof(std::move(lines), section);
+  case ProfileFormat::columns:
+    break;
+  }
+  return parse_columns(std::move(lines));
+}
+
+} // namespace
+
+bool ProfileLines::next() {
+  if (rest_.empty()) return false;
+  line_ = trimmed(take_line(rest_));
+  ++number_;
+  return true;
+}
+
+void ProfileLines::fail(const std::string& text) const {
+  throw Error(name_ + ":" + std::to_string(number_) + ": " + text);
+}
+
+void ProfileLines::fail_as_a_whole(const std::string& text) const {
+  throw Error(name_ + ": " + text);
+}
+
+double ProfileLines::number(std::string_view field, std::string_view what) const {
+  const auto value = parse_number(field);
+  if (!value) fail(std::string(what) + ": " + printable(field) + " is not a finite number");
+  return *value;
+}
+
+std::string_view before_comment(std::string_view line, std::string_view signs) {
+  return trimmed(line.substr(0, line.find_first_of(signs)));
+}
+
+std::vector<std::string_view> split(std::string_view line, std::string_view separators) {
+  std::vector<std::string_view> fields;
+  line = trimmed(line);
+  while (!line.empty()) {
+    const auto is_end = [&](char c) { return c == ' ' || c == '\t' || separators.find(c) != std::string_view::npos; };
+    const auto end = static_cast<std::size_t>(std::find_if(line.begin(), line.end(), is_end) - line.begin());
+    fields.push_back(line.substr(0, end));
+    line = trimmed(line.substr(end));
+    if (!line.empty() && separators.find(line.front()) != std::string_view::npos) line = trimmed(line.substr(1));
+  }
+  return fields;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+std::string_view unquoted(std::string_view text) {
+  const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+PreparedProfile parse_profile(std::string_view text, const std::string& name, const ProfileFileOptions& options) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  if (trimmed(text.substr(0, 1)).empty() && text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw Error(name + ": is empty");
+  if (text.find('\0') != std::string_view::npos) throw Error(name + ": is not a text file: it has NUL bytes");
+  const auto format = options.format.value_or(detect_format(text, name));
+  FileInterpretation interpretation(parse(format, text, name, options.section), name, format, options);
+  return interpretation.profile();
+}
+
+PreparedProfile read_profile(const fs::path& path, const ProfileFileOptions& options) {
+  const auto name = path.string();
+  const auto fail = [&](const std::string& what) { throw Error(name + ": " + what); };
+  std::error_code error;
+  if (fs::is_directory(path, error)) fail("cannot be read: it is a folder");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail("cannot be read: " + std::generic_category().message(errno));
+  const auto time_before = fs::last_write_time(path, error);
+  std::string text;
+  std::array<char, 65536> chunk{};
+  while (text.size() <= largest_file && stream.read(chunk.data(), chunk.size()).gcount() > 0)
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) fail("cannot be read");
+  if (text.size() > largest_file) fail("is larger than 16 MiB: not a profile");
+  const auto size = fs::file_size(path, error);
+  if (!error && fs::is_regular_file(path, error) &&
+      (size != text.size() || fs::last_write_time(path, error) != time_before))
+    fail("changed while it was read");
+  return parse_profile(text, name, options);
+}
+
+} // namespace microslip

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "io/profile_file.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// What a file says: points in its own axes and unit, after what the file itself asks for, and what it tells of them.
+struct ProfileFile {
+  std::string comment = {};
+  std::optional<ProfileRole> role = {};
+  std::optional<double> unit = {}; ///< length [m] of the unit
+  std::optional<LateralSense> y_axis = {};
+  std::optional<VerticalSense> z_axis = {};
+  std::vector<ProfilePoint> points = {};
+  std::size_t points_read = 0; ///< those listed
+  std::vector<std::string> steps = {}, assumptions = {}, warnings = {};
+};
+
+/// Lines of a file with their numbers, for messages.
+class ProfileLines {
+public:
+  ProfileLines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
+
+  /// False at the end.
+  bool next();
+  /// The line without blanks at its ends.
+  std::string_view line() const { return line_; }
+  /// Throws Error that begins with the name and the line's number.
+  [[noreturn]] void fail(const std::string& text) const;
+  /// Throws Error that begins with the name.
+  [[noreturn]] void fail_as_a_whole(const std::string& text) const;
+  /// The number in a field, or Error.
+  double number(std::string_view field, std::string_view what) const;
+
+private:
+  std::string_view rest_, line_;
+  std::string name_;
+  std::size_t number_ = 0;
+};
+
+/// The part of a line before the first of these signs.
+std::string_view before_comment(std::string_view line, std::string_view signs);
+/// Fields between blanks, or one of these separators with or without blanks.
+std::vector<std::string_view> split(std::string_view line, std::string_view separators);
+std::string lower_case(std::string_view text);
+/// Without a pair of quotes around it.
+std::string_view unquoted(std::string_view text);
+
+ProfileFile parse_simpack(ProfileLines lines);
+/// `section` as in ProfileFileOptions.
+ProfileFile parse_miniprof(ProfileLines lines, int section);
+ProfileFile parse_columns(ProfileLines lines);
+
+} // namespace microslip

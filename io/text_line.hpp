@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace microslip {
+
+/// Without blanks and tabs at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// Takes the first line off `text`, without its end: LF or CRLF.
+std::string_view take_line(std::string_view& text);
+
+/// A finite decimal number and nothing else, whatever the locale; its exponent may be written with d as Fortran does.
+std::optional<double> parse_number(std::string_view text);
+
+} // namespace microslip

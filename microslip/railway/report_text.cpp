@@ -1,0 +1,26 @@
+#include "microslip/railway/report_text.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace microslip {
+
+std::string digits(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 5).ptr;
+  return {text.data(), end};
+}
+
+std::string in_mm(double length) {
+  return digits(length * 1e3) + " mm";
+}
+
+std::string in_mm(const ProfilePoint& point) {
+  return "(" + digits(point.y * 1e3) + ", " + digits(point.z * 1e3) + ") mm";
+}
+
+std::string counted(std::size_t n, std::string_view noun) {
+  return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s");
+}
+
+} // namespace microslip
