@@ -45,8 +45,8 @@ void factorise(std::vector<double>& a, std::size_t n, std::size_t row, std::vect
 
 CoarseNormal::CoarseNormal(std::size_t most_elements)
     : most_(most_elements), matrix_(most_ * most_), factor_(most_ * most_), corner_(4 * (most_ + 2)),
-      offset_(4 * (most_ + 2)), gap_(most_), slope_(most_), root_area_(most_), pressure_(most_), per_lowering_(most_),
-      deformed_(most_), column_(most_), in_contact_(most_) {
+      offset_(4 * (most_ + 2)), gap_(most_), slope_(most_), weight_(most_), root_area_(most_), pressure_(most_),
+      per_lowering_(most_), deformed_(most_), column_(most_), in_contact_(most_) {
   active_.reserve(most_);
 }
 
@@ -109,7 +109,9 @@ void CoarseNormal::set_up(const CombinedMaterial& material, std::span<const Coar
       const double root = std::sqrt(patch.grid.element_area());
       root_area_[first + k] = root;
       gap_[first + k] = root * patch.gaps[k];
-      slope_[first + k] = root * std::cos(patch.angles[k / patch.grid.mx]);
+      const double angle = patch.angles[k / patch.grid.mx];
+      slope_[first + k] = root * std::cos(angle);
+      weight_[first + k] = root * (std::cos(angle) + patch.shear * std::sin(angle));
     }
     first += patch.gaps.size();
   }
@@ -158,8 +160,8 @@ CoarseNormal::Result CoarseNormal::solve(const CombinedMaterial& material, std::
     result.stiffness = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = active_[i];
-      force += pressure_[i] * slope_[k];
-      result.stiffness += per_lowering_[i] * slope_[k];
+      force += pressure_[i] * weight_[k];
+      result.stiffness += per_lowering_[i] * weight_[k];
     }
     result.lowering = vertical_force && n > 0 ? (*vertical_force - force) / result.stiffness : 0;
     bool changed = false;

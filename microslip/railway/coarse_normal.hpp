@@ -19,13 +19,14 @@ struct CoarsePatch {
   double angle = 0;               ///< of s against the track's y [rad]
   std::span<const double> gaps;   ///< h [m] of the elements, negative where the undeformed bodies overlap
   std::span<const double> angles; ///< of each row's own plane against the track's y [rad]
+  double shear = 0;               ///< force along s over the normal force [-]: it bears some of the vertical one
 };
 
 /// The normal problem of all patches of a wheel in one: p >= 0, e = h - zeta cos(angle) + A p >= 0, p e = 0, with zeta
 /// [m] by how much the wheel is lowered further, given or such that the vertical force is given: sum of p dA
-/// cos(angle) = F. A dense system for few elements, by active sets and Cholesky's method. Within a patch A is that of
-/// rectangles on a half-space (E7); elements of other patches act as point forces, pi G u = (1 - nu) F cos(angle -
-/// angle')/r, so that neighbours influence each other smoothly, whatever their distance.
+/// (cos(angle) + shear sin(angle)) = F. A dense system for few elements, by active sets and Cholesky's method. Within a
+/// patch A is that of rectangles on a half-space (E7); elements of other patches act as point forces, pi G u = (1 - nu)
+/// F cos(angle - angle')/r, so that neighbours influence each other smoothly, whatever their distance.
 ///
 /// All memory is taken in the constructor; solve() allocates nothing. Cost some n^3/6 operations for each of 2 to 6
 /// active sets, n the number of elements in contact.
@@ -61,7 +62,7 @@ private:
   std::vector<double> factor_;          ///< Cholesky's factor on the active elements
   std::vector<double> corner_, offset_; ///< of the kernel's table
   // The unknowns are p sqrt(dA), and rows are multiplied by sqrt(dA), so that A is symmetric between patches, too.
-  std::vector<double> gap_, slope_, root_area_; ///< h sqrt(dA), cos(angle) sqrt(dA), sqrt(dA)
+  std::vector<double> gap_, slope_, weight_, root_area_; ///< h, cos(angle), the vertical force of p dA = 1, and 1
   std::vector<double> pressure_, per_lowering_, deformed_, column_;
   std::vector<std::size_t> active_; ///< indices of the elements in contact, ascending
   std::vector<char> in_contact_;

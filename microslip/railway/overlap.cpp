@@ -8,6 +8,7 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t stations = 600, table_points = 1000;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -60,7 +61,8 @@ LocusPoint OverlapSearch::point(const WheelPlacement<double>& placement, double 
   const double tau = std::asin(ratio) + std::atan2(r.ez.x, r.ex.x);
   out.place = placement.wheel_point(tau, p.value.y, p.value.z);
   const Frame<double>& rail = placement.rail.frame;
-  for (int k = 0; k < 3; ++k) {
+  if (std::isnan(rail_s)) out.rail_s = near_rail_s(out.place.y - rail.origin.y + nominal_.origin.y);
+  for (int k = 0; k < 4; ++k) {
     const CurvePoint q = rail_->at(out.rail_s);
     const Vec3<double> place = rail.outer({0, q.value.y, q.value.z});
     const Vec3<double> slope = rail.axes * Vec3<double>{0, q.first.y, q.first.z};
@@ -80,18 +82,12 @@ LocusPoint OverlapSearch::locus(const WheelPlacement<double>& placement, double 
   return point(placement, wheel_s, wheel_->at(wheel_s), rail_s);
 }
 
-LocusPoint OverlapSearch::near_above(const WheelPlacement<double>& placement, double wheel_s,
-                                     const CurvePoint& p) const {
-  const double y = placement.wheel.frame.origin.y + p.value.y - placement.rail.frame.origin.y + nominal_.origin.y;
-  return point(placement, wheel_s, p, near_rail_s(y));
-}
-
 LocusPoint OverlapSearch::at_station(const WheelPlacement<double>& placement, std::size_t k) const {
-  return near_above(placement, station_[k], at_[k]);
+  return point(placement, station_[k], at_[k], unknown);
 }
 
 LocusPoint OverlapSearch::locus_near(const WheelPlacement<double>& placement, double wheel_s) const {
-  return near_above(placement, wheel_s, wheel_->at(wheel_s));
+  return point(placement, wheel_s, wheel_->at(wheel_s), unknown);
 }
 
 double OverlapSearch::clearance(const WheelPlacement<double>& placement) const {

@@ -43,7 +43,6 @@ public:
 
 private:
   LocusPoint point(const WheelPlacement<double>& placement, double wheel_s, const CurvePoint& p, double rail_s) const;
-  LocusPoint near_above(const WheelPlacement<double>& placement, double wheel_s, const CurvePoint& p) const;
   LocusPoint at_station(const WheelPlacement<double>& placement, std::size_t k) const;
   double near_rail_s(double y) const;
 

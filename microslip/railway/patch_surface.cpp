@@ -82,12 +82,19 @@ void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, double fa
   }
 }
 
-Creepage PatchSurface::creepage(const PatchRow& row, double gap, double speed) const {
-  if (!(speed > 0)) return {};
-  const Vec3<double> point = row.point + 0.5 * gap * row.normal();
+Creepage PatchSurface::creepage_at(const PatchRow& row, double gap, double speed) const {
+  const Vec3<double> point = row.point + gap * row.normal();
   const Vec3<double> over = placement_.wheel.velocity_at(point) - placement_.rail.velocity_at(point);
   const Vec3<double> turning = placement_.wheel.angular_velocity - placement_.rail.angular_velocity;
   return {over.x / speed, dot(row.tangent(), over) / speed, dot(row.normal(), turning) / speed};
+}
+
+Creepage PatchSurface::creepage(const PatchFrame& frame, PatchShape shape, const PatchRow& row, double gap,
+                                double speed) const {
+  if (!(speed > 0)) return {};
+  if (shape == PatchShape::curved) return creepage_at(row, gap, speed);
+  const Creepage w = creepage_at(first_row(frame, 0), gap, speed);
+  return {w.longitudinal - w.spin * row.s, w.lateral, w.spin};
 }
 
 } // namespace microslip

@@ -55,12 +55,15 @@ public:
   /// neighbour; updates the row's wheel_s. Cost some 50 ns for each.
   void find_gaps(PatchRow& row, std::span<const double> x, double far, std::span<double> gaps) const;
 
-  /// Velocity of the wheel over the rail at the row, as creepages about the row's point for the rolling speed V [m/s]:
-  /// (e_x (v_w - v_r), e_s (v_w - v_r), n (omega_w - omega_r))/V, taken midway between the surfaces, `gap`/2 above the
-  /// rail.
-  Creepage creepage(const PatchRow& row, double gap, double speed) const;
+  /// Velocity of the wheel over the rail, as creepages about the row's point for the rolling speed V [m/s]: (e_x (v_w -
+  /// v_r), e_s (v_w - v_r), n (omega_w - omega_r))/V. On a flat patch these are those of the frame's plane; on a curved
+  /// one each row has its own. Velocities are taken at the height `gap` over the rail; with the least gap, < 0, that is
+  /// the undeformed wheel's surface where the overlap is greatest, as in CONTACT.
+  Creepage creepage(const PatchFrame& frame, PatchShape shape, const PatchRow& row, double gap, double speed) const;
 
 private:
+  Creepage creepage_at(const PatchRow& row, double gap, double speed) const;
+
   const Profile* rail_;
   const Profile* wheel_;
   WheelPlacement<double> placement_;

@@ -1,8 +1,9 @@
 #include "microslip/railway/wheel_rail.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/coarse_normal.hpp"
+#include "microslip/railway/exact_patch.hpp"
 #include "microslip/railway/patch_outline.hpp"
 #include "microslip/simplified/loaded_rows.hpp"
 
@@ -85,10 +86,11 @@ struct Patch {
   std::array<double, rows> angles;
   std::array<double, columns> x;
   double least_gap = 0, speed = 0;
+  double shear = 0; ///< force along s over the normal force [-]
   std::array<LoadedRow, rows> loaded;
   std::array<RowForces, rows> forces;
 
-  CoarsePatch view() const { return {grid, outline.frame.origin, outline.frame.angle, gaps, angles}; }
+  CoarsePatch view() const { return {grid, outline.frame.origin, outline.frame.angle, gaps, angles, shear}; }
 };
 
 /// mx x my elements that cover an outline and `margin` more on both ends of x.
@@ -186,7 +188,7 @@ struct WheelRail::Workspace {
              .half_length = patch.grid.dx,
              .load = 0,
              .friction = friction_at(bodies.friction, patch.row[j].angle)};
-      row.creepage = surface.creepage(patch.row[j], 0, patch.speed);
+      row.creepage = surface.creepage(patch.outline.frame, method.shape, patch.row[j], patch.least_gap, patch.speed);
       if (!(sum > 0)) continue;
       row.load = sum * area, row.centre = first / sum;
       row.half_length =
@@ -194,16 +196,22 @@ struct WheelRail::Workspace {
     }
   }
 
-  /// FASTSIM2 on all patches; returns the vertical part of the tangential forces [N].
+  /// FASTSIM2 on all patches; returns by how much the vertical part of the tangential forces changes [N].
   double roll() {
-    double vertical = 0;
+    double change = 0;
     for (std::size_t k = 0; k < count; ++k) {
       Patch& patch = patches[k];
       load_rows(patch, normal.pressure().subspan(k * elements, elements));
       (rolls_forward() ? forward : backward).solve(bodies.material, patch.loaded, patch.forces);
-      for (int j = 0; j < rows; ++j) vertical += patch.forces[j].fy * std::sin(patch.row[j].angle);
+      double lateral = 0, load = 0;
+      for (int j = 0; j < rows; ++j) {
+        const double sine = std::sin(patch.row[j].angle);
+        change += (patch.forces[j].fy - patch.shear * patch.loaded[j].load) * sine;
+        lateral += patch.forces[j].fy, load += patch.loaded[j].load;
+      }
+      patch.shear = load > 0 ? lateral / load : 0;
     }
-    return vertical;
+    return change;
   }
 
   /// Lowers the wheel until the patches bear the vertical force.
@@ -222,7 +230,7 @@ struct WheelRail::Workspace {
       vertical -= clearance + std::pow(0.75 * *vertical_force / (modulus * std::sqrt(0.25)), 2.0 / 3);
       put(state, vertical);
     }
-    double shear = 0;
+    for (Patch& patch : patches) patch.shear = 0;
     bool warm = false;
     out.status = vertical_force ? Status::not_converged : Status::ok;
     for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
@@ -231,14 +239,12 @@ struct WheelRail::Workspace {
         out.status = Status::no_contact;
         return;
       }
-      const auto wanted = vertical_force ? std::optional(*vertical_force - shear) : std::nullopt;
-      const CoarseNormal::Result found = normal.solve(bodies.material, views, wanted, warm);
-      const double before = shear;
-      shear = roll();
+      const CoarseNormal::Result found = normal.solve(bodies.material, views, vertical_force, warm);
+      const double change = roll();
       if (found.status != Status::ok) out.status = found.status;
       if (!vertical_force) return;
       warm = true;
-      out.residual = (std::abs(found.stiffness * found.lowering) + std::abs(shear - before)) / *vertical_force;
+      out.residual = (std::abs(found.stiffness * found.lowering) + std::abs(change)) / *vertical_force;
       if (out.residual <= method.tolerance && found.status == Status::ok) {
         out.status = Status::ok;
         break;
@@ -261,7 +267,8 @@ struct WheelRail::Workspace {
     out.approach = -patch.least_gap;
     out.rolling_speed = patch.speed;
     const PatchSurface surface = this->surface();
-    out.creepage = surface.creepage(surface.first_row(frame, patch.outline.wheel_s), 0, patch.speed);
+    out.creepage = surface.creepage(frame, PatchShape::flat, surface.first_row(frame, patch.outline.wheel_s),
+                                    patch.least_gap, patch.speed);
     return out;
   }
 
@@ -305,6 +312,143 @@ struct WheelRail::Workspace {
     out.force = wheel.force, out.moment = wheel.moment;
   }
 
+  /// The contact's extent by its rows at the coarse level.
+  static PatchBox contact_of(const Patch& patch) {
+    PatchBox box{nowhere, -nowhere, nowhere, -nowhere};
+    for (const LoadedRow& row : patch.loaded) {
+      if (!(row.load > 0)) continue;
+      box.x_low = std::min(box.x_low, row.centre - row.half_length);
+      box.x_high = std::max(box.x_high, row.centre + row.half_length);
+      box.s_low = std::min(box.s_low, row.y - row.width / 2), box.s_high = std::max(box.s_high, row.y + row.width / 2);
+    }
+    return box;
+  }
+
+  double coarse_load(std::size_t k) const {
+    double sum = 0;
+    for (const LoadedRow& row : patches[k].loaded) sum += row.load;
+    return sum;
+  }
+
+  /// By how much a force on one patch lifts the rail at another one, for each newton [m/N].
+  double far_field(const PatchFrame& one, const PatchFrame& other) const {
+    const Vec3<double> way = other.origin - one.origin;
+    return (1 - bodies.material.poisson_ratio) * std::cos(one.angle - other.angle) /
+           (std::numbers::pi * bodies.material.shear_modulus * std::sqrt(dot(way, way)));
+  }
+
+  /// The exact theory on the patches of the coarse level, whose forces are so near that only a few steps remain.
+  void solve_exact(std::optional<double> vertical_force, WheelRailSolution& out) {
+    std::vector<std::size_t> loaded;
+    std::vector<ExactPatch> exact;
+    std::vector<double> force;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double load = coarse_load(k);
+      if (!(load > 0)) continue;
+      const Patch& patch = patches[k];
+      loaded.push_back(k), force.push_back(load);
+      exact.emplace_back(surface(), patch.outline.frame, method.shape, patch.outline.wheel_s, contact_of(patch),
+                         method.elements, patch.least_gap, patch.speed);
+    }
+    const auto friction = [this](double angle) { return friction_at(bodies.friction, angle); };
+    const RollingDirection direction = rolls_forward() ? RollingDirection::forward : RollingDirection::backward;
+    std::vector<ExactPatch::Rolled> rolled(exact.size());
+    double lowering = 0;
+    for (int round = 0; round < 6; ++round) {
+      if (exact.size() > 1 || !vertical_force)
+        lowering = share_load(exact, loaded, vertical_force, lowering, force);
+      else
+        force[0] = *vertical_force / vertical_share(patches[loaded[0]]);
+      double change = 0;
+      for (std::size_t k = 0; k < exact.size(); ++k) {
+        rolled[k] = exact[k].roll(bodies.material, force[k], friction, direction);
+        Patch& patch = patches[loaded[k]];
+        const double shear = rolled[k].solution.totals.fy / force[k];
+        change += std::abs((shear - patch.shear) * std::sin(patch.outline.frame.angle)) * force[k];
+        patch.shear = shear;
+      }
+      if (exact.size() == 1) lowering = rolled[0].approach / std::cos(patches[loaded[0]].outline.frame.angle);
+      out.residual = vertical_force ? change / *vertical_force : 0;
+      if (!vertical_force || out.residual < std::max(method.tolerance, 1e-5)) break;
+    }
+    if (vertical_force) out.vertical -= lowering;
+    sum_exact(exact, loaded, rolled, out);
+  }
+
+  /// Vertical force for each newton of a patch's normal force.
+  static double vertical_share(const Patch& patch) {
+    return std::cos(patch.outline.frame.angle) + patch.shear * std::sin(patch.outline.frame.angle);
+  }
+
+  /// Normal forces of several patches that act on each other as point forces, in the height of the wheel that has the
+  /// vertical force, found by secants; returns by how much the wheel is lowered.
+  double share_load(const std::vector<ExactPatch>& exact, const std::vector<std::size_t>& loaded,
+                    std::optional<double> vertical_force, double lowering, std::vector<double>& force) const {
+    const auto vertical_at = [&](double zeta) {
+      for (int sweep = 0; sweep < 8; ++sweep) {
+        double change = 0;
+        for (std::size_t k = 0; k < exact.size(); ++k) {
+          const PatchFrame& frame = patches[loaded[k]].outline.frame;
+          double approach = zeta * std::cos(frame.angle);
+          for (std::size_t l = 0; l < exact.size(); ++l)
+            if (l != k) approach -= far_field(frame, patches[loaded[l]].outline.frame) * force[l];
+          const double now = exact[k].normal_force(bodies.material, approach);
+          change += std::abs(now - force[k]);
+          force[k] = now;
+        }
+        if (exact.size() == 1 || change < 1e-6 * *std::max_element(force.begin(), force.end())) break;
+      }
+      double sum = 0;
+      for (std::size_t k = 0; k < exact.size(); ++k) sum += force[k] * vertical_share(patches[loaded[k]]);
+      return sum;
+    };
+    if (!vertical_force) {
+      vertical_at(0);
+      return 0;
+    }
+    double before = lowering, value = vertical_at(before) - *vertical_force;
+    double depth = 0;
+    for (const std::size_t k : loaded) depth = std::max(depth, -patches[k].least_gap);
+    double zeta = before - value / (1.5 * (value + *vertical_force) / depth);
+    for (int k = 0; k < 12; ++k) {
+      const double here = vertical_at(zeta) - *vertical_force;
+      if (std::abs(here) < 1e-6 * *vertical_force || here == value) break;
+      const double next = zeta - here * (zeta - before) / (here - value);
+      before = zeta, value = here, zeta = next;
+    }
+    return zeta;
+  }
+
+  void sum_exact(const std::vector<ExactPatch>& exact, const std::vector<std::size_t>& loaded,
+                 std::vector<ExactPatch::Rolled>& rolled, WheelRailSolution& out) const {
+    Wrench wheel;
+    out.status = Status::ok;
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      const Patch& patch = patches[loaded[k]];
+      ContactSolution& solution = rolled[k].solution;
+      WheelRailPatch sum = describe(patch);
+      sum.approach += rolled[k].approach;
+      const Elements& e = solution.elements;
+      for (std::size_t i = 0; i < e.size(); ++i) {
+        const double area = e.area[i];
+        if (!(solution.fields.pressure[i] > 0)) continue;
+        add_forces(exact[k].row(static_cast<int>(i) / exact[k].grid().mx), patch.outline.frame, e.x[i],
+                   {solution.fields.traction.x[i] * area, solution.fields.traction.y[i] * area,
+                    solution.fields.pressure[i] * area},
+                   wheel, sum);
+      }
+      sum.contact_area = solution.totals.adhesion_area + solution.totals.slip_area;
+      sum.slip_area = solution.totals.slip_area;
+      sum.peak_pressure = solution.totals.peak_pressure;
+      sum.frictional_power = solution.totals.frictional_power;
+      sum.status = solution.report.status;
+      if (sum.status != Status::ok) out.status = sum.status;
+      out.patches.push_back(sum);
+      out.fields.push_back(std::move(solution));
+    }
+    out.force = wheel.force, out.moment = wheel.moment;
+  }
+
   void solve(const WheelState<double>& given, std::optional<double> vertical_force, WheelRailSolution& out) {
     const bool right = bodies.side == TrackSide::right;
     const WheelState<double> state = right ? given.mirrored() : given;
@@ -318,7 +462,10 @@ struct WheelRail::Workspace {
     }
     solve_coarse(state, vertical_force, out);
     if (out.status == Status::no_contact) return;
-    sum_coarse(out);
+    if (method.level == WheelRailLevel::exact)
+      solve_exact(vertical_force, out);
+    else
+      sum_coarse(out);
     for (const Overlap& overlap : overlaps) out.at_profile_end |= overlap.at_profile_end;
     if (right) mirror(out);
   }

@@ -1,0 +1,87 @@
+#include "microslip/railway/exact_patch.hpp"
+
+#include "microslip/exact/fitted/patch_rolling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+constexpr double nowhere = 1; ///< gap beyond the profiles [m]
+constexpr int margin = 4;     ///< elements around the contact: second order needs three ahead of it
+
+} // namespace
+
+ExactPatch::ExactPatch(const PatchSurface& surface, const PatchFrame& frame, PatchShape shape, double wheel_s,
+                       const PatchBox& contact, int elements, double contact_gap, double speed)
+    : speed_(speed) {
+  const double dx = (contact.x_high - contact.x_low) / elements, dy = (contact.s_high - contact.s_low) / elements;
+  const int n = elements + 2 * margin;
+  grid_ = {.mx = n,
+           .my = n,
+           .x0 = contact.x_low + (0.5 - margin) * dx,
+           .y0 = contact.s_low + (0.5 - margin) * dy,
+           .dx = dx,
+           .dy = dy};
+  std::vector<double> x;
+  for (int i = 0; i < n; ++i) x.push_back(grid_.x(i));
+  gaps_.resize(grid_.count());
+  PatchRow near = surface.first_row(frame, wheel_s);
+  for (int j = 0; j < n; ++j) {
+    PatchRow row = surface.row(frame, shape, grid_.y(j), near);
+    surface.find_gaps(row, x, nowhere, std::span(gaps_).subspan(static_cast<std::size_t>(j) * n, n));
+    near = row;
+    rows_.push_back(row);
+    creepage_.push_back(surface.creepage(frame, shape, row, contact_gap, speed));
+  }
+}
+
+double ExactPatch::least_gap() const {
+  return *std::min_element(gaps_.begin(), gaps_.end());
+}
+
+double ExactPatch::normal_force(const CombinedMaterial& material, double approach) const {
+  const double least = least_gap();
+  if (!(approach > least)) return 0;
+  std::vector<double> above = gaps_;
+  for (double& h : above) h -= least;
+  return NormalProblem(material, grid_)
+      .solve(above, {NormalLoad::Given::approach, approach - least}, 1e-7)
+      .normal_force;
+}
+
+ExactPatch::Rolled ExactPatch::roll(const CombinedMaterial& material, double normal_force,
+                                    const std::function<double(double angle)>& friction,
+                                    RollingDirection direction) const {
+  const double least = least_gap();
+  std::vector<double> above = gaps_;
+  for (double& h : above) h -= least;
+  PatchRolling rolling(material, grid_, above, {NormalLoad::Given::force, normal_force}, direction);
+  const auto row_at = [this](double y) {
+    const double j = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0);
+    return std::pair{static_cast<std::size_t>(j), j - std::floor(j)};
+  };
+  const auto between = [](const auto& values, std::size_t j, double t, auto part) {
+    return t == 0 ? part(values[j]) : (1 - t) * part(values[j]) + t * part(values[j + 1]);
+  };
+  const std::size_t middle = rows_.size() / 2;
+  const double mu = friction(rows_[middle].angle);
+  PatchRollingMotion motion{.friction = mu, .rolling_speed = speed_ > 0 ? speed_ : 1};
+  motion.variation.creepage = [&](double y) {
+    const auto [j, t] = row_at(y);
+    return Creepage{between(creepage_, j, t, [](const Creepage& w) { return w.longitudinal; }),
+                    between(creepage_, j, t, [](const Creepage& w) { return w.lateral; }),
+                    between(creepage_, j, t, [](const Creepage& w) { return w.spin; })};
+  };
+  motion.variation.friction = [&](double y) {
+    const auto [j, t] = row_at(y);
+    return friction(between(rows_, j, t, [](const PatchRow& row) { return row.angle; })) / mu;
+  };
+  Rolled out;
+  out.solution = rolling.solve(motion);
+  out.approach = out.solution.approach + least;
+  return out;
+}
+
+} // namespace microslip
