@@ -1,0 +1,353 @@
+#include "microslip/railway/contact_search.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/railway/wheel_locus.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2;
+/// [rad], inclinations that differ by less everywhere on two arcs count as equal.
+constexpr double parallel = 1e-9;
+/// Halvings of an arc after which the sign of a derivative need not be proven any more.
+constexpr int finest = 40;
+
+/// The rail's curve in the axes of the search.
+class RailCurve {
+public:
+  struct Point {
+    double y = 0, z = 0, cosine = 1, sine = 0, speed = 0, turn = 0;
+  };
+
+  RailCurve(const ProfileArcs& arcs, const Frame<double>& rail)
+      : arcs_(arcs), y_(rail.origin.y), z_(rail.origin.z), cosine_(rail.axes.ey.y), sine_(rail.axes.ey.z),
+        angle_(std::atan2(sine_, cosine_)) {}
+
+  Point at(const ProfileArc& arc, double u) const {
+    return turned(u == 0 ? arc.ends[0] : u == 1 ? arc.ends[1] : arcs_.at(arc, u));
+  }
+
+  Range y(const ArcNode& node) const { return cosine_ * node.y + (-sine_) * node.z + y_; }
+  Range z(const ArcNode& node) const { return sine_ * node.y + cosine_ * node.z + z_; }
+  Range inclination(const ArcNode& node) const { return node.alpha + angle_; }
+
+private:
+  Point turned(const ArcPoint& p) const {
+    return {y_ + cosine_ * p.place.y - sine_ * p.place.z,
+            z_ + sine_ * p.place.y + cosine_ * p.place.z,
+            cosine_ * p.cosine - sine_ * p.sine,
+            sine_ * p.cosine + cosine_ * p.sine,
+            p.speed,
+            p.turn};
+  }
+
+  const ProfileArcs& arcs_;
+  double y_, z_, cosine_, sine_, angle_;
+};
+
+/// Of cosines of angles between two that differ by less than a straight angle.
+Range between_angles(double c0, double s0, double c1, double s1) {
+  Range range = Range::between(c0, c1);
+  if (s0 * s1 < 0 && c0 + c1 > 0) range.high = 1;
+  if (s0 * s1 < 0 && c0 + c1 < 0) range.low = -1;
+  return range;
+}
+
+/// sin(b - a) of two directions.
+template <class A, class B> double sine_between(const A& a, const B& b) {
+  return a.cosine * b.sine - a.sine * b.cosine;
+}
+
+/// The bounds of a part of the wheel's locus.
+struct LocusBounds {
+  Range y, z, inclination;
+};
+
+/// delta - delta0 at the angle alpha of the profile, sin(delta - delta0) = sin(alpha)/c, on the branch of alpha.
+double inclination_at(double alpha, double sine, double across) {
+  if (across == 1) return alpha;
+  const double branch = std::round(alpha / std::numbers::pi);
+  const double angle = std::asin(std::clamp(sine / across, -1.0, 1.0));
+  return branch * std::numbers::pi + (std::fmod(branch, 2) == 0 ? angle : -angle);
+}
+
+LocusBounds bounds_of(const WheelLocus<double>& locus, const ArcNode& node, double level) {
+  const auto& [origin, axes] = locus.wheel();
+  LocusBounds bounds;
+  bounds.inclination = {level + inclination_at(node.alpha.low, node.sine[0], locus.across()),
+                        level + inclination_at(node.alpha.high, node.sine[1], locus.across())};
+  // tau = beta + sigma with sin sigma = -e_x tan(alpha)/hypot(a1, a3), where a1, a3 are the components of the track's x
+  // axis across the axle
+  const double a1 = axes.ex.x, a3 = axes.ez.x, in_wheel = std::hypot(a1, a3);
+  const bool one_branch =
+      std::round(node.alpha.low / std::numbers::pi) == std::round(node.alpha.high / std::numbers::pi);
+  Range sine{-1, 1};
+  if (one_branch || axes.ey.x == 0) {
+    const double factor = -axes.ey.x / in_wheel;
+    sine = factor == 0 ? Range{0, 0}
+                       : Range::between(std::clamp(factor * node.tangent[0], -1.0, 1.0),
+                                        std::clamp(factor * node.tangent[1], -1.0, 1.0));
+  }
+  Range cosine = Range::between(std::sqrt(1 - sine.low * sine.low), std::sqrt(1 - sine.high * sine.high));
+  if (sine.holds(0)) cosine.high = 1;
+  const Range tau_sine = (a1 / in_wheel) * sine + (a3 / in_wheel) * cosine;
+  const Range tau_cosine = (a1 / in_wheel) * cosine + (-a3 / in_wheel) * sine;
+  const Range rho{locus.radius() - node.z.high, locus.radius() - node.z.low};
+  const Range ahead = rho * tau_sine, below = rho * tau_cosine;
+  bounds.y = axes.ex.y * ahead + axes.ey.y * node.y + (-axes.ez.y) * below + origin.y;
+  bounds.z = axes.ex.z * ahead + axes.ey.z * node.y + (-axes.ez.z) * below + origin.z;
+  return bounds;
+}
+
+/// The zero of a monotone function between a and b, where it has opposite signs or is zero: Newton's method within a
+/// bracket. `function` returns value and derivative.
+template <class Function> double monotone_root(double a, double b, bool rising, Function function) {
+  double u = (a + b) / 2;
+  for (int k = 0; k < 80; ++k) {
+    const auto [value, slope] = function(u);
+    if (value == 0) return u;
+    ((value > 0) == rising ? b : a) = u;
+    double next = u - value / slope;
+    if (!(next >= a && next <= b) || k % 8 == 7) next = (a + b) / 2;
+    if (std::abs(next - u) <= 4e-16 * (1 + std::abs(u))) return next;
+    u = next;
+  }
+  return u;
+}
+
+struct ValueAndSlope {
+  double value, slope;
+};
+
+Frame<double> seen_from(const Frame<double>& frame, double view) {
+  return view == 0 ? frame : Frame<double>{{}, rotation_about_x(-view)} * frame;
+}
+
+} // namespace
+
+/// One search: pairs of arcs that may hold a place of equal inclination.
+struct Traversal {
+  ContactSearch& search;
+  double approach;
+  const ProfileArcs &rail_arcs = search.rail_, &wheel_arcs = search.wheel_;
+  RailCurve rail{rail_arcs, search.turned_.rail.frame};
+  WheelLocus<double> locus{search.turned_.wheel.frame, search.turned_.radius};
+  double level = std::atan2(locus.level_sine(), locus.level_cosine());
+  double lowest = std::numeric_limits<double>::infinity();
+
+  struct WheelPart {
+    const ProfileArc& arc;
+    double u0, u1;
+    LocusPoint<double> p0, p1;
+  };
+  struct RailPart {
+    const ProfileArc& arc;
+    double v0, v1;
+    RailCurve::Point p0, p1;
+  };
+
+  LocusPoint<double> wheel_at(const ProfileArc& arc, double u) const {
+    return locus.at(u == 0 ? arc.ends[0] : u == 1 ? arc.ends[1] : wheel_arcs.at(arc, u));
+  }
+
+  void visit(std::size_t w, const LocusBounds& wheel, std::size_t r) {
+    const ArcNode& rail_node = rail_arcs.nodes()[r];
+    Range inclination = rail.inclination(rail_node);
+    inclination = {std::max(inclination.low, -right_angle), std::min(inclination.high, right_angle)};
+    if (!inclination.meets(wheel.inclination)) return;
+    if (!rail.y(rail_node).meets(wheel.y)) return;
+    if (wheel.z.low - rail.z(rail_node).high > lowest + approach) return;
+    const ArcNode& wheel_node = wheel_arcs.nodes()[w];
+    if (wheel_node.count == 1 && rail_node.count == 1) {
+      const ProfileArc &wheel_arc = wheel_arcs.arcs()[wheel_node.first], &rail_arc = rail_arcs.arcs()[rail_node.first];
+      pair({wheel_arc, 0, 1, wheel_at(wheel_arc, 0), wheel_at(wheel_arc, 1)},
+           {rail_arc, 0, 1, rail.at(rail_arc, 0), rail.at(rail_arc, 1)}, 0);
+    } else if (rail_node.count == 1 || (wheel_node.count > 1 && wheel_node.count >= rail_node.count)) {
+      for (const std::size_t half : {w + 1, wheel_node.second})
+        visit(half, bounds_of(locus, wheel_arcs.nodes()[half], level), r);
+    } else {
+      for (const std::size_t half : {r + 1, rail_node.second}) visit(w, wheel, half);
+    }
+  }
+
+  void pair(const WheelPart& w, const RailPart& r, int depth) {
+    if (!w.p0.exists && !w.p1.exists) return;
+    const bool wheel_rises = sine_between(w.p0, w.p1) >= 0, rail_rises = sine_between(r.p0, r.p1) >= 0;
+    const auto &wheel_low = wheel_rises ? w.p0 : w.p1, &wheel_high = wheel_rises ? w.p1 : w.p0;
+    const auto &rail_low = rail_rises ? r.p0 : r.p1, &rail_high = rail_rises ? r.p1 : r.p0;
+    constexpr double slack = 1e-14;
+    if (sine_between(wheel_high, rail_low) > slack || sine_between(rail_high, wheel_low) > slack) return;
+
+    Range speed, turn, rail_speed, rail_turn;
+    wheel_arcs.bound_derivatives(w.arc, w.u0, w.u1, speed, turn);
+    rail_arcs.bound_derivatives(r.arc, r.v0, r.v1, rail_speed, rail_turn);
+    const Range cosine = between_angles(w.p0.cosine, w.p0.sine, w.p1.cosine, w.p1.sine);
+    const Range rail_cosine = between_angles(r.p0.cosine, r.p0.sine, r.p1.cosine, r.p1.sine);
+    bool known = w.p0.exists && w.p1.exists;
+    if (known && locus.lean() > 0) known = lean_on(w, speed, turn);
+    if (known && speed.high < 0) return; // an inner sheet of the locus
+    const Range dy = speed * cosine, rail_dy = rail_speed * rail_cosine;
+    const Range wheel_y = known ? speed.low >= 0 && cosine.low >= 0 ? Range::between(w.p0.place.y, w.p1.place.y)
+                                                                    : (w.u1 - w.u0) * dy + w.p0.place.y
+                                : Range{-1e9, 1e9};
+    Range rail_y = (r.v1 - r.v0) * rail_dy + r.p0.y;
+    if (rail_cosine.low >= 0) rail_y = Range::between(r.p0.y, r.p1.y);
+    constexpr double slack_y = 1e-15;
+    if (!wheel_y.meets({rail_y.low - slack_y, rail_y.high + slack_y})) return;
+
+    const Range difference = turn * rail_dy - dy * rail_turn;
+    const bool one_way = known && speed.low >= 0 && cosine.low > 0 && rail_cosine.low > 0;
+    const bool at_corner = r.arc.length == 0;
+    if (depth >= finest || (one_way && (at_corner || !difference.holds(0)))) {
+      if (at_corner)
+        under_corner(w, r);
+      else
+        cross(w, r);
+    } else if (one_way && wheel_high.cosine * rail_low.cosine > 0 && sine_between(rail_low, wheel_high) < parallel &&
+               sine_between(wheel_low, rail_high) < parallel) {
+      beside(w, r);
+    } else {
+      halve(w, r, depth);
+    }
+  }
+
+  /// Speed and turn of the locus from those of the profile; false where they are not bounded.
+  bool lean_on(const WheelPart& w, Range& speed, Range& turn) const {
+    const ArcPoint a = wheel_arcs.at(w.arc, w.u0), b = wheel_arcs.at(w.arc, w.u1);
+    const Range cosine = between_angles(a.cosine, a.sine, b.cosine, b.sine);
+    if (cosine.low <= 0) return false;
+    const Range square{1 - locus.lean() / (cosine.low * cosine.low), 1 - locus.lean() / (cosine.high * cosine.high)};
+    if (square.low <= 0) return false;
+    const Range chi{std::sqrt(square.low), std::sqrt(square.high)};
+    const Range rho = Range::between(locus.radius() - a.place.z, locus.radius() - b.place.z);
+    speed = speed * chi + locus.lean() * (turn * rho) / (chi * cosine * cosine * cosine);
+    turn = turn / chi;
+    return true;
+  }
+
+  void halve(const WheelPart& w, const RailPart& r, int depth) {
+    const double um = (w.u0 + w.u1) / 2, vm = (r.v0 + r.v1) / 2;
+    const LocusPoint<double> wheel_middle = wheel_at(w.arc, um);
+    const RailCurve::Point rail_middle = rail.at(r.arc, vm);
+    const WheelPart lower{w.arc, w.u0, um, w.p0, wheel_middle}, upper{w.arc, um, w.u1, wheel_middle, w.p1};
+    const RailPart first{r.arc, r.v0, vm, r.p0, rail_middle}, last{r.arc, vm, r.v1, rail_middle, r.p1};
+    for (const WheelPart* a : {&lower, &upper})
+      for (const RailPart* b : {&first, &last}) pair(*a, *b, depth + 1);
+  }
+
+  /// The wheel's arc over a corner of the rail.
+  void under_corner(const WheelPart& w, const RailPart& r) {
+    const double y = r.p0.y;
+    if ((w.p0.place.y > y) == (w.p1.place.y > y) && w.p0.place.y != y) return;
+    const double u = wheel_over(w, y);
+    const LocusPoint<double> p = wheel_at(w.arc, u);
+    const double from = sine_between(r.p0, p), to = sine_between(r.p1, p);
+    if (from * to > 0) return;
+    add(w.arc, u, p, r.arc, 0, 0);
+  }
+
+  double wheel_over(const WheelPart& w, double y) const {
+    if (w.p0.place.y == w.p1.place.y) return w.u0;
+    return monotone_root(w.u0, w.u1, true, [&](double u) {
+      const LocusPoint<double> p = wheel_at(w.arc, u);
+      return ValueAndSlope{p.place.y - y, p.speed * p.cosine};
+    });
+  }
+
+  double rail_under(const RailPart& r, double y) const {
+    return monotone_root(r.v0, r.v1, true, [&](double v) {
+      const RailCurve::Point p = rail.at(r.arc, v);
+      return ValueAndSlope{p.y - y, p.speed * p.cosine};
+    });
+  }
+
+  /// Two arcs with y rising on both, between which the difference of inclinations is monotone.
+  void cross(const WheelPart& w, const RailPart& r) {
+    const auto &a = w.p0.place.y, &b = w.p1.place.y;
+    const double ua = a >= r.p0.y ? w.u0 : wheel_over(w, r.p0.y), va = a >= r.p0.y ? rail_under(r, a) : r.v0;
+    const double ub = b <= r.p1.y ? w.u1 : wheel_over(w, r.p1.y), vb = b <= r.p1.y ? rail_under(r, b) : r.v1;
+    const auto difference = [&](double u, double v) { return sine_between(rail.at(r.arc, v), wheel_at(w.arc, u)); };
+    double low = difference(ua, va), high = difference(ub, vb);
+    constexpr double rounding = 1e-15;
+    if (std::abs(low) <= rounding) low = 0;
+    if (std::abs(high) <= rounding) high = 0;
+    if (low * high > 0) return;
+    double v = (va + vb) / 2;
+    const RailPart between{r.arc, va, vb, r.p0, r.p1};
+    const double u = monotone_root(ua, ub, high > low, [&](double at) {
+      const LocusPoint<double> p = wheel_at(w.arc, at);
+      v = rail_under(between, p.place.y);
+      const RailCurve::Point q = rail.at(r.arc, v);
+      return ValueAndSlope{sine_between(q, p), p.turn - q.turn * p.speed * p.cosine / (q.speed * q.cosine)};
+    });
+    add(w.arc, u, wheel_at(w.arc, u), r.arc, v, 0);
+  }
+
+  /// Two parallel arcs: the middle of their common range of y.
+  void beside(const WheelPart& w, const RailPart& r) {
+    const double low = std::max(w.p0.place.y, r.p0.y), high = std::min(w.p1.place.y, r.p1.y);
+    const double middle = (low + high) / 2;
+    const double u = wheel_over(w, middle);
+    add(w.arc, u, wheel_at(w.arc, u), r.arc, rail_under(r, middle), high - low);
+  }
+
+  void add(const ProfileArc& wheel_arc, double u, const LocusPoint<double>& p, const ProfileArc& rail_arc, double v,
+           double /*width*/) {
+    const RailCurve::Point q = rail.at(rail_arc, v);
+    ContactPoint point;
+    point.gap = p.place.z - q.z;
+    if (point.gap > lowest + approach) return;
+    point.s_wheel = wheel_arc.start + u * wheel_arc.length;
+    point.s_rail = rail_arc.start + v * rail_arc.length;
+    point.place = p.place;
+    point.tau = std::atan2(p.ahead_sine, p.ahead_cosine);
+    point.inclination = std::atan2(p.sine, p.cosine);
+    point.radius = locus.radius() - (wheel_arc.length == 0 ? wheel_arc.ends[0] : wheel_arcs.at(wheel_arc, u)).place.z;
+    point.curvature = p.turn / p.speed - q.turn / q.speed;
+    point.minimum = p.speed >= 0 && point.curvature >= 0;
+    point.wheel_corner = wheel_arc.corner;
+    point.rail_corner = rail_arc.corner;
+    if (point.minimum) lowest = std::min(lowest, point.gap);
+    search.points_.push_back(point);
+  }
+};
+
+ContactSearch::ContactSearch(const Profile& rail, const Profile& wheel) : rail_(rail), wheel_(wheel) {
+  if (rail.role() != ProfileRole::rail) throw Error("contact search: the first profile must be a rail's");
+  if (wheel.role() != ProfileRole::wheel) throw Error("contact search: the second profile must be a wheel's");
+  points_.reserve(256);
+  regions_.reserve(32);
+}
+
+std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& placement, double approach,
+                                                  double view) {
+  view_ = view;
+  turned_ = placement;
+  turned_.rail.frame = seen_from(placement.rail.frame, view);
+  turned_.wheel.frame = seen_from(placement.wheel.frame, view);
+  points_.clear();
+  regions_.clear();
+  Traversal traversal{*this, approach};
+  traversal.visit(0, bounds_of(traversal.locus, wheel_.nodes()[0], traversal.level), 0);
+
+  std::erase_if(points_, [&](const ContactPoint& p) { return p.gap > traversal.lowest + approach; });
+  std::sort(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
+    return a.s_wheel < b.s_wheel || (a.s_wheel == b.s_wheel && a.place.y < b.place.y);
+  });
+  // at the joints of arcs a place may be found from both sides
+  constexpr double same = 1e-11;
+  const auto repeated = std::unique(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
+    return std::abs(a.s_wheel - b.s_wheel) < same && std::abs(a.s_rail - b.s_rail) < same;
+  });
+  points_.erase(repeated, points_.end());
+  for (ContactPoint& p : points_) {
+    p.place = rotation_about_x(view) * p.place;
+    p.inclination += view;
+  }
+  return points_;
+}
+
+} // namespace microslip
