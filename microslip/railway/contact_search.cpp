@@ -246,7 +246,7 @@ struct Traversal {
     const LocusPoint<double> p = wheel_at(w.arc, u);
     const double from = sine_between(r.p0, p), to = sine_between(r.p1, p);
     if (from * to > 0) return;
-    add(w.arc, u, p, r.arc, 0, 0);
+    add(w.arc, u, p, r.arc, 0);
   }
 
   double wheel_over(const WheelPart& w, double y) const {
@@ -283,7 +283,7 @@ struct Traversal {
       const RailCurve::Point q = rail.at(r.arc, v);
       return ValueAndSlope{sine_between(q, p), p.turn - q.turn * p.speed * p.cosine / (q.speed * q.cosine)};
     });
-    add(w.arc, u, wheel_at(w.arc, u), r.arc, v, 0);
+    add(w.arc, u, wheel_at(w.arc, u), r.arc, v);
   }
 
   /// Two parallel arcs: the middle of their common range of y.
@@ -291,11 +291,10 @@ struct Traversal {
     const double low = std::max(w.p0.place.y, r.p0.y), high = std::min(w.p1.place.y, r.p1.y);
     const double middle = (low + high) / 2;
     const double u = wheel_over(w, middle);
-    add(w.arc, u, wheel_at(w.arc, u), r.arc, rail_under(r, middle), high - low);
+    add(w.arc, u, wheel_at(w.arc, u), r.arc, rail_under(r, middle));
   }
 
-  void add(const ProfileArc& wheel_arc, double u, const LocusPoint<double>& p, const ProfileArc& rail_arc, double v,
-           double /*width*/) {
+  void add(const ProfileArc& wheel_arc, double u, const LocusPoint<double>& p, const ProfileArc& rail_arc, double v) {
     const RailCurve::Point q = rail.at(rail_arc, v);
     ContactPoint point;
     point.gap = p.place.z - q.z;
@@ -308,6 +307,7 @@ struct Traversal {
     point.radius = locus.radius() - (wheel_arc.length == 0 ? wheel_arc.ends[0] : wheel_arcs.at(wheel_arc, u)).place.z;
     point.curvature = p.turn / p.speed - q.turn / q.speed;
     point.minimum = p.speed >= 0 && point.curvature >= 0;
+    point.wheel_arc = static_cast<double>(&wheel_arc - wheel_arcs.arcs().data()) + u;
     point.wheel_corner = wheel_arc.corner;
     point.rail_corner = rail_arc.corner;
     if (point.minimum) lowest = std::min(lowest, point.gap);
@@ -334,9 +334,8 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   traversal.visit(0, bounds_of(traversal.locus, wheel_.nodes()[0], traversal.level), 0);
 
   std::erase_if(points_, [&](const ContactPoint& p) { return p.gap > traversal.lowest + approach; });
-  std::sort(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
-    return a.s_wheel < b.s_wheel || (a.s_wheel == b.s_wheel && a.place.y < b.place.y);
-  });
+  std::sort(points_.begin(), points_.end(),
+            [](const ContactPoint& a, const ContactPoint& b) { return a.wheel_arc < b.wheel_arc; });
   // at the joints of arcs a place may be found from both sides
   constexpr double same = 1e-11;
   const auto repeated = std::unique(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
@@ -348,6 +347,149 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
     p.inclination += view;
   }
   return points_;
+}
+
+/// Follows the locus of a search over the rail.
+struct LocusWalk {
+  const ContactSearch& search;
+  const ProfileArcs &rail_arcs = search.rail_, &wheel_arcs = search.wheel_;
+  RailCurve rail{rail_arcs, search.turned_.rail.frame};
+  WheelLocus<double> locus{search.turned_.wheel.frame, search.turned_.radius};
+  std::size_t last_arc = 0;
+
+  struct Place {
+    double gap = std::numeric_limits<double>::infinity(); ///< infinite where there is no rail below
+    double slope = 0;                                     ///< by the parameter
+    Vec3<double> place;
+    double s_wheel = 0, s_rail = 0;
+  };
+
+  double end() const { return static_cast<double>(wheel_arcs.arcs().size()); }
+
+  /// The point of the rail's surface under y that is highest, as an arc and the parameter on it; false if there is
+  /// none.
+  bool find_rail(double y, std::size_t& arc, double& v) {
+    if (lies_under(rail_arcs.arcs()[last_arc], y)) {
+      arc = last_arc;
+    } else {
+      double highest = -std::numeric_limits<double>::infinity();
+      climb(0, y, highest, arc);
+      if (std::isinf(highest)) return false;
+      last_arc = arc;
+    }
+    v = parameter_under(rail_arcs.arcs()[arc], y);
+    return true;
+  }
+
+  bool lies_under(const ProfileArc& arc, double y) const {
+    const RailCurve::Point a = rail.at(arc, 0), b = rail.at(arc, 1);
+    return a.y <= y && y <= b.y && a.cosine >= 0 && b.cosine >= 0 && arc.length > 0;
+  }
+
+  double parameter_under(const ProfileArc& arc, double y) const {
+    return monotone_root(0, 1, true, [&](double v) {
+      const RailCurve::Point p = rail.at(arc, v);
+      return ValueAndSlope{p.y - y, p.speed * p.cosine};
+    });
+  }
+
+  void climb(std::size_t n, double y, double& highest, std::size_t& arc) const {
+    const ArcNode& node = rail_arcs.nodes()[n];
+    if (!rail.y(node).holds(y) || rail.z(node).high <= highest) return;
+    if (node.count > 1) {
+      climb(n + 1, y, highest, arc);
+      climb(node.second, y, highest, arc);
+    } else if (const ProfileArc& leaf = rail_arcs.arcs()[node.first]; lies_under(leaf, y)) {
+      const double z = rail.at(leaf, parameter_under(leaf, y)).z;
+      if (z > highest) highest = z, arc = node.first;
+    }
+  }
+
+  Place at(double parameter) {
+    const std::size_t index = std::min(static_cast<std::size_t>(parameter), wheel_arcs.arcs().size() - 1);
+    const ProfileArc& arc = wheel_arcs.arcs()[index];
+    const double u = parameter - static_cast<double>(index);
+    const LocusPoint<double> p = locus.at(wheel_arcs.at(arc, u));
+    Place place;
+    place.place = p.place;
+    place.s_wheel = arc.start + u * arc.length;
+    std::size_t rail_arc = 0;
+    double v = 0;
+    if (!p.exists || p.cosine <= 0 || !find_rail(p.place.y, rail_arc, v)) return place;
+    const RailCurve::Point q = rail.at(rail_arcs.arcs()[rail_arc], v);
+    place.gap = p.place.z - q.z;
+    place.slope = p.speed * (p.sine - q.sine / q.cosine * p.cosine);
+    place.s_rail = rail_arcs.arcs()[rail_arc].start + v * rail_arcs.arcs()[rail_arc].length;
+    return place;
+  }
+
+  /// Where the gap is `lowering` on the way from `inside`, where it is smaller, to `bound`; it grows on this way as far
+  /// as that. `step` is the first one tried.
+  ContactRegion::End edge(double inside, double bound, double step, double lowering) {
+    const double way = bound < inside ? -1 : 1;
+    double outside = inside;
+    Place place;
+    do {
+      if (outside == bound) return end_at(at(bound), Corner::end);
+      inside = outside;
+      outside = way * std::min(way * (inside + way * step), way * bound);
+      step *= 2;
+      place = at(outside);
+    } while (place.gap < lowering);
+
+    double u = (inside + outside) / 2;
+    if (std::isfinite(place.gap)) u = outside - (place.gap - lowering) / place.slope;
+    bool rail_ends = std::isinf(place.gap);
+    for (int k = 0; k < 100; ++k) {
+      if (!((u - inside) * way > 0 && (outside - u) * way > 0)) u = (inside + outside) / 2;
+      place = at(u);
+      const double change = (place.gap - lowering) / place.slope;
+      if (place.gap < lowering) {
+        inside = u;
+      } else {
+        outside = u;
+        rail_ends = std::isinf(place.gap);
+      }
+      const double next = k % 8 == 7 || std::isinf(place.gap) ? (inside + outside) / 2 : u - change;
+      if (std::abs(next - u) <= 1e-15 * (1 + std::abs(u)) || std::abs(outside - inside) <= 1e-15 * (1 + std::abs(u)))
+        break;
+      u = next;
+    }
+    return rail_ends ? end_at(at(inside), Corner::end) : end_at(place, Corner::none);
+  }
+
+  ContactRegion::End end_at(const Place& place, Corner corner) const {
+    return {place.s_wheel, place.s_rail, rotation_about_x(search.view_) * place.place, corner};
+  }
+
+  /// Arcs to the place where a parabola through the point reaches `lowering`.
+  double first_step(const ContactPoint& point, double lowering) const {
+    const ProfileArc& arc =
+        wheel_arcs.arcs()[std::min(static_cast<std::size_t>(point.wheel_arc), wheel_arcs.arcs().size() - 1)];
+    const double distance = std::sqrt(2 * (lowering - point.gap) / std::max(point.curvature, 1e-3));
+    return std::clamp(distance / std::max(arc.length, 1e-6), 0.01, 1000.0);
+  }
+};
+
+std::span<const ContactRegion> ContactSearch::regions(double lowering) {
+  regions_.clear();
+  LocusWalk walk{*this};
+  const std::size_t n = points_.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!(points_[k].gap < lowering)) continue;
+    ContactRegion region;
+    region.first = k;
+    const ContactPoint& first = points_[k];
+    region.inner =
+        walk.edge(first.wheel_arc, k > 0 ? points_[k - 1].wheel_arc : 0, walk.first_step(first, lowering), lowering);
+    while (k + 1 < n && points_[k + 1].gap < lowering) ++k;
+    const ContactPoint& last = points_[k];
+    region.outer = walk.edge(last.wheel_arc, k + 1 < n ? points_[k + 1].wheel_arc : walk.end(),
+                             walk.first_step(last, lowering), lowering);
+    region.count = k + 1 - region.first;
+    regions_.push_back(region);
+  }
+  return regions_;
 }
 
 } // namespace microslip

@@ -17,6 +17,7 @@ struct ContactPoint {
   double radius = 0;              ///< [m], the wheel's at this point
   double gap = 0;                 ///< [m], of the wheel above the rail in the view's direction, < 0 in the rail
   double curvature = 0;           ///< [1/m], of wheel against rail in the y, z plane: the wheel's locus less the rail's
+  double wheel_arc = 0;           ///< index of the wheel's arc plus the parameter on it
   bool minimum = true;            ///< else a maximum of the gap or a point of inflection
   Corner wheel_corner = Corner::none, rail_corner = Corner::none;
 };
@@ -61,6 +62,7 @@ public:
 
 private:
   friend struct Traversal;
+  friend struct LocusWalk;
 
   ProfileArcs rail_, wheel_;
   WheelPlacement<double> turned_; ///< the placement of the last search, in axes that turn with the view
