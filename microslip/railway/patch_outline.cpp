@@ -1,5 +1,7 @@
 #include "microslip/railway/patch_outline.hpp"
 
+#include "microslip/railway/wheel_locus.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +21,32 @@ Vec3<double> rail_point(const WheelPlacement<double>& placement, const Profile& 
   return placement.rail.frame.outer({0, p.y, p.z});
 }
 
+/// A point of the wheel's locus, and the rail below or above it.
+struct OverRail {
+  Vec3<double> place;
+  double rail_s = 0, overlap = 0; ///< [m]
+};
+
+/// Newton's method on the rail, from near `rail_s`.
+OverRail over_rail(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, const CurvePoint& wheel,
+                   const Profile& rail, double rail_s) {
+  constexpr int steps = 4;
+  const double length = std::hypot(wheel.first.y, wheel.first.z);
+  const LocusPoint<double> point = locus.at(
+      {.place = wheel.value, .cosine = wheel.first.y / length, .sine = wheel.first.z / length, .speed = 0, .turn = 0});
+  OverRail out{point.place, rail_s};
+  const Frame<double>& frame = placement.rail.frame;
+  for (int k = 0; k < steps; ++k) {
+    const CurvePoint p = rail.at(out.rail_s);
+    const Vec3<double> place = frame.outer({0, p.value.y, p.value.z});
+    const Vec3<double> slope = frame.axes * Vec3<double>{0, p.first.y, p.first.z};
+    const double step = (out.place.y - place.y) / std::max(slope.y, 0.02);
+    out.overlap = place.z + slope.z * step - out.place.z;
+    out.rail_s += std::clamp(step, -2e-3, 2e-3);
+  }
+  return out;
+}
+
 double inclination(const WheelPlacement<double>& placement, const Profile& rail, double rail_s) {
   const ProfilePoint slope = rail.at(rail_s).first;
   const Vec3<double> d = placement.rail.frame.axes * Vec3<double>{0, slope.y, slope.z};
@@ -27,43 +55,38 @@ double inclination(const WheelPlacement<double>& placement, const Profile& rail,
 
 } // namespace
 
-PatchOutline find_outline(const OverlapSearch& search, const WheelPlacement<double>& placement, const Profile& rail,
-                          const Profile& wheel, const Overlap& overlap) {
+PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
+                          const ContactRegion& region) {
   PatchOutline out;
-  const double middle = (overlap.wheel_low + overlap.wheel_high) / 2;
-  const double half = (overlap.wheel_high - overlap.wheel_low) / 2;
+  const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
+  const auto between = [](double low, double high, double t) { return (low + high) / 2 + t * (high - low) / 2; };
   double sum = 0, x = 0, angle = 0, rail_s = 0, wheel_s = 0;
   double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low;
-  LocusPoint near = search.locus_near(placement, middle);
   for (std::size_t k = 0; k < 2 * nodes.size(); ++k) {
     const double t = k % 2 == 0 ? nodes[k / 2] : -nodes[k / 2];
-    const double s = middle + half * t;
-    const LocusPoint point = search.locus(placement, s, near.rail_s + half * t);
-    const double depth = std::max(-point.gap, 0.0);
-    if (!point.valid) continue;
-    const CurvePoint p = wheel.at(s);
-    const double reach = std::sqrt(2 * (placement.radius - p.value.z) * depth);
+    const double s = between(region.inner.s_wheel, region.outer.s_wheel, t);
+    const CurvePoint on_wheel = wheel.at(s);
+    const OverRail point =
+        over_rail(placement, locus, on_wheel, rail, between(region.inner.s_rail, region.outer.s_rail, t));
+    const double depth = std::max(point.overlap, 0.0);
+    const double reach = std::sqrt(2 * (placement.radius - on_wheel.value.z) * depth);
     x_low = std::min(x_low, point.place.x - reach), x_high = std::max(x_high, point.place.x + reach);
-    const double weight = weights[k / 2] * depth * depth * std::sqrt(depth) * p.first.y;
+    const double weight = weights[k / 2] * depth * depth * std::sqrt(depth) * std::max(on_wheel.first.y, 0.0);
     sum += weight;
     x += weight * point.place.x, angle += weight * inclination(placement, rail, point.rail_s);
     rail_s += weight * point.rail_s, wheel_s += weight * s;
   }
-  if (!(sum > 0)) { // touches in a point
-    sum = 1, x = near.place.x, angle = inclination(placement, rail, near.rail_s);
-    rail_s = near.rail_s, wheel_s = middle, x_low = x_high = x;
-  }
+  if (!(sum > 0)) return out; // touches in a point
   out.frame = {rail_point(placement, rail, rail_s / sum), angle / sum, rail_s / sum};
   out.frame.origin.x = x / sum;
   out.wheel_s = wheel_s / sum;
   out.x_low = x_low - out.frame.origin.x, out.x_high = x_high - out.frame.origin.x;
 
-  const LocusPoint low = search.locus(placement, overlap.wheel_low, near.rail_s - half);
-  const LocusPoint high = search.locus(placement, overlap.wheel_high, near.rail_s + half);
   const Vec3<double> along{0, std::cos(out.frame.angle), std::sin(out.frame.angle)};
-  out.s_low = dot(along, low.place - out.frame.origin);
-  out.s_high = dot(along, high.place - out.frame.origin);
-  out.turn = std::abs(inclination(placement, rail, high.rail_s) - inclination(placement, rail, low.rail_s));
+  out.s_low = dot(along, rail_point(placement, rail, region.inner.s_rail) - out.frame.origin);
+  out.s_high = dot(along, rail_point(placement, rail, region.outer.s_rail) - out.frame.origin);
+  out.turn =
+      std::abs(inclination(placement, rail, region.outer.s_rail) - inclination(placement, rail, region.inner.s_rail));
   return out;
 }
 

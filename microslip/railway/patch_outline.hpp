@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/overlap.hpp"
+#include "microslip/railway/contact_search.hpp"
 #include "microslip/railway/patch_surface.hpp"
 
 namespace microslip {
@@ -14,10 +14,10 @@ struct PatchOutline {
   double turn = 0;              ///< by how much the rail's surface turns from end to end [rad]
 };
 
-/// The frame is that of the overlap's weighted centre: x, y and the inclination of the rail's surface are means along
+/// The frame is that of the region's weighted centre: x, y and the inclination of the rail's surface are means along
 /// the locus with the weight c^2.5 dy, c the overlap, which is the integral of its square along the track: so patches
-/// move smoothly with the wheel.
-PatchOutline find_outline(const OverlapSearch& search, const WheelPlacement<double>& placement, const Profile& rail,
-                          const Profile& wheel, const Overlap& overlap);
+/// move smoothly with the wheel. The placement is that of the wheel in its height.
+PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
+                          const ContactRegion& region);
 
 } // namespace microslip

@@ -106,10 +106,10 @@ struct WheelRail::Workspace {
   WheelRailBodies bodies;
   WheelRailMethod method;
   NominalPlacement nominal;
-  OverlapSearch search;
+  ContactSearch search;
   CoarseNormal normal{most_patches * elements};
   LoadedRowSolver forward{columns, rows}, backward{columns, rows, RollingDirection::backward};
-  std::vector<Overlap> overlaps;
+  std::vector<ContactRegion> regions;
   std::vector<Patch> patches;
   std::vector<CoarsePatch> views;
   std::size_t count = 0; ///< patches in use
@@ -118,8 +118,8 @@ struct WheelRail::Workspace {
   Workspace(WheelRailBodies given, const WheelRailMethod& how)
       : bodies(std::move(given)), method(how),
         nominal(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel)),
-        search(bodies.rail, bodies.wheel, nominal.rail), patches(most_patches) {
-    overlaps.reserve(100);
+        search(bodies.rail, bodies.wheel), patches(most_patches) {
+    regions.reserve(100);
     views.reserve(most_patches);
   }
 
@@ -132,20 +132,22 @@ struct WheelRail::Workspace {
     placement = place(nominal, there);
   }
 
-  /// Outlines, gaps and rows of all patches where the wheel is now.
-  void find_patches() {
-    search.find(placement, overlaps);
-    // Should there be more than can be, those with the least overlap are left out.
-    if (overlaps.size() > most_patches) {
-      std::nth_element(overlaps.begin(), overlaps.begin() + most_patches, overlaps.end(),
-                       [](const Overlap& a, const Overlap& b) { return a.least_gap < b.least_gap; });
-      overlaps.resize(most_patches);
+  /// Outlines, gaps and rows of all patches when the wheel was lowered from where it was searched.
+  void find_patches(double lowering) {
+    const auto found = search.regions(lowering);
+    regions.assign(found.begin(), found.end());
+    // Should there be more than can be, the shortest are left out.
+    if (regions.size() > most_patches) {
+      const auto length = [](const ContactRegion& r) { return r.outer.s_wheel - r.inner.s_wheel; };
+      std::nth_element(regions.begin(), regions.begin() + most_patches, regions.end(),
+                       [length](const ContactRegion& a, const ContactRegion& b) { return length(a) > length(b); });
+      regions.resize(most_patches);
     }
     count = 0;
     views.clear();
-    for (const Overlap& overlap : overlaps) {
+    for (const ContactRegion& region : regions) {
       Patch& patch = patches[count];
-      patch.outline = find_outline(search, placement, bodies.rail, bodies.wheel, overlap);
+      patch.outline = find_outline(placement, bodies.rail, bodies.wheel, region);
       if (!(patch.outline.s_high > patch.outline.s_low) || !(patch.outline.x_high > patch.outline.x_low)) continue;
       patch.grid = cover(patch.outline, columns, rows, 0);
       find_gaps(patch);
@@ -214,27 +216,37 @@ struct WheelRail::Workspace {
     return change;
   }
 
+  /// Searches the contact where the wheel is, for it to be lowered until it overlaps by `depth`; the height by which it
+  /// can be lowered before it touches, infinite if it is nowhere above the rail.
+  double search_contact(double depth) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ContactPoint& point : search.find(placement, depth)) least = std::min(least, point.gap);
+    return least;
+  }
+
   /// Lowers the wheel until the patches bear the vertical force.
   void solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     constexpr int most_iterations = 50;
-    double vertical = state.vertical;
-    put(state, vertical);
-    if (vertical_force) {
-      // To begin with, as far as a contact of two spheres of half a metre.
-      const double clearance = search.clearance(placement);
-      if (!std::isfinite(clearance)) {
-        out.status = Status::no_contact;
-        return;
-      }
-      const double modulus = bodies.material.contact_modulus();
-      vertical -= clearance + std::pow(0.75 * *vertical_force / (modulus * std::sqrt(0.25)), 2.0 / 3);
-      put(state, vertical);
-    }
+    put(state, state.vertical);
+    // To begin with, as deep as a contact of two spheres of half a metre.
+    double depth =
+        vertical_force ? std::pow(0.75 * *vertical_force / (bodies.material.contact_modulus() * 0.5), 2.0 / 3) : 1e-4;
+    double clearance = search_contact(4 * depth), searched = 4 * depth;
+    if (!vertical_force && -clearance > searched) searched = -clearance, clearance = search_contact(searched);
+    out.status = Status::no_contact;
+    if (!std::isfinite(clearance)) return;
+    double lowering = vertical_force ? clearance + depth : 0;
     for (Patch& patch : patches) patch.shear = 0;
     bool warm = false;
     out.status = vertical_force ? Status::not_converged : Status::ok;
     for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
-      find_patches();
+      if (lowering - clearance > searched) {
+        put(state, state.vertical);
+        searched = 2 * (lowering - clearance);
+        search_contact(searched);
+      }
+      put(state, state.vertical - lowering);
+      find_patches(lowering);
       if (count == 0) {
         out.status = Status::no_contact;
         return;
@@ -249,10 +261,9 @@ struct WheelRail::Workspace {
         out.status = Status::ok;
         break;
       }
-      vertical -= found.lowering;
-      put(state, vertical);
+      lowering += found.lowering;
     }
-    out.vertical = vertical;
+    out.vertical = state.vertical - lowering;
   }
 
   /// What a patch is, apart from its forces.
@@ -466,7 +477,8 @@ struct WheelRail::Workspace {
       solve_exact(vertical_force, out);
     else
       sum_coarse(out);
-    for (const Overlap& overlap : overlaps) out.at_profile_end |= overlap.at_profile_end;
+    for (const ContactRegion& region : regions)
+      out.at_profile_end |= region.inner.corner == Corner::end || region.outer.corner == Corner::end;
     if (right) mirror(out);
   }
 
