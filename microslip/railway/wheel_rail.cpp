@@ -204,7 +204,8 @@ struct WheelRail::Workspace {
     for (std::size_t k = 0; k < count; ++k) {
       Patch& patch = patches[k];
       load_rows(patch, normal.pressure().subspan(k * elements, elements));
-      (rolls_forward() ? forward : backward).solve(bodies.material, patch.loaded, patch.forces);
+      (rolls_forward() ? forward : backward)
+          .solve(bodies.material.shear_modulus, bodies.material.poisson_ratio, patch.loaded, patch.forces);
       double lateral = 0, load = 0;
       for (int j = 0; j < rows; ++j) {
         const double sine = std::sin(patch.row[j].angle);

@@ -84,15 +84,15 @@ struct LoadedRowSolver::Workspace {
     return {0, row.centre - travel * row.half_length, 2 * row.half_length / cells};
   }
 
-  void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::span<RowForces> forces) {
+  void solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows, std::span<RowForces> forces) {
     std::fill(forces.begin(), forces.end(), RowForces{});
     const LoadMoments moments(rows);
     if (!(moments.capacity > 0)) return;
     const Creepage& c = moments.creepage;
     const EllipticContact ellipse{.a = moments.semi_axes.x,
                                   .b = moments.semi_axes.y,
-                                  .shear_modulus = material.shear_modulus,
-                                  .poisson_ratio = material.poisson_ratio,
+                                  .shear_modulus = shear_modulus,
+                                  .poisson_ratio = poisson_ratio,
                                   .normal_force = moments.load,
                                   .friction = FrictionLaw::coulomb(moments.capacity / moments.load),
                                   .creepage = c};
@@ -132,9 +132,10 @@ LoadedRowSolver::LoadedRowSolver(LoadedRowSolver&&) noexcept = default;
 LoadedRowSolver& LoadedRowSolver::operator=(LoadedRowSolver&&) noexcept = default;
 LoadedRowSolver::~LoadedRowSolver() = default;
 
-void LoadedRowSolver::solve(const CombinedMaterial& material, std::span<const LoadedRow> rows,
+void LoadedRowSolver::solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
                             std::span<RowForces> forces) noexcept {
-  workspace_->solve(material, rows.first(std::min<std::size_t>(rows.size(), workspace_->most_rows)), forces);
+  workspace_->solve(shear_modulus, poisson_ratio, rows.first(std::min<std::size_t>(rows.size(), workspace_->most_rows)),
+                    forces);
 }
 
 } // namespace microslip

@@ -2,7 +2,6 @@
 
 #include "microslip/contact/creepage.hpp"
 #include "microslip/contact/motion.hpp"
-#include "microslip/elasticity/material.hpp"
 
 #include <memory>
 #include <span>
@@ -45,8 +44,10 @@ public:
   LoadedRowSolver& operator=(LoadedRowSolver&&) noexcept;
   ~LoadedRowSolver();
 
-  /// Forces of at most `most_rows` rows into as many places; rows without load have none. Cost O(cells rows).
-  void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::span<RowForces> forces) noexcept;
+  /// Forces of at most `most_rows` rows into as many places; rows without load have none. Moduli are those of
+  /// the combined material, G [Pa] and nu [-]. Cost O(cells rows).
+  void solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
+             std::span<RowForces> forces) noexcept;
 
 private:
   struct Workspace;
