@@ -67,6 +67,17 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
   return (std::abs(over_rail) + std::abs(by_turning)) / 2;
 }
 
+/// Where a monotone function's zero is known to lie; proposed steps that leave it are replaced by half the interval.
+struct Bracket {
+  double low = 0, high = std::numeric_limits<double>::infinity();
+
+  double next(double here, double step) {
+    (step > 0 ? low : high) = here;
+    const double there = here + step;
+    return there > low && there < high ? there : (low + high) / 2;
+  }
+};
+
 /// The sum of forces along a row's axes [N], and of their moment about a point of track axes [N m].
 struct Wrench {
   Vec3<double> force, moment;
@@ -227,7 +238,7 @@ struct WheelRail::Workspace {
 
   /// Lowers the wheel until the patches bear the vertical force.
   void solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
-    constexpr int most_iterations = 50;
+    constexpr int most_iterations = 50, plain_iterations = 10;
     put(state, state.vertical);
     // To begin with, as deep as a contact of two spheres of half a metre.
     double depth =
@@ -239,6 +250,7 @@ struct WheelRail::Workspace {
     double lowering = vertical_force ? clearance + depth : 0;
     for (Patch& patch : patches) patch.shear = 0;
     bool warm = false;
+    Bracket bracket;
     out.status = vertical_force ? Status::not_converged : Status::ok;
     for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
       if (lowering - clearance > searched) {
@@ -262,7 +274,9 @@ struct WheelRail::Workspace {
         out.status = Status::ok;
         break;
       }
-      lowering += found.lowering;
+      // Plain steps converge but where patches come and go; then the zero is bracketed.
+      lowering = out.iterations < plain_iterations ? std::max(lowering + found.lowering, clearance)
+                                                   : bracket.next(lowering, found.lowering - change / found.stiffness);
     }
     out.vertical = state.vertical - lowering;
   }
