@@ -123,10 +123,10 @@ bool CoarseNormal::touches() const {
                      [](char in) { return in != 0; });
 }
 
-/// Elements that overlap by more than a third of the most.
+/// Elements that overlap by nearly half of the most: about those that Hertz has in contact.
 void CoarseNormal::start() {
   const double least = *std::min_element(gap_.begin(), gap_.begin() + static_cast<std::ptrdiff_t>(elements_));
-  for (std::size_t k = 0; k < elements_; ++k) in_contact_[k] = gap_[k] < std::min(least / 3, 0.0) || gap_[k] == least;
+  for (std::size_t k = 0; k < elements_; ++k) in_contact_[k] = gap_[k] < std::min(0.45 * least, 0.0) || gap_[k] == least;
 }
 
 /// The unknowns of the active elements, and their change with zeta.

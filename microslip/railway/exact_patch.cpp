@@ -9,28 +9,29 @@ namespace microslip {
 namespace {
 
 constexpr double nowhere = 1; ///< gap beyond the profiles [m]
-constexpr int margin = 4;     ///< elements around the contact: second order needs three ahead of it
+constexpr int margin = 4;     ///< elements ahead and behind: second order needs three
 
 } // namespace
 
-ExactPatch::ExactPatch(const PatchSurface& surface, const PatchFrame& frame, PatchShape shape, double wheel_s,
-                       const PatchBox& contact, int elements, double contact_gap, double speed)
+ExactPatch::ExactPatch(const PatchSurface& surface, const PatchOutline& outline, PatchShape shape, double dx, double ds,
+                       double contact_gap, double speed)
     : speed_(speed) {
-  const double dx = (contact.x_high - contact.x_low) / elements, dy = (contact.s_high - contact.s_low) / elements;
-  const int n = elements + 2 * margin;
-  grid_ = {.mx = n,
-           .my = n,
-           .x0 = contact.x_low + (0.5 - margin) * dx,
-           .y0 = contact.s_low + (0.5 - margin) * dy,
+  const PatchFrame& frame = outline.frame;
+  const int mx = static_cast<int>(std::ceil((outline.x_high - outline.x_low) / dx)) + 2 * margin;
+  const int my = static_cast<int>(std::ceil((outline.s_high - outline.s_low) / ds)) + 2;
+  grid_ = {.mx = mx,
+           .my = my,
+           .x0 = (outline.x_low + outline.x_high - (mx - 1) * dx) / 2,
+           .y0 = (outline.s_low + outline.s_high - (my - 1) * ds) / 2,
            .dx = dx,
-           .dy = dy};
+           .dy = ds};
   std::vector<double> x;
-  for (int i = 0; i < n; ++i) x.push_back(grid_.x(i));
+  for (int i = 0; i < mx; ++i) x.push_back(grid_.x(i));
   gaps_.resize(grid_.count());
-  PatchRow near = surface.first_row(frame, wheel_s);
-  for (int j = 0; j < n; ++j) {
+  PatchRow near = surface.first_row(frame, outline.wheel_s);
+  for (int j = 0; j < my; ++j) {
     PatchRow row = surface.row(frame, shape, grid_.y(j), near);
-    surface.find_gaps(row, x, nowhere, std::span(gaps_).subspan(static_cast<std::size_t>(j) * n, n));
+    surface.find_gaps(row, x, nowhere, std::span(gaps_).subspan(static_cast<std::size_t>(j) * mx, mx));
     near = row;
     rows_.push_back(row);
     creepage_.push_back(surface.creepage(frame, shape, row, contact_gap, speed));

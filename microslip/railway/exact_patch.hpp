@@ -4,25 +4,20 @@
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/exact/fitted/row_variation.hpp"
-#include "microslip/railway/patch_surface.hpp"
+#include "microslip/railway/patch_outline.hpp"
 
 #include <functional>
 #include <vector>
 
 namespace microslip {
 
-/// Where the contact is within a patch [m], from the frame's origin.
-struct PatchBox {
-  double x_low = 0, x_high = 0, s_low = 0, s_high = 0;
-};
-
 /// A patch for the exact theory: elements over its contact, gaps, and how each row moves.
 class ExactPatch {
 public:
-  /// `elements` across the contact on both axes. `contact_gap` < 0 is the gap of the wheel's surface whose velocity
+  /// Elements of the size dx, ds [m] over all of the outline, which holds the contact. `contact_gap` < 0 is the gap of the wheel's surface whose velocity
   /// the creepages take (PatchSurface::creepage). Rows outside the profiles are far apart.
-  ExactPatch(const PatchSurface& surface, const PatchFrame& frame, PatchShape shape, double wheel_s,
-             const PatchBox& contact, int elements, double contact_gap, double speed);
+  ExactPatch(const PatchSurface& surface, const PatchOutline& outline, PatchShape shape, double dx, double ds,
+             double contact_gap, double speed);
 
   const ElementGrid& grid() const { return grid_; }
   const PatchRow& row(int j) const { return rows_[static_cast<std::size_t>(j)]; }

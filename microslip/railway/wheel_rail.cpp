@@ -16,7 +16,7 @@
 namespace microslip {
 namespace {
 
-constexpr int columns = 12, rows = 12; ///< of a patch at the coarse level, across the overlap
+constexpr int columns = 10, rows = 10; ///< of a patch at the coarse level, across the overlap
 constexpr std::size_t elements = columns * rows;
 constexpr std::size_t most_patches = 6;
 constexpr double nowhere = 1; ///< gap beyond the profiles [m]
@@ -66,6 +66,18 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
   const double by_turning = cross(p.wheel.angular_velocity, place - p.wheel.frame.origin).x;
   return (std::abs(over_rail) + std::abs(by_turning)) / 2;
 }
+
+/// Secant steps to the zero of a function whose slope is about -1, as the lowering that is still needed.
+struct Secant {
+  double before = 0, value_before = 0;
+  bool known = false;
+
+  double next(double here, double value) {
+    const double slope = known ? (value - value_before) / (here - before) : -1;
+    before = here, value_before = value, known = true;
+    return here - value / (slope < -0.5 && slope > -2 ? slope : -1);
+  }
+};
 
 /// Where a monotone function's zero is known to lie; proposed steps that leave it are replaced by half the interval.
 struct Bracket {
@@ -228,35 +240,46 @@ struct WheelRail::Workspace {
     return change;
   }
 
-  /// Searches the contact where the wheel is, for it to be lowered until it overlaps by `depth`; the height by which it
-  /// can be lowered before it touches, infinite if it is nowhere above the rail.
-  double search_contact(double depth) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const ContactPoint& point : search.find(placement, depth)) least = std::min(least, point.gap);
-    return least;
+  /// The lowest place of the gap, in a search that finds all places at most `depth` above it; its gap is infinite if
+  /// the wheel is nowhere above the rail.
+  ContactPoint lowest_point(double depth) {
+    ContactPoint lowest;
+    lowest.gap = std::numeric_limits<double>::infinity();
+    for (const ContactPoint& point : search.find(placement, depth))
+      if (point.gap < lowest.gap) lowest = point;
+    return lowest;
+  }
+
+  /// By how much the wheel is lowered from its first touch, after Hertz: the approach (9 F^2/(16 E*^2 R))^(1/3) of a
+  /// sphere whose radius is the mean of those of the surfaces at the point, in its inclined plane.
+  double hertzian_lowering(const ContactPoint& point, double vertical_force) const {
+    const double cosine = std::max(std::cos(point.inclination), 0.1),
+                 curvature = point.curvature * cosine * cosine * cosine;
+    const double radius = std::sqrt(point.radius / std::clamp(curvature, 0.2, 1e3));
+    const double load = vertical_force / cosine;
+    return std::cbrt(9 * load * load / (16 * std::pow(bodies.material.contact_modulus(), 2) * radius)) / cosine;
   }
 
   /// Lowers the wheel until the patches bear the vertical force.
   void solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     constexpr int most_iterations = 50, plain_iterations = 10;
     put(state, state.vertical);
-    // To begin with, as deep as a contact of two spheres of half a metre.
-    double depth =
-        vertical_force ? std::pow(0.75 * *vertical_force / (bodies.material.contact_modulus() * 0.5), 2.0 / 3) : 1e-4;
-    double clearance = search_contact(4 * depth), searched = 4 * depth;
-    if (!vertical_force && -clearance > searched) searched = -clearance, clearance = search_contact(searched);
+    double searched = 3e-4;
+    ContactPoint lowest = lowest_point(searched);
+    const double clearance = lowest.gap;
     out.status = Status::no_contact;
     if (!std::isfinite(clearance)) return;
-    double lowering = vertical_force ? clearance + depth : 0;
+    double lowering = vertical_force ? clearance + hertzian_lowering(lowest, *vertical_force) : 0;
     for (Patch& patch : patches) patch.shear = 0;
     bool warm = false;
+    Secant secant;
     Bracket bracket;
     out.status = vertical_force ? Status::not_converged : Status::ok;
     for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
       if (lowering - clearance > searched) {
         put(state, state.vertical);
         searched = 2 * (lowering - clearance);
-        search_contact(searched);
+        lowest_point(searched);
       }
       put(state, state.vertical - lowering);
       find_patches(lowering);
@@ -274,9 +297,10 @@ struct WheelRail::Workspace {
         out.status = Status::ok;
         break;
       }
+      const double missing = found.lowering - change / found.stiffness;
       // Plain steps converge but where patches come and go; then the zero is bracketed.
-      lowering = out.iterations < plain_iterations ? std::max(lowering + found.lowering, clearance)
-                                                   : bracket.next(lowering, found.lowering - change / found.stiffness);
+      lowering = out.iterations < plain_iterations ? std::max(secant.next(lowering, missing), clearance)
+                                                   : bracket.next(lowering, missing);
     }
     out.vertical = state.vertical - lowering;
   }
@@ -338,16 +362,15 @@ struct WheelRail::Workspace {
     out.force = wheel.force, out.moment = wheel.moment;
   }
 
-  /// The contact's extent by its rows at the coarse level.
-  static PatchBox contact_of(const Patch& patch) {
-    PatchBox box{nowhere, -nowhere, nowhere, -nowhere};
+  /// Lengths of the contact along x and s by its rows at the coarse level [m].
+  static Vec2 extent_of(const Patch& patch) {
+    double x_low = nowhere, x_high = -nowhere, s = 0;
     for (const LoadedRow& row : patch.loaded) {
       if (!(row.load > 0)) continue;
-      box.x_low = std::min(box.x_low, row.centre - row.half_length);
-      box.x_high = std::max(box.x_high, row.centre + row.half_length);
-      box.s_low = std::min(box.s_low, row.y - row.width / 2), box.s_high = std::max(box.s_high, row.y + row.width / 2);
+      x_low = std::min(x_low, row.centre - row.half_length), x_high = std::max(x_high, row.centre + row.half_length);
+      s += row.width;
     }
-    return box;
+    return {x_high - x_low, s};
   }
 
   double coarse_load(std::size_t k) const {
@@ -373,8 +396,9 @@ struct WheelRail::Workspace {
       if (!(load > 0)) continue;
       const Patch& patch = patches[k];
       loaded.push_back(k), force.push_back(load);
-      exact.emplace_back(surface(), patch.outline.frame, method.shape, patch.outline.wheel_s, contact_of(patch),
-                         method.elements, patch.least_gap, patch.speed);
+      const Vec2 extent = extent_of(patch);
+      exact.emplace_back(surface(), patch.outline, method.shape, extent.x / method.elements, extent.y / method.elements,
+                         patch.least_gap, patch.speed);
     }
     const auto friction = [this](double angle) { return friction_at(bodies.friction, angle); };
     const RollingDirection direction = rolls_forward() ? RollingDirection::forward : RollingDirection::backward;

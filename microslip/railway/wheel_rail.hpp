@@ -43,7 +43,7 @@ enum class WheelRailLevel {
 struct WheelRailMethod {
   WheelRailLevel level = WheelRailLevel::fastsim2;
   PatchShape shape = PatchShape::flat;
-  int elements = 24;       ///< exact: across the overlap of each patch
+  int elements = 24;       ///< exact: across each contact
   double tolerance = 1e-6; ///< of the vertical force, relative
 };
 
