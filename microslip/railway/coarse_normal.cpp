@@ -126,7 +126,8 @@ bool CoarseNormal::touches() const {
 /// Elements that overlap by nearly half of the most: about those that Hertz has in contact.
 void CoarseNormal::start() {
   const double least = *std::min_element(gap_.begin(), gap_.begin() + static_cast<std::ptrdiff_t>(elements_));
-  for (std::size_t k = 0; k < elements_; ++k) in_contact_[k] = gap_[k] < std::min(0.45 * least, 0.0) || gap_[k] == least;
+  for (std::size_t k = 0; k < elements_; ++k)
+    in_contact_[k] = gap_[k] < std::min(0.45 * least, 0.0) || gap_[k] == least;
 }
 
 /// The unknowns of the active elements, and their change with zeta.

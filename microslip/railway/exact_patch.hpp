@@ -14,8 +14,9 @@ namespace microslip {
 /// A patch for the exact theory: elements over its contact, gaps, and how each row moves.
 class ExactPatch {
 public:
-  /// Elements of the size dx, ds [m] over all of the outline, which holds the contact. `contact_gap` < 0 is the gap of the wheel's surface whose velocity
-  /// the creepages take (PatchSurface::creepage). Rows outside the profiles are far apart.
+  /// Elements of the size dx, ds [m] over all of the outline, which holds the contact. `contact_gap` < 0 is the gap of
+  /// the wheel's surface whose velocity the creepages take (PatchSurface::creepage). Rows outside the profiles are far
+  /// apart.
   ExactPatch(const PatchSurface& surface, const PatchOutline& outline, PatchShape shape, double dx, double ds,
              double contact_gap, double speed);
 

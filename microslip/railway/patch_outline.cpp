@@ -82,7 +82,7 @@ PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile
   out.wheel_s = wheel_s / sum;
   out.x_low = x_low - out.frame.origin.x, out.x_high = x_high - out.frame.origin.x;
 
-  const Vec3<double> along{0, std::cos(out.frame.angle), std::sin(out.frame.angle)};
+  const Vec3<double> along = out.frame.tangent();
   out.s_low = dot(along, rail_point(placement, rail, region.inner.s_rail) - out.frame.origin);
   out.s_high = dot(along, rail_point(placement, rail, region.outer.s_rail) - out.frame.origin);
   out.turn =

@@ -10,10 +10,6 @@ namespace {
 constexpr int most_steps = 30;
 constexpr double exact = 1e-13; // [m]
 
-Vec3<double> tangent(double angle) {
-  return {0, std::cos(angle), std::sin(angle)};
-}
-
 /// Newton's method over a profile's pieces, with steps of no more than a few pieces: at a kink the slope jumps.
 double limited(double step) {
   constexpr double longest = 2e-3;
@@ -36,7 +32,7 @@ PatchRow PatchSurface::row(const PatchFrame& frame, PatchShape shape, double s, 
   row.s = s;
   double rail_s = frame.rail_s + s;
   if (shape == PatchShape::flat) {
-    const Vec3<double> along = tangent(frame.angle);
+    const Vec3<double> along = frame.tangent();
     for (int k = 0; k < most_steps; ++k) {
       const auto [point, slope] = at(rail_s);
       const double step = limited((s - dot(along, point - frame.origin)) / std::max(dot(along, slope), 0.05));

@@ -15,6 +15,9 @@ struct PatchFrame {
   Vec3<double> origin; ///< on the rail's surface
   double angle = 0;    ///< [rad]
   double rail_s = 0;   ///< parameter of the rail's profile there [m]
+
+  Vec3<double> tangent() const { return {0, std::cos(angle), std::sin(angle)}; }
+  Vec3<double> normal() const { return {0, -std::sin(angle), std::cos(angle)}; }
 };
 
 /// What a patch takes for flat.
