@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t fewest_points = 4, most_points = 20000;
 constexpr double shortest = 5e-3, longest = 0.5; // [m]
+constexpr double least_flange = 0.015;           // height above the tread [m]
 
 double distance(const ProfilePoint& a, const ProfilePoint& b) {
   return std::hypot(b.y - a.y, b.z - a.z);
@@ -30,6 +31,11 @@ bool less_in_y(const ProfilePoint& a, const ProfilePoint& b) {
 
 bool less_in_z(const ProfilePoint& a, const ProfilePoint& b) {
   return a.z < b.z;
+}
+
+bool is_far_from_ends(std::span<const ProfilePoint> points, const ProfilePoint& p) {
+  constexpr double far = 5e-3;
+  return distance(p, points.front()) > far && distance(p, points.back()) > far;
 }
 
 /// The treatment of one profile's points, step by step.
@@ -225,7 +231,19 @@ private:
                                              : "the head is lower than its sides: is z mirrored, or is this a wheel?");
     if (sense.y < 0) report_.warnings.emplace_back("the flange is at the field side: is y mirrored?");
     if (is_wheel && sense.z == 0) report_.warnings.emplace_back("no flange is to be seen: is this a rail?");
+    warn_of_lowest_point(is_wheel && sense.z > 0);
     if (!is_wheel) warn_of_gauge_side();
+  }
+
+  /// That of a wheel is the flange's tip, behind which the curve rises again; that of a rail is at an end.
+  void warn_of_lowest_point(bool has_flange) {
+    const auto low = std::min_element(points_.begin(), points_.end(), less_in_z);
+    const bool is_inner = is_far_from_ends(points_, *low);
+    if (has_flange && !is_inner)
+      report_.warnings.emplace_back("the profile ends at the flange's tip: is this a rail, or a part of a wheel?");
+    const double depth = std::min(points_.front().z, points_.back().z) - low->z;
+    if (role_ == ProfileRole::rail && is_inner && depth > least_flange)
+      report_.warnings.push_back("the profile is lowest at " + in_mm(*low) + ", not at an end: is this a wheel?");
   }
 
   /// Rails are measured down to the gauge corner and beyond, and less far at the field side.
@@ -271,7 +289,6 @@ private:
 /// 1 or -1 for a flange at low or high z, 0 without one. A flange stands out by more than 15 mm, and its tip is not at
 /// an end of the profile where the back of a wheel or its chamfer may reach as far.
 int flange_sense(std::span<const ProfilePoint> points, const ProfilePoint*& tip) {
-  constexpr double least_height = 0.015, near_end = 5e-3;
   std::vector<double> heights;
   for (const auto& p : points) heights.push_back(p.z);
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
@@ -279,13 +296,11 @@ int flange_sense(std::span<const ProfilePoint> points, const ProfilePoint*& tip)
   const auto low = std::min_element(points.begin(), points.end(), less_in_z);
   const auto high = std::max_element(points.begin(), points.end(), less_in_z);
   const double below = *middle - low->z, above = high->z - *middle;
-  const auto is_inner = [&](const ProfilePoint& p) {
-    return distance(p, points.front()) > near_end && distance(p, points.back()) > near_end;
-  };
-  const bool inner_low = below > least_height && is_inner(*low), inner_high = above > least_height && is_inner(*high);
+  const bool inner_low = below > least_flange && is_far_from_ends(points, *low);
+  const bool inner_high = above > least_flange && is_far_from_ends(points, *high);
   bool is_low = inner_low;
   if (inner_low == inner_high) {
-    if (std::max(below, above) < least_height || std::max(below, above) < 1.5 * std::min(below, above)) return 0;
+    if (std::max(below, above) < least_flange || std::max(below, above) < 1.5 * std::min(below, above)) return 0;
     is_low = below > above;
   }
   tip = is_low ? &*low : &*high;

@@ -131,7 +131,7 @@ double residual(std::span<const ProfilePoint, 5> points) {
 
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length) {
-  require_positive("smoothing_length", length, "m");
+  if (!(length > 0 && length <= 1)) throw Error("smoothing_length", length, "m", "in (0, 1]");
   std::vector<ProfilePoint> result(points.begin(), points.end());
   const double lambda = std::pow(length / (2 * std::numbers::pi), 4);
   std::size_t first = 0;

@@ -12,7 +12,8 @@ namespace microslip {
 /// Points smoothed by wavelength: y and z separately minimise sum w_i (x_i - f(s_i))^2 + lambda int f''^2 ds with
 /// w_i = (s_i+1 - s_i-1)/2 and lambda = (L/2 pi)^4 over each section between kinks. A wave of wavenumber k keeps
 /// 1/(1 + lambda k^4) of its amplitude: half of it at the wavelength L, all but (L/l)^4 of it at a longer one l. Kinks
-/// stay where they are. s is the length of the polygon through the given points. L = `length` [m], > 0. Cost O(points).
+/// stay where they are. s is the length of the polygon through the given points. L = `length` [m] in
+/// (0, 1], else Error. Cost O(points).
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length);
 

@@ -1,0 +1,337 @@
+#include "io/profile_file.hpp"
+
+#include "microslip/error.hpp"
+#include "paths.hpp"
+#include "temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// y, z [mm] of a rail's head, z up.
+std::vector<ProfilePoint> head() {
+  std::vector<ProfilePoint> points;
+  for (int k = 0; k <= 60; ++k) {
+    const double angle = -1.2 + 2.4 * k / 60;
+    points.push_back({40 * std::sin(angle) + 1, 40 * std::cos(angle) - 40});
+  }
+  return points;
+}
+
+/// The same of a wheel: a flange as half an ellipse, its tip at y = -50 mm, and a tread of 1:40.
+std::vector<ProfilePoint> wheel() {
+  std::vector<ProfilePoint> points;
+  for (int k = 0; k <= 60; ++k) {
+    const double angle = std::numbers::pi * k / 60;
+    points.push_back({-50 - 20 * std::cos(angle), -0.75 - 28 * std::sin(angle)});
+  }
+  for (int k = 1; k <= 90; ++k) points.push_back({-30. + k, (-30. + k) / 40});
+  return points;
+}
+
+std::string rows(const std::vector<ProfilePoint>& points, double y, double z, const std::string& separator = " ") {
+  std::ostringstream text;
+  text.precision(12);
+  for (const auto& p : points) text << y * p.y << separator << z * p.z << '\n';
+  return text.str();
+}
+
+std::string simpack(const std::string& keys, const std::string& points, int type = 0) {
+  return "header.begin\n  version = 1\n  type = " + std::to_string(type) + "\nheader.end\nspline.begin\n" + keys +
+         "\n  point.begin\n" + points + "  point.end\nspline.end\n";
+}
+
+std::string error_of(const std::string& text, const std::string& name = "a.prr",
+                     const ProfileFileOptions& options = {}) {
+  try {
+    parse_profile(text, name, options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool is_named(const std::vector<std::string>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(), [&](const auto& t) { return t.find(part) != t.npos; });
+}
+
+/// The profile's spline passes through the points [mm], as many of them and in their order.
+void expect_points(const Profile& profile, const std::vector<ProfilePoint>& points, const std::string& of) {
+  ASSERT_EQ(profile.pieces().size() + 1, points.size()) << of;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto p = profile.at(k + 1 < points.size() ? profile.pieces()[k].start : profile.length()).value;
+    EXPECT_NEAR(p.y * 1e3, points[k].y, 1e-9) << of << " point " << k;
+    EXPECT_NEAR(p.z * 1e3, points[k].z, 1e-9) << of << " point " << k;
+  }
+}
+
+TEST(ProfileFile, ReadsSimpack) {
+  const auto down = rows(head(), 1, -1);
+  const std::string unit = "units.len.f = 1000.\n";
+  const auto prepared = parse_profile(simpack(unit + "comment = 'a head! of % steel' ! why\n", down), "x");
+  EXPECT_EQ(prepared.profile.role(), ProfileRole::rail);
+  EXPECT_EQ(prepared.report.format, "Simpack");
+  EXPECT_EQ(prepared.report.comment, "a head! of % steel");
+  EXPECT_TRUE(prepared.report.assumptions.empty());
+  expect_points(prepared.profile, head(), "plain");
+
+  expect_points(parse_profile(simpack("units.len.f = 1.0D0", rows(head(), 1e-3, -1e-3)), "x").profile, head(),
+                "metres");
+  expect_points(parse_profile(simpack(unit + "mirror.y = 1\nmirror.z = 1", rows(head(), -1, 1)), "x").profile, head(),
+                "mirrors");
+  expect_points(parse_profile(simpack(unit + "inversion = 1", down), "x").profile, head(), "inversion");
+  auto with_weights = rows(head(), 1, -1);
+  with_weights.insert(with_weights.find('\n'), "   1.0");
+  expect_points(parse_profile(simpack(unit, "! y z weight\n\n" + with_weights + "!9 9\n"), "x").profile, head(),
+                "weights and comments");
+  EXPECT_EQ(parse_profile(simpack(unit, rows(wheel(), 1, -1), 1), "x").profile.role(), ProfileRole::wheel);
+}
+
+TEST(ProfileFile, SimpackShiftsThenTurnsThenBoundsThenMirrors) {
+  // Undone in the inverse order: what the file lists is the head after mirror, rotation back and shift back.
+  const double angle = 0.3, c = std::cos(angle), s = std::sin(angle);
+  std::vector<ProfilePoint> listed;
+  for (const auto& p : head()) {
+    const ProfilePoint in_file = {-p.y, -p.z}; // before mirror.y; z is down
+    listed.push_back({c * in_file.y + s * in_file.z - 5, -s * in_file.y + c * in_file.z + 2});
+  }
+  const std::string keys = "units.len.f = 1000\nunits.ang.f = 57.29577951308232\nshift.y = 5\nshift.z = -2\nrotate = " +
+                           std::to_string(angle * 180 / std::numbers::pi) + "\nmirror.y = 1\n";
+  const auto prepared = parse_profile(simpack(keys, rows(listed, 1, 1)), "x");
+  ASSERT_EQ(prepared.profile.pieces().size(), 60u);
+  for (std::size_t k = 0; k < 60; ++k) EXPECT_NEAR(prepared.profile.pieces()[k].c[0].z * 1e3, head()[k].z, 1e-4);
+  EXPECT_TRUE(is_named(prepared.report.steps, "rotated by 0.3 rad"));
+
+  // Bounds are those of y before the mirror: the head's y below -10 is bounded away.
+  const auto bounded = parse_profile(simpack(keys + "bound.y.min = -100\nbound.y.max = 10\n", rows(listed, 1, 1)), "x");
+  EXPECT_GE(bounded.profile.at(0).value.y, -10e-3);
+  EXPECT_NEAR(bounded.profile.at(bounded.profile.length()).value.y * 1e3, head().back().y, 1e-3);
+  EXPECT_TRUE(is_named(bounded.report.steps, "bound.y: dropped"));
+  const auto clipped =
+      parse_profile(simpack("units.len.f = 1000\nbound.z.min = -1\nbound.z.max = 10\n", rows(head(), 1, -1)), "x");
+  EXPECT_NEAR(clipped.profile.at(0).value.z, -10e-3, 1e-12);
+  EXPECT_TRUE(is_named(clipped.report.steps, "bound.z: clipped"));
+}
+
+TEST(ProfileFile, ReadsMiniprof) {
+  const std::string header = "ProgramName=MiniProf\r\n\"Rail\"=\"left\"\r\nXOffset=1.5\nYOFFSET=-2\nXYPoints=61\n";
+  auto shifted = head();
+  for (auto& p : shifted) p = {-p.y - 1.5, -p.z + 2}; // x to the gauge side, z down
+  auto text = header + "ColumnDef=X,Y\n\n" + rows(shifted, 1, 1, "\t");
+  auto prepared = parse_profile(text, "a.ban");
+  EXPECT_EQ(prepared.report.format, "MiniProf");
+  EXPECT_TRUE(is_named(prepared.report.assumptions, "y runs to the gauge side"));
+  EXPECT_TRUE(is_named(prepared.report.assumptions, "z is positive downwards"));
+  EXPECT_TRUE(prepared.report.warnings.empty());
+  expect_points(prepared.profile, head(), "ban");
+
+  // Columns in another order, rows that are commented out, no blank line.
+  std::ostringstream table;
+  table.precision(12);
+  for (const auto& p : shifted) table << "7, " << p.y * 0 + p.z << ", " << p.y << "\n\" 1 2 3\n";
+  prepared = parse_profile(header + "ColumnDef=N,Y,X\n" + table.str(), "a.ban");
+  expect_points(prepared.profile, head(), "columns");
+  EXPECT_TRUE(is_named(prepared.report.steps, "left out 61 lines"));
+  EXPECT_TRUE(is_named(prepared.report.warnings, "XYPoints = 61, but there are 122"));
+}
+
+TEST(ProfileFile, ReadsWheelsAndOldAndManyProfilesOfMiniprof) {
+  const auto down = rows(wheel(), 1, -1);
+  const auto prepared = parse_profile("Stock=%Talent\nWheelDiameterTaperline=70.0\n\n" + down, "a.txt");
+  EXPECT_EQ(prepared.profile.role(), ProfileRole::wheel);
+  expect_points(prepared.profile, wheel(), "whl");
+  expect_points(parse_profile("Stock=x\nSd=1\n\n" + rows(wheel(), -1, 1), "a.whl").profile, wheel(), "mirrored whl");
+  const auto old = parse_profile("#MINIWHEELPROF V1\ncar 7216 0001\n7216 12\n\n" + down, "Car7216_0001r");
+  EXPECT_EQ(old.profile.role(), ProfileRole::wheel);
+  expect_points(old.profile, wheel(), "old");
+
+  const std::string mpt = "[FileInfo]\nProgramName=MiniProf\n[Profile1Info]\nXOffset=0\n[Profile1Points]\n" + down +
+                          "[Profile2Info]\nXOffset=3\n[Profile2Points]\n" + down;
+  expect_points(parse_profile(mpt, "wheel.mpt").profile, wheel(), "first");
+  const auto second = parse_profile(mpt, "wheel.mpt", {.section = 2});
+  EXPECT_NEAR(second.profile.at(0).value.y * 1e3, wheel()[0].y + 3, 1e-9);
+  EXPECT_TRUE(is_named(second.report.assumptions, "profile 2 of 2"));
+  EXPECT_EQ(error_of(mpt, "wheel.mpt", {.section = 3}), "wheel.mpt: section 3 is asked for: there are 2");
+}
+
+TEST(ProfileFile, ReadsColumnsWithAnySeparator) {
+  const ProfileFileOptions rail = {.role = ProfileRole::rail};
+  for (const std::string separator : {" ", "\t", ",", ";", " , ", "  ;\t", "|"})
+    expect_points(parse_profile(rows(head(), 1, 1, separator), "x", rail).profile, head(), separator);
+  auto commas = rows(head(), 1, 1, ";");
+  std::replace(commas.begin(), commas.end(), '.', ',');
+  const auto prepared = parse_profile(commas, "x", rail);
+  expect_points(prepared.profile, head(), "decimal commas");
+  EXPECT_TRUE(is_named(prepared.report.assumptions, "commas are decimal points"));
+  const std::string remarks = "\xef\xbb\xbf# one\n% two\n! three\n// four\n* five\n\ny [mm]  z [mm]\n";
+  auto crlf = rows(head(), 1, 1) + "# end\n";
+  for (std::size_t k = 0; (k = crlf.find('\n', k)) != std::string::npos; k += 2) crlf.insert(k, "\r");
+  const auto remarked = parse_profile(remarks + crlf, "x", rail);
+  expect_points(remarked.profile, head(), "remarks");
+  EXPECT_TRUE(is_named(remarked.report.assumptions, "1 line before the first number"));
+  expect_points(parse_profile("61\n" + rows(head(), 1, 1), "x", rail).profile, head(), "count");
+  EXPECT_EQ(error_of("62\n" + rows(head(), 1, 1), "x", rail),
+            "x: the first line announces 62 points, but there are 61; is it truncated?");
+}
+
+TEST(ProfileFile, DecidesWhatColumnsLeaveOpenAndSaysSo) {
+  for (const double y : {1., -1.})
+    for (const double z : {1., -1.})
+      for (const double unit : {1., 1e-3}) {
+        const auto prepared = parse_profile(rows(wheel(), unit * y, unit * z), "my_wheel.dat");
+        expect_points(prepared.profile, wheel(), "wheel");
+        EXPECT_EQ(prepared.report.assumptions.size(), 4u); // role, unit, z, y
+        EXPECT_EQ(prepared.report.unit, unit == 1 ? 1e-3 : 1);
+      }
+  // What is given is not decided.
+  const ProfileFileOptions given = {
+      .role = ProfileRole::wheel, .unit = 0.0254, .y_axis = LateralSense::gauge, .z_axis = VerticalSense::down};
+  const auto prepared = parse_profile(rows(wheel(), -1 / 25.4, -1 / 25.4), "x", given);
+  EXPECT_TRUE(prepared.report.assumptions.empty());
+  expect_points(prepared.profile, wheel(), "inches");
+  EXPECT_TRUE(
+      is_named(parse_profile(rows(wheel(), 1, -1), "x", {.role = ProfileRole::wheel, .z_axis = VerticalSense::up})
+                   .report.warnings,
+               "is z mirrored"));
+  const auto scaled = parse_profile(rows(head(), 1, 1), "rail", {.scale = 2});
+  EXPECT_NEAR(scaled.profile.at(0).value.y * 1e3, 2 * head()[0].y, 1e-9);
+}
+
+TEST(ProfileFile, RefusesWhatIsNoProfileAndNamesLineAndField) {
+  EXPECT_EQ(error_of(""), "a.prr: is empty");
+  EXPECT_EQ(error_of(" \n\r\n"), "a.prr: is empty");
+  EXPECT_EQ(error_of(std::string("1 2\n\0\n", 6), "x"), "x: is not a text file: it has NUL bytes");
+  EXPECT_EQ(error_of("1 2\n", "rail.dat").find("rail.dat: the profile is 0 wide"), 0u);
+  EXPECT_EQ(error_of("\x7f"
+                     "ELF\x02\x01 \x03\xff\n",
+                     "rail.dat"),
+            "rail.dat: there are no lines with two numbers, y and z");
+  EXPECT_EQ(error_of(rows(head(), 1, 1), "x").find("x: neither the file nor its name says"), 0u);
+  EXPECT_EQ(error_of(rows(head(), 0.03, 0.03), "rail").find("rail: the profile is 2.2369 wide, neither in mm"), 0u);
+  EXPECT_EQ(error_of("1 2\n3 nan\n", "rail"), "rail:2: z: \"nan\" is not a finite number");
+  EXPECT_EQ(error_of("nan 2\n3 4\n", "rail"), "rail:1: y: \"nan\" is not a finite number");
+  EXPECT_EQ(error_of("1 2\n3 4e999\n", "rail"), "rail:2: z: \"4e999\" is not a finite number");
+  EXPECT_EQ(error_of("1 2\n3,,4\n", "rail"), "rail:2: z: \"\" is not a finite number");
+  EXPECT_EQ(error_of("1 2\n\n3\n", "rail"), "rail:3: one number, \"3\", not y and z");
+  EXPECT_EQ(error_of(simpack("rotat = 1", rows(head(), 1, -1)) + "x").find("a.prr:"), 0u);
+
+  const auto whole = simpack("units.len.f = 1000", rows(head(), 1, -1));
+  EXPECT_EQ(error_of(whole.substr(0, whole.size() / 2 - 3)).find("a.prr"), 0u);
+  EXPECT_EQ(error_of(whole.substr(0, whole.find("  point.end"))),
+            "a.prr: the file ends before point.end; is it truncated?");
+  EXPECT_EQ(error_of(simpack("units.len.f = 1000", "")),
+            "a.prr: there are no points between point.begin and point.end");
+  EXPECT_EQ(error_of(simpack("units.len.f = 0", rows(head(), 1, -1))), "a.prr: units.len.f = 0: must be positive");
+  EXPECT_EQ(error_of(simpack("shift.y = left", "")), "a.prr:6: shift.y: \"left\" is not a finite number");
+  EXPECT_EQ(error_of(simpack("", "1 2 3 4\n")), "a.prr:8: 4 fields, not y, z and perhaps a weight");
+  EXPECT_EQ(error_of(simpack("units.len.f = 1000", "1 2\n1 2\n1 2\n1 2\n1 2\n")), // one point, again and again
+            "a.prr: 1 point left: a profile needs at least 4");
+  // Metres where the file says mm, and the other way round.
+  EXPECT_NE(error_of(simpack("units.len.f = 1000", rows(head(), 1e-3, -1e-3))).find("is the unit of length right?"),
+            std::string::npos);
+  EXPECT_NE(error_of(simpack("units.len.f = 1", rows(head(), 1, -1))).find("is the unit of length right?"),
+            std::string::npos);
+  EXPECT_EQ(error_of(whole, "a.prr", {.role = ProfileRole::wheel}), "a.prr: is the profile of a rail, not of a wheel");
+  EXPECT_EQ(error_of("ColumnDef=A,B\n\n1 2\n", "a.ban"), "a.ban: ColumnDef = \"A,B\" has no X or no Y");
+  EXPECT_EQ(error_of("Rail=low\n\n1 2\n3 x\n", "a.ban"), "a.ban:4: a coordinate: \"x\" is not a finite number");
+  EXPECT_EQ(error_of("Rail=low\n\n", "a.ban"), "a.ban: there are no points");
+  EXPECT_EQ(error_of("ColumnDef=X,A,Y\n\n1 2\n", "a.ban"), "a.ban:3: 2 numbers, but column 3 is needed");
+}
+
+TEST(ProfileFile, SuggestsTheKeyThatWasMeant) {
+  const auto prepared = parse_profile(simpack("units.len.f = 1000\nmiror.y = 0", rows(head(), 1, -1)), "a.prr");
+  EXPECT_TRUE(is_named(prepared.report.warnings, "unknown key \"miror.y\"; did you mean mirror.y?"));
+}
+
+/// The result of two mirrors is none: what the file asks for and what the options say of it.
+TEST(ProfileFile, MirroredTwiceIsNotMirrored) {
+  const auto text = simpack("units.len.f = 1000\nmirror.y = 1", rows(head(), 1, -1));
+  expect_points(parse_profile(text, "x", {.y_axis = LateralSense::gauge}).profile, head(), "twice");
+}
+
+TEST(ProfileFile, ReadsFilesAndNamesThoseThatCannotBe) {
+  const TemporaryFolder folder;
+  const auto error = [](const fs::path& path) -> std::string {
+    try {
+      read_profile(path);
+    } catch (const Error& caught) {
+      return caught.what();
+    }
+    return "no error";
+  };
+  std::ofstream(folder / "rail.txt") << rows(head(), 1, 1);
+  EXPECT_EQ(read_profile(folder / "rail.txt").report.source, (folder / "rail.txt").string());
+  EXPECT_NE(error(folder / "none.prr").find("none.prr: cannot be read: No such file"), std::string::npos);
+  EXPECT_NE(error(folder.path()).find("it is a folder"), std::string::npos);
+  std::ofstream(folder / "large.prr") << std::string((16u << 20) + 1, '1');
+  EXPECT_NE(error(folder / "large.prr").find("is larger than 16 MiB"), std::string::npos);
+}
+
+/// A file that another program rewrites while it is read gives one of its states as a whole, or an error.
+TEST(ProfileFile, NoticesThatAFileChangesWhileItIsRead) {
+  const TemporaryFolder folder;
+  const auto path = folder / "rail.txt";
+  const auto text = "61\n" + rows(head(), 1, 1);
+  std::ofstream(path) << text;
+  std::atomic<bool> stop = false;
+  std::thread writer([&] {
+    while (!stop) std::ofstream(path) << text;
+  });
+  int read = 0, refused = 0;
+  for (int k = 0; k < 300; ++k) {
+    try {
+      expect_points(read_profile(path).profile, head(), "whole");
+      ++read;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("rail.txt"), std::string::npos);
+      ++refused;
+    }
+  }
+  stop = true;
+  writer.join();
+  EXPECT_EQ(read + refused, 300);
+}
+
+TEST(ProfileFile, ReadsTheFilesOfOtherPrograms) {
+  const fs::path shared = fs::path(MICROSLIP_SOURCE_DIR) / "../shared";
+  if (!fs::exists(shared)) GTEST_SKIP() << shared << " is absent";
+  int read = 0;
+  for (const auto* folder :
+       {"contact-cases", "contact-cases/wheel-rail/profiles", "contact-cases/wheel-rail/profiles/cross_nose"})
+    for (const auto& entry : fs::directory_iterator(shared / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".prr" && ending != ".prw" && ending != ".ban" && ending != ".whl") continue;
+      const auto prepared = read_profile(entry.path());
+      EXPECT_EQ(prepared.profile.role(), ending == ".prr" || ending == ".ban" ? ProfileRole::rail : ProfileRole::wheel);
+      ++read;
+    }
+  EXPECT_GE(read, 30);
+  for (const auto* name : {"rail.dat", "wheel_a.dat", "wheel_b.dat"})
+    EXPECT_TRUE(read_profile(shared / "data/en15302" / name).report.warnings.empty()) << name;
+
+  // The same rail, as Simpack and as MiniProf, whose file has some points as comments.
+  const auto one = read_profile(shared / "contact-cases/MBench_UIC60_v3.prr").profile;
+  const auto other = read_profile(shared / "contact-cases/MBench_UIC60_v3.ban").profile;
+  EXPECT_NEAR(one.length(), other.length(), 2e-7);
+  for (int k = 0; k <= 100; ++k) {
+    const auto a = one.at(one.length() * k / 100).value, b = other.at(other.length() * k / 100).value;
+    EXPECT_LT(std::hypot(a.y - b.y, a.z - b.z), 2e-7);
+  }
+}
+
+} // namespace
+} // namespace microslip
