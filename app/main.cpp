@@ -8,6 +8,7 @@
 #include "app/manual.hpp"
 #include "app/option_text.hpp"
 #include "app/plot.hpp"
+#include "app/profile.hpp"
 #include "app/run.hpp"
 #include "app/solve.hpp"
 #include "app/usage_error.hpp"
@@ -39,6 +40,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_batch_command(program, exit_code);
   add_init_command(program);
   add_run_command(program, exit_code);
+  add_profile_command(program);
   add_plot_command(program, exit_code);
   add_convert_command(program, exit_code);
   add_validate_command(program, exit_code);

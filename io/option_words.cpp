@@ -26,6 +26,10 @@ template <> constexpr auto words_of<ElementShape> = std::array<Word, 2>{"constan
 template <> constexpr auto words_of<Coupling> = std::array<Word, 2>{"newton", "alternating"};
 template <> constexpr auto words_of<SlipStart> = std::array<Word, 2>{"below", "above"};
 template <> constexpr auto words_of<ContactMotion> = std::array<Word, 3>{"shift", "transient", "steady"};
+template <> constexpr auto words_of<ProfileRole> = std::array<Word, 2>{"rail", "wheel"};
+template <> constexpr auto words_of<ProfileFormat> = std::array<Word, 3>{"simpack", "miniprof", "columns"};
+template <> constexpr auto words_of<LateralSense> = std::array<Word, 2>{"field", "gauge"};
+template <> constexpr auto words_of<VerticalSense> = std::array<Word, 2>{"up", "down"};
 
 } // namespace
 
@@ -54,6 +58,10 @@ template std::span<const std::string_view> option_words<Discretisation>();
 template std::span<const std::string_view> option_words<ElementShape>();
 template std::span<const std::string_view> option_words<Coupling>();
 template std::span<const std::string_view> option_words<SlipStart>();
+template std::span<const std::string_view> option_words<ProfileRole>();
+template std::span<const std::string_view> option_words<ProfileFormat>();
+template std::span<const std::string_view> option_words<LateralSense>();
+template std::span<const std::string_view> option_words<VerticalSense>();
 template std::string_view to_word(Theory);
 template std::string_view to_word(TractionBound);
 template std::string_view to_word(FlexibilityModel);
@@ -65,6 +73,10 @@ template std::string_view to_word(Discretisation);
 template std::string_view to_word(ElementShape);
 template std::string_view to_word(Coupling);
 template std::string_view to_word(SlipStart);
+template std::string_view to_word(ProfileRole);
+template std::string_view to_word(ProfileFormat);
+template std::string_view to_word(LateralSense);
+template std::string_view to_word(VerticalSense);
 template Theory from_word(std::string_view, std::string_view);
 template TractionBound from_word(std::string_view, std::string_view);
 template FlexibilityModel from_word(std::string_view, std::string_view);
@@ -76,6 +88,10 @@ template Discretisation from_word(std::string_view, std::string_view);
 template ElementShape from_word(std::string_view, std::string_view);
 template Coupling from_word(std::string_view, std::string_view);
 template SlipStart from_word(std::string_view, std::string_view);
+template ProfileRole from_word(std::string_view, std::string_view);
+template ProfileFormat from_word(std::string_view, std::string_view);
+template LateralSense from_word(std::string_view, std::string_view);
+template VerticalSense from_word(std::string_view, std::string_view);
 
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;

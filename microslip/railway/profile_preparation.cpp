@@ -56,12 +56,13 @@ public:
     check_shape();
     const auto kinks = find_kinks(points_, treatment_.kinks);
     report_.noise = estimate_noise(points_);
+    const auto measured = points_;
     smooth(kinks);
     warn();
     report_.points = points_.size();
     Profile profile(role_, points_, kinks);
     list_kinks(profile, kinks);
-    return {std::move(profile), std::move(report_)};
+    return {std::move(profile), measured, std::move(report_)};
   }
 
 private:

@@ -26,6 +26,7 @@ struct ProfileTreatment {
 /// A profile and how it came about.
 struct PreparedProfile {
   Profile profile;
+  std::vector<ProfilePoint> measured; ///< the points in its axes before smoothing, one for each of the profile
   ProfileReport report;
 };
 

@@ -16,6 +16,7 @@ from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
 from microslip.model_problem_picture import model_problem_pictures
 from microslip.picture_style import SETTINGS, THEORIES
+from microslip.profile_picture import profile_pictures
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
@@ -26,6 +27,7 @@ PICTURES_OF_KIND = {
     "fastsim2-table1": fastsim2_table1_pictures,
     "fastsim2-table2": fastsim2_table2_pictures,
     "model-problem": model_problem_pictures,
+    "profile": profile_pictures,
     "refinement": refinement_pictures,
     "subsurface": subsurface_pictures,
 }

@@ -1,0 +1,322 @@
+#include "app/profile.hpp"
+
+#include "app/command_line.hpp"
+#include "app/hertz.hpp"
+#include "app/interrupt.hpp"
+#include "app/json_document.hpp"
+#include "app/option_text.hpp"
+#include "app/pictures.hpp"
+#include "app/profile_options.hpp"
+#include "app/quantity_table.hpp"
+#include "io/output_file.hpp"
+#include "io/profile_writer.hpp"
+#include "io/result_file.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ProfileArguments {
+  fs::path file, folder, converted;
+  std::string role;
+  ProfileOptions options = {};
+  std::vector<double> tape_line; ///< one value, if given
+  double gauge_height = 0.014;
+  bool no_pictures = false, json = false;
+};
+
+/// What the command finds of a profile.
+struct ProfileFindings {
+  PreparedProfile prepared;
+  std::optional<WheelDimensions> wheel;
+  std::optional<GaugePoint> gauge;
+};
+
+ProfileFindings find(const ProfileArguments& arguments) {
+  std::optional<ProfileRole> role;
+  if (!arguments.role.empty()) role = from_word<ProfileRole>("--role", arguments.role);
+  ProfileFindings findings{read_profile(arguments.file, file_options(arguments.options, role)), {}, {}};
+  const auto& profile = findings.prepared.profile;
+  if (profile.role() == ProfileRole::wheel)
+    findings.wheel = wheel_dimensions(profile, arguments.tape_line.empty() ? default_tape_line(profile)
+                                                                           : arguments.tape_line.front());
+  else
+    findings.gauge = gauge_point(profile, arguments.gauge_height);
+  return findings;
+}
+
+// The table
+
+void add_length(QuantityTable& table, const std::string& name, const std::optional<double>& length) {
+  length ? table.add(name, *length * 1e3, "mm") : table.add(name, std::vector<std::string>{"not reached"});
+}
+
+void add_dimensions(QuantityTable& table, const ProfileFindings& findings) {
+  if (findings.wheel) {
+    table.add("y of the tape line", findings.wheel->tape_line * 1e3, "mm");
+    add_length(table, "flange height Sh", findings.wheel->flange_height);
+    add_length(table, "flange thickness Sd", findings.wheel->flange_thickness);
+    add_length(table, "flange gradient qR", findings.wheel->flange_gradient);
+  }
+  if (findings.gauge) {
+    table.add("y of the gauge point", findings.gauge->point.y * 1e3, "mm",
+              findings.gauge->reaches_height ? "" : "the profile ends above the gauge's height");
+    table.add("z of the gauge point", findings.gauge->point.z * 1e3, "mm");
+    table.add("y of the top", findings.gauge->top.y * 1e3, "mm");
+    table.add("z of the top", findings.gauge->top.z * 1e3, "mm");
+  }
+}
+
+void print_table(const ProfileFindings& findings) {
+  const auto& [profile, measured, report] = findings.prepared;
+  QuantityTable table(fmt::format("{}, {}", to_string(profile.role()), report.format));
+  table.add("points read", static_cast<double>(report.points_read), "-");
+  table.add("points of the spline", static_cast<double>(report.points), "-");
+  table.add("length of the curve", profile.length() * 1e3, "mm");
+  table.add("kinks", static_cast<double>(report.kinks.size()), "-");
+  table.add("scatter of the points", report.noise.deviation * 1e6, "um");
+  table.add("scatter of curvature", report.noise.curvature, "1/m");
+  add_dimensions(table, findings);
+  table.print();
+}
+
+void print_list(const std::string& heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  fmt::print("\n{}\n", heading);
+  for (const auto& line : lines) fmt::print("  {}\n", line);
+}
+
+std::vector<std::string> kink_lines(const std::vector<ProfileKink>& kinks) {
+  std::vector<std::string> lines;
+  for (const auto& kink : kinks)
+    lines.push_back(fmt::format("({:.4g}, {:.4g}) mm, by {:.3g} deg", kink.point.y * 1e3, kink.point.z * 1e3,
+                                kink.angle * 180 / std::numbers::pi));
+  return lines;
+}
+
+void print_text(const ProfileFindings& findings) {
+  const auto& report = findings.prepared.report;
+  if (!report.comment.empty()) fmt::print("{}\n\n", report.comment);
+  print_table(findings);
+  print_list("Done to the points", report.steps);
+  print_list("Assumed, since neither the file nor an option says it", report.assumptions);
+  print_list("Kinks", kink_lines(report.kinks));
+}
+
+// The document
+
+Json json_point(const ProfilePoint& point) {
+  return {{"y", json_number(point.y)}, {"z", json_number(point.z)}};
+}
+
+Json json_length(const std::optional<double>& length) {
+  return length ? json_number(*length) : Json();
+}
+
+Json dimensions_document(const ProfileFindings& findings) {
+  auto document = Json::object();
+  if (findings.wheel) {
+    document["tape_line"] = json_number(findings.wheel->tape_line);
+    document["flange_height"] = json_length(findings.wheel->flange_height);
+    document["flange_thickness"] = json_length(findings.wheel->flange_thickness);
+    document["flange_gradient"] = json_length(findings.wheel->flange_gradient);
+  }
+  if (findings.gauge) {
+    document["gauge_point"] = json_point(findings.gauge->point);
+    document["reaches_gauge_height"] = findings.gauge->reaches_height;
+    document["top"] = json_point(findings.gauge->top);
+  }
+  return document;
+}
+
+void print_document(const ProfileArguments& arguments, const ProfileFindings& findings,
+                    const std::vector<std::string>& files) {
+  const auto& [profile, measured, report] = findings.prepared;
+  auto document = json_document("profile");
+  document["input"] = arguments.file.string();
+  document["format"] = report.format;
+  document["role"] = to_string(profile.role());
+  document["comment"] = report.comment;
+  document["unit"] = json_number(report.unit);
+  document["points_read"] = report.points_read;
+  document["points"] = report.points;
+  document["length"] = json_number(profile.length());
+  document["smoothing_length"] = json_number(report.smoothing_length);
+  document["noise"] = {{"deviation", json_number(report.noise.deviation)},
+                       {"curvature", json_number(report.noise.curvature)},
+                       {"smoothing_length", json_number(report.noise.smoothing_length)}};
+  document["dimensions"] = dimensions_document(findings);
+  auto kinks = Json::array();
+  for (const auto& kink : report.kinks)
+    kinks.push_back({{"y", json_number(kink.point.y)},
+                     {"z", json_number(kink.point.z)},
+                     {"s", json_number(kink.s)},
+                     {"angle", json_number(kink.angle)}});
+  document["kinks"] = kinks;
+  document["steps"] = report.steps;
+  document["assumptions"] = report.assumptions;
+  document["warnings"] = report.warnings;
+  document["files"] = files;
+  print_json(document);
+}
+
+// Files
+
+/// Coordinates of points and curve as arrays of one file.
+class CurveWriter {
+public:
+  explicit CurveWriter(ResultFile& file) : file_(file) {}
+
+  void points(const std::string& group, const std::vector<ProfilePoint>& points, const std::string& of) {
+    std::vector<double> y, z;
+    for (const auto& p : points) {
+      y.push_back(p.y);
+      z.push_back(p.z);
+    }
+    file_.array(group + "/y", y, "m", "y of " + of + ", to the field side");
+    file_.array(group + "/z", z, "m", "z of " + of + ", up");
+  }
+
+  /// Three stations of each piece, none at a joint where the third derivative jumps or at a kink.
+  void curve(const Profile& profile) {
+    std::vector<ProfilePoint> values;
+    std::vector<double> s, angle, curvature;
+    for (const auto& piece : profile.pieces())
+      for (const double t : {1 / 6., 3 / 6., 5 / 6.}) {
+        s.push_back(piece.start + t * piece.length);
+        const auto [value, first, second] = piece.at(s.back());
+        values.push_back(value);
+        angle.push_back(std::atan2(first.z, first.y));
+        curvature.push_back((first.y * second.z - first.z * second.y) / std::pow(std::hypot(first.y, first.z), 3));
+      }
+    points("curve", values, "the spline");
+    file_.array("curve/s", s, "m", "length along the polygon through the points, from the gauge side");
+    file_.array("curve/angle", angle, "rad", "inclination of the curve, counted from y towards z");
+    file_.array("curve/curvature", curvature, "1/m", "curvature, positive where the curve turns from y towards z");
+  }
+
+private:
+  ResultFile& file_;
+};
+
+void write_points_of_interest(const ProfileFindings& findings, ResultFile& file) {
+  if (findings.wheel) {
+    const auto& wheel = *findings.wheel;
+    file.scalar("dimensions/tape_line", wheel.tape_line, "m", "y of the tape line");
+    const auto write = [&](const char* name, const std::optional<double>& value, const char* what) {
+      if (value) file.scalar(std::string("dimensions/") + name, *value, "m", what);
+    };
+    write("flange_height", wheel.flange_height, "flange height Sh (EN 15313)");
+    write("flange_thickness", wheel.flange_thickness, "flange thickness Sd (EN 15313)");
+    write("flange_gradient", wheel.flange_gradient, "flange gradient qR (EN 15313)");
+  }
+  if (findings.gauge) {
+    file.scalar("dimensions/gauge_y", findings.gauge->point.y, "m", "y of the gauge point");
+    file.scalar("dimensions/gauge_z", findings.gauge->point.z, "m", "z of the gauge point");
+  }
+}
+
+void write_result(const ProfileArguments& arguments, const ProfileFindings& findings, const fs::path& path) {
+  const InterruptGuard guard;
+  create_folder(arguments.folder);
+  ResultFile file(path, {.kind = "profile",
+                         .title = arguments.file.filename().string(),
+                         .command_line = command_line(),
+                         .case_file = arguments.file.string()});
+  const auto& prepared = findings.prepared;
+  file.text("role", std::string(to_string(prepared.profile.role())), "rail or wheel");
+  CurveWriter curves(file);
+  curves.points("measured", prepared.measured, "the points before smoothing");
+  curves.curve(prepared.profile);
+  std::vector<ProfilePoint> kinks;
+  for (const auto& kink : prepared.report.kinks) kinks.push_back(kink.point);
+  if (!kinks.empty()) curves.points("kinks", kinks, "the kinks");
+  write_points_of_interest(findings, file);
+  file.commit();
+  InterruptGuard::throw_if_interrupted();
+}
+
+void convert(const ProfileArguments& arguments, const PreparedProfile& prepared) {
+  const auto format = format_of_ending(arguments.converted, prepared.profile.role());
+  OutputFile file(arguments.converted);
+  file.write(profile_text(prepared.profile, format, prepared.report.comment));
+  file.commit();
+}
+
+std::vector<std::string> write_files(const ProfileArguments& arguments, const ProfileFindings& findings) {
+  std::vector<std::string> files;
+  if (!arguments.converted.empty()) {
+    convert(arguments, findings.prepared);
+    files.push_back(arguments.converted.string());
+  }
+  if (arguments.folder.empty()) return files;
+  const auto path = arguments.folder / "result.h5";
+  write_result(arguments, findings, path);
+  files.push_back(path.string());
+  if (arguments.no_pictures) return files;
+  const auto pictures = draw_pictures(path, arguments.folder);
+  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
+  files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+  return files;
+}
+
+void run(const ProfileArguments& arguments) {
+  const auto findings = find(arguments);
+  if (!arguments.json) print_text(findings);
+  const auto files = write_files(arguments, findings);
+  if (arguments.json)
+    print_document(arguments, findings, files);
+  else
+    print_list("Written", files);
+  print_warnings(arguments.file.string(), findings.prepared.report.warnings);
+}
+
+} // namespace
+
+void add_profile_command(CLI::App& program) {
+  auto* command = program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail");
+  const auto arguments = std::make_shared<ProfileArguments>();
+  command->add_option("FILE", arguments->file, "Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("-o,--output", arguments->folder, "folder for result.h5 and profile.png; default: none is written")
+      ->type_name("FOLDER");
+  command->add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
+  command
+      ->add_option("--convert", arguments->converted,
+                   "write the spline's points as .prr, .prw, .ban, .whl, or columns with any other ending")
+      ->type_name("OUT");
+  command->add_option("--role", arguments->role, "what it is; default: by the file or its name")
+      ->type_name(choices<ProfileRole>());
+  add_profile_options(*command, arguments->options);
+  command->add_option("--tape-line", arguments->tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
+      ->expected(1)
+      ->type_name("Y");
+  command->add_option("--gauge-height", arguments->gauge_height, "where a rail's gauge is measured, below its top [m]")
+      ->type_name("HEIGHT")
+      ->capture_default_str();
+  add_json_flag(*command, arguments->json);
+  command->footer("Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, "
+                  "and the flange's\n"
+                  "dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. With --json the same "
+                  "in SI units.\n"
+                  "Axes of a profile: y to the field side, z up.\n\n"
+                  "Example:\n  microslip profile examples/profiles/s1002.prw -o results/s1002");
+  command->callback([arguments] { run(*arguments); });
+}
+
+} // namespace microslip

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// Adds `microslip profile`, which reads, checks, draws and converts the profile of a wheel or rail.
+void add_profile_command(CLI::App& program);
+
+} // namespace microslip

@@ -1,0 +1,57 @@
+#include "app/profile_options.hpp"
+
+#include "app/option_text.hpp"
+#include "microslip/error.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace microslip {
+namespace {
+
+constexpr auto unit_words = std::to_array<std::string_view>({"mm", "m", "in"});
+
+double length_of(const std::string& field, const std::string& word) {
+  require_word(field, word, unit_words);
+  return word == "mm" ? 1e-3 : word == "m" ? 1 : 0.0254;
+}
+
+} // namespace
+
+void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& prefix, const std::string& of) {
+  options.prefix = "--" + prefix;
+  const auto add = [&](const char* name, auto& value, const std::string& what, const std::string& type) {
+    return command.add_option(options.prefix + name, value, what)->type_name(type);
+  };
+  add("format", options.format, "grammar of " + of + "; default: by its first lines and its name",
+      choices<ProfileFormat>());
+  add("unit", options.unit, "unit of length in " + of + "; default: what it says, else by its width", "mm|m|in");
+  add("scale", options.scale, "factor by which the profile is enlarged", "FACTOR");
+  add("y-axis", options.y_axis, "side to which y runs in " + of + "; default: by its format or the flange",
+      choices<LateralSense>());
+  add("z-axis", options.z_axis, "where z is positive in " + of + "; default: by its format or the shape",
+      choices<VerticalSense>());
+  add("section", options.section, "which profile of several in a MiniProf .mpt file, from 1", "N");
+  add("trim", options.trim, "drop the ends with y outside Y1 to Y2 [m]", "Y1 Y2")->expected(2);
+  add("smoothing-length", options.smoothing_length, "wavelength [m] of which smoothing leaves half; 0: none", "LENGTH");
+}
+
+ProfileFileOptions file_options(const ProfileOptions& options, std::optional<ProfileRole> role) {
+  const auto name = [&](const char* option) { return options.prefix + option; };
+  ProfileFileOptions result;
+  result.role = role;
+  if (!options.format.empty()) result.format = from_word<ProfileFormat>(name("format"), options.format);
+  if (!options.unit.empty()) result.unit = length_of(name("unit"), options.unit);
+  if (!options.y_axis.empty()) result.y_axis = from_word<LateralSense>(name("y-axis"), options.y_axis);
+  if (!options.z_axis.empty()) result.z_axis = from_word<VerticalSense>(name("z-axis"), options.z_axis);
+  result.scale = require_positive(name("scale"), options.scale, "-");
+  result.section = require_count(name("section"), options.section, 1, 10000);
+  if (options.trim.size() == 2) {
+    result.treatment.y_min = require_finite(name("trim"), options.trim[0], "m");
+    result.treatment.y_max = require_finite(name("trim"), options.trim[1], "m");
+  }
+  result.treatment.smoothing_length = require_between(name("smoothing-length"), options.smoothing_length, "m", 0, 1);
+  return result;
+}
+
+} // namespace microslip

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "io/profile_file.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace microslip {
+
+/// The points of a profile's spline as the text of a file, in mm: Simpack with z down, MiniProf with x to the gauge
+/// side for rails, to the field side for wheels and y down, columns in the profile's own axes. Numbers read back to
+/// 1e-15 m. A comment may have no line ends and, for Simpack, no quotes.
+std::string profile_text(const Profile& profile, ProfileFormat format, const std::string& comment = "");
+
+/// The format of a file by its ending: .prr, .prw, .ban and .whl, columns for others. Throws Error for the ending of
+/// the other role.
+ProfileFormat format_of_ending(const std::filesystem::path& path, ProfileRole role);
+
+} // namespace microslip

@@ -1,0 +1,68 @@
+"""The profile of a wheel or rail: its curve with the points, inclination and curvature along it."""
+
+import numpy as np
+
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, heading, new_figure, open_axes
+
+
+def profile_pictures(result):
+    """The picture of a result file of kind profile, by file name."""
+    y, z, s, angle, curvature = result.arrays([f"/curve/{name}" for name in ("y", "z", "s", "angle", "curvature")])
+    figure = new_figure(9, 8.5)
+    figure.suptitle(heading(result.text("/role"), result))
+    shape, inclination, bend = figure.subplots(3, 1, height_ratios=(2.6, 1, 1))
+    draw_shape(shape, result, y, z)
+    inclination.plot(1e3 * s, np.degrees(np.unwrap(angle)), color=BLUE, linewidth=1.4)
+    inclination.set_ylabel("inclination [deg]")
+    bend.plot(1e3 * s, curvature, color=BLUE, linewidth=1)
+    bend.set_ylabel("curvature [1/m]")
+    bend.set_ylim(*robust_range(curvature))
+    bend.set_xlabel("length along the curve from the gauge side [mm]")
+    for axes in (inclination, bend):
+        open_axes(axes)
+        axes.set_xlim(0, 1e3 * s[-1])
+        mark_kinks(axes, result, y, z, s)
+    return {"profile.png": figure}
+
+
+def draw_shape(axes, result, y, z):
+    """The curve to scale, the points it was laid through or smoothed from, kinks, and what is measured on it."""
+    open_axes(axes)
+    points = result.arrays(["/measured/y", "/measured/z"])
+    axes.plot(*(1e3 * values for values in points), ".", color=ORANGE, markersize=3, label="points")
+    axes.plot(1e3 * y, 1e3 * z, color=BLUE, linewidth=1.4, label="spline")
+    if "kinks" in result:
+        axes.plot(*(1e3 * values for values in result.arrays(["/kinks/y", "/kinks/z"])), "D", color=VERMILION,
+                  markersize=6, markerfacecolor="none", label="kinks")
+    if "dimensions/tape_line" in result:
+        axes.axvline(1e3 * result.number("/dimensions/tape_line"), color=GREEN, linestyle="--", linewidth=1, label="tape line")
+    if "dimensions/gauge_y" in result:
+        axes.plot(*(1e3 * result.number(f"/dimensions/gauge_{axis}") for axis in "yz"), "o", color=GREEN, markersize=7,
+                  markerfacecolor="none", markeredgewidth=1.6, label="gauge point")
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_xlabel("y [mm], to the field side")
+    axes.set_ylabel("z [mm], up")
+    axes.legend(loc="best")
+    axes.text(0.01, 0.02, dimensions_text(result), transform=axes.transAxes, fontsize=9, color=BLACK, va="bottom")
+
+
+def dimensions_text(result):
+    """The flange's dimensions in a line, as far as the file has them."""
+    names = {"flange_height": "Sh", "flange_thickness": "Sd", "flange_gradient": "qR"}
+    return ", ".join(f"{symbol} {1e3 * result.number(f'/dimensions/{name}'):.2f} mm" for name, symbol in names.items()
+                     if f"dimensions/{name}" in result)
+
+
+def robust_range(values):
+    """Limits that show all but the two percent at either end of noisy or nearly singular values, with a margin."""
+    low, high = np.quantile(values, (0.02, 0.98))
+    margin = 0.3 * (high - low) or 1.0
+    return low - margin, high + margin
+
+
+def mark_kinks(axes, result, y, z, s):
+    """A line where the direction of the curve jumps."""
+    if "kinks" not in result:
+        return
+    for kink_y, kink_z in zip(*result.arrays(["/kinks/y", "/kinks/z"])):
+        axes.axvline(1e3 * s[np.argmin(np.hypot(y - kink_y, z - kink_z))], color=GREY, linestyle=":", linewidth=1)
