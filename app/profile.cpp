@@ -169,6 +169,17 @@ void print_document(const ProfileArguments& arguments, const ProfileFindings& fi
   document["steps"] = report.steps;
   document["assumptions"] = report.assumptions;
   document["warnings"] = report.warnings;
+  document["units"] = {{"unit", "m"},
+                       {"length", "m"},
+                       {"smoothing_length", "m"},
+                       {"noise/deviation", "m"},
+                       {"noise/curvature", "1/m"},
+                       {"noise/smoothing_length", "m"},
+                       {"dimensions", "m"},
+                       {"kinks/y", "m"},
+                       {"kinks/z", "m"},
+                       {"kinks/s", "m"},
+                       {"kinks/angle", "rad"}};
   document["files"] = files;
   print_json(document);
 }

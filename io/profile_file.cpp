@@ -159,7 +159,8 @@ private:
     if (file_.y_axis) return *file_.y_axis;
     const int sense = sense_of_shape(role, file_.points).y; // z is up by now
     if (sense != 0) {
-      assume(std::string("y runs to the ") + (sense > 0 ? "field" : "gauge") + " side, by the place of the flange");
+      assume(std::string("y runs to the ") + (sense > 0 ? "field" : "gauge") + " side, by " +
+             (role == ProfileRole::wheel ? "the place of the flange" : "the side that reaches further down"));
       return sense > 0 ? LateralSense::field : LateralSense::gauge;
     }
     const bool to_gauge = format_ == ProfileFormat::miniprof;

@@ -207,6 +207,14 @@ TEST(ProfileFile, DecidesWhatColumnsLeaveOpenAndSaysSo) {
       is_named(parse_profile(rows(wheel(), 1, -1), "x", {.role = ProfileRole::wheel, .z_axis = VerticalSense::up})
                    .report.warnings,
                "is z mirrored"));
+  // Of a rail the side that is measured further down is the gauge side.
+  auto deep = head();
+  for (int k = 1; k <= 10; ++k) deep.insert(deep.begin(), {deep.front().y, deep.front().z - 1});
+  for (const double y : {1., -1.}) {
+    const auto rail = parse_profile(rows(deep, y, -1), "rail.csv");
+    EXPECT_TRUE(is_named(rail.report.assumptions, "by the side that reaches further down"));
+    expect_points(rail.profile, deep, "deep rail");
+  }
   const auto scaled = parse_profile(rows(head(), 1, 1), "rail", {.scale = 2});
   EXPECT_NEAR(scaled.profile.at(0).value.y * 1e3, 2 * head()[0].y, 1e-9);
 }

@@ -118,7 +118,7 @@ TEST(ProfilePreparation, NamesWhatLooksWrong) {
   points = head();
   points.resize(120); // the field side is missing
   for (auto& p : points) p.y = -p.y;
-  EXPECT_TRUE(is_named(warnings(ProfileRole::rail, points), "field side reaches down"));
+  EXPECT_TRUE(is_named(warnings(ProfileRole::rail, points), "the field side reaches further down"));
   std::mt19937 random(1);
   std::normal_distribution<double> error(0, 5e-6);
   points = head(400);

@@ -703,8 +703,8 @@ TEST(Program, SolvesExtremeCases) {
 
 TEST(Program, ExplainsItself) {
   const TemporaryFolder folder;
-  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "run ", "plot ", "convert ", "validate ",
-                              "completion ", "manual "}) {
+  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "run ", "plot ", "profile ", "convert ",
+                              "validate ", "completion ", "manual "}) {
     const auto outcome = run_program(folder, command + std::string("--help"));
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.output.find("\nExample:\n  "), std::string::npos) << outcome.output;
@@ -733,6 +733,7 @@ TEST(Program, HelpNamesUnitsAndDefaults) {
   expect_text("init", {"default: case.toml"});
   expect_text("run", {"default: results"});
   expect_text("plot", {"[mm]", "[1/m]", "default: beside RESULT.h5", "pressure|bound|"});
+  expect_text("profile", {"[m]", "[mm]", "rail|wheel", "default: 0.014"});
   expect_text("convert", {"default: results"});
   expect_text("validate", {"default: results", "default: all", "1 to 1024"});
 }

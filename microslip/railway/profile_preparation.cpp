@@ -230,10 +230,12 @@ private:
     if (sense.z < 0)
       report_.warnings.emplace_back(is_wheel ? "the flange points up: is z mirrored, or is this a rail?"
                                              : "the head is lower than its sides: is z mirrored, or is this a wheel?");
-    if (sense.y < 0) report_.warnings.emplace_back("the flange is at the field side: is y mirrored?");
+    if (sense.y < 0)
+      report_.warnings.emplace_back(is_wheel ? "the flange is at the field side: is y mirrored?"
+                                             : "the field side reaches further down than the gauge side: is y "
+                                               "mirrored?");
     if (is_wheel && sense.z == 0) report_.warnings.emplace_back("no flange is to be seen: is this a rail?");
     warn_of_lowest_point(is_wheel && sense.z > 0);
-    if (!is_wheel) warn_of_gauge_side();
   }
 
   /// That of a wheel is the flange's tip, behind which the curve rises again; that of a rail is at an end.
@@ -245,14 +247,6 @@ private:
     const double depth = std::min(points_.front().z, points_.back().z) - low->z;
     if (role_ == ProfileRole::rail && is_inner && depth > least_flange)
       report_.warnings.push_back("the profile is lowest at " + in_mm(*low) + ", not at an end: is this a wheel?");
-  }
-
-  /// Rails are measured down to the gauge corner and beyond, and less far at the field side.
-  void warn_of_gauge_side() {
-    constexpr double clearly = 5e-3;
-    if (points_.back().z < points_.front().z - clearly)
-      report_.warnings.push_back("the field side reaches down " + in_mm(points_.front().z - points_.back().z) +
-                                 " further than the gauge side: is y mirrored?");
   }
 
   void warn_of_extent() {
@@ -314,7 +308,7 @@ int head_sense(std::span<const ProfilePoint> points, double left, double width) 
   std::size_t in_middle = 0, at_ends = 0;
   for (const auto& p : points) {
     const double t = (p.y - left) / width;
-    if (t > 0.25 && t < 0.75) {
+    if (t >= 0.25 && t <= 0.75) {
       middle += p.z;
       ++in_middle;
     } else if (t < 0.1 || t > 0.9) {
@@ -327,12 +321,28 @@ int head_sense(std::span<const ProfilePoint> points, double left, double width) 
   return std::abs(rise) < 0.01 * width ? 0 : rise > 0 ? 1 : -1;
 }
 
+/// By how far the outer fifths reach down, where z has this sense.
+int gauge_side_sense(std::span<const ProfilePoint> points, double left, double width, int z_sense) {
+  constexpr double clearly = 5e-3;
+  double lowest_left = std::numeric_limits<double>::infinity(), lowest_right = lowest_left;
+  for (const auto& p : points) {
+    const double t = (p.y - left) / width;
+    if (t < 0.2) lowest_left = std::min(lowest_left, z_sense * p.z);
+    if (t > 0.8) lowest_right = std::min(lowest_right, z_sense * p.z);
+  }
+  return lowest_left < lowest_right - clearly ? 1 : lowest_right < lowest_left - clearly ? -1 : 0;
+}
+
 } // namespace
 
 ShapeSense sense_of_shape(ProfileRole role, std::span<const ProfilePoint> points) {
   if (points.empty()) return {};
   const auto [left, right] = std::minmax_element(points.begin(), points.end(), less_in_y);
-  if (role == ProfileRole::rail) return {0, head_sense(points, left->y, right->y - left->y)};
+  if (role == ProfileRole::rail) {
+    const double width = right->y - left->y;
+    const int z = head_sense(points, left->y, width);
+    return {z == 0 ? 0 : gauge_side_sense(points, left->y, width, z), z};
+  }
   const ProfilePoint* tip = nullptr;
   const int z = flange_sense(points, tip);
   return {z == 0 ? 0 : tip->y < (left->y + right->y) / 2 ? 1 : -1, z};

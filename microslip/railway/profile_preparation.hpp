@@ -31,8 +31,8 @@ struct PreparedProfile {
 };
 
 /// Which way the axes of points run by their shape alone: 1 as the profile's axes do, -1 opposite, 0 not to be told.
-/// z by the flange of a wheel or by the convex head of a rail, y by the side on which a wheel has its flange; the shape
-/// of a rail says nothing of y.
+/// z by the flange of a wheel or by the convex head of a rail; y by the side on which a wheel has its flange, or on
+/// which the profile of a rail reaches further down by more than 5 mm: rails are measured down to the gauge face.
 struct ShapeSense {
   int y = 0, z = 0;
 };

@@ -1,0 +1,121 @@
+// `microslip profile`: the report, its document, the result file, conversion, and what is refused.
+
+#include "io/json.hpp"
+#include "io/profile_file.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
+#include "paths.hpp"
+#include "tests/hdf5_reader.hpp"
+#include "tests/program_run.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/profiles/s1002.prw";
+const std::string rail = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
+
+Json document(const TemporaryFolder& folder, const std::string& arguments) {
+  const auto outcome = run_program(folder, "profile " + arguments + " --json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  return Json::parse(outcome.output);
+}
+
+TEST(ProgramProfile, PrintsTheDimensions) {
+  const TemporaryFolder folder;
+  const auto printed = run_program(folder, "profile " + wheel);
+  EXPECT_EQ(printed.exit_code, 0);
+  EXPECT_EQ(printed.errors, "");
+  for (const auto* text : {"wheel, Simpack", "flange thickness Sd           32.5 mm", "turned round"})
+    EXPECT_NE(printed.output.find(text), std::string::npos) << text << "\n" << printed.output;
+  EXPECT_TRUE(folder.entries().empty());
+  EXPECT_NE(run_program(folder, "profile " + rail).output.find("y of the gauge point"), std::string::npos);
+}
+
+TEST(ProgramProfile, DocumentHasTheNumbersOfTheLibrary) {
+  const TemporaryFolder folder;
+  const auto profile = read_profile(wheel).profile;
+  const auto dimensions = wheel_dimensions(profile, 0.001);
+  const auto json = document(folder, wheel + " --tape-line 0.001");
+  EXPECT_EQ(json.at("kind"), "profile");
+  EXPECT_EQ(json.at("role"), "wheel");
+  EXPECT_EQ(json.at("length"), profile.length());
+  EXPECT_EQ(json.at("dimensions").at("tape_line"), 0.001);
+  EXPECT_EQ(json.at("dimensions").at("flange_height"), *dimensions.flange_height);
+  EXPECT_EQ(json.at("dimensions").at("flange_gradient"), *dimensions.flange_gradient);
+  EXPECT_TRUE(json.at("assumptions").empty());
+  EXPECT_EQ(json.at("steps").size(), 2u);
+  const auto gauge = document(folder, rail + " --gauge-height 0.016").at("dimensions").at("gauge_point");
+  EXPECT_EQ(gauge.at("y"), gauge_point(read_profile(rail).profile, 0.016).point.y);
+}
+
+TEST(ProgramProfile, ResultFileHasTheCurve) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program(folder, "profile " + rail + " --smoothing-length 0.004 -o out --no-pictures").exit_code, 0);
+  const Hdf5Reader file(folder / "out/result.h5");
+  const auto y = file.values<double>("curve/y", H5T_NATIVE_DOUBLE),
+             z = file.values<double>("curve/z", H5T_NATIVE_DOUBLE);
+  const auto curvature = file.values<double>("curve/curvature", H5T_NATIVE_DOUBLE);
+  ASSERT_EQ(y.size(), 3 * read_profile(rail).profile.pieces().size());
+  bool has_top = false;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    EXPECT_LT(std::abs(y[k]), 0.037);
+    EXPECT_LE(z[k], 1e-9);
+    if (std::abs(y[k]) > 2e-3) continue;
+    has_top = true;
+    EXPECT_NEAR(curvature[k], -1 / 0.3, 2e-3);
+  }
+  EXPECT_TRUE(has_top);
+  EXPECT_EQ(file.values<double>("measured/y", H5T_NATIVE_DOUBLE).size(), y.size() / 3 + 1);
+  EXPECT_EQ(file.attribute("curve/curvature", "unit"), "1/m");
+}
+
+TEST(ProgramProfile, ConvertsThereAndBack) {
+  const TemporaryFolder folder;
+  const auto expect_same = [&](const std::string& source, const std::string& name, ProfileRole role) {
+    const auto written = run_program(folder, "profile " + source + " --convert " + name);
+    EXPECT_EQ(written.exit_code, 0) << written.errors;
+    const auto one = read_profile(source);
+    const auto other = read_profile(folder / name, {.role = role});
+    ASSERT_EQ(one.profile.pieces().size(), other.profile.pieces().size()) << name;
+    EXPECT_EQ(one.profile.kinks().size(), other.profile.kinks().size()) << name;
+    for (std::size_t k = 0; k < one.profile.pieces().size(); ++k) {
+      EXPECT_NEAR(one.profile.pieces()[k].c[0].y, other.profile.pieces()[k].c[0].y, 1e-15) << name;
+      EXPECT_NEAR(one.profile.pieces()[k].c[0].z, other.profile.pieces()[k].c[0].z, 1e-15) << name;
+    }
+    if (other.report.format != "columns") {
+      EXPECT_EQ(one.report.comment, other.report.comment);
+    }
+  };
+  for (const auto* name : {"a.prw", "a.WHL", "profile.txt"}) expect_same(wheel, name, ProfileRole::wheel);
+  for (const auto* name : {"a.prr", "a.ban", "profile.csv"}) expect_same(rail, name, ProfileRole::rail);
+}
+
+TEST(ProgramProfile, WarnsOnStandardErrorAndRefusesInOneLine) {
+  const TemporaryFolder folder;
+  save(folder / "rail.txt", "-40 -10\n-20 0\n20 0\n40 -10\n");
+  const auto flipped = run_program(folder, "profile rail.txt --z-axis down");
+  EXPECT_EQ(flipped.exit_code, 0);
+  EXPECT_NE(flipped.errors.find("microslip: warning: rail.txt: the head is lower than its sides"), std::string::npos);
+  const auto expect_refused = [&](const std::string& arguments, const std::string& text) {
+    const auto outcome = run_program(folder, "profile " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.errors.find(text), std::string::npos) << outcome.errors;
+  };
+  expect_refused("none.prr", "none.prr: cannot be read");
+  expect_refused(wheel + " --role rail", "is the profile of a wheel, not of a rail");
+  expect_refused("rail.txt --unit cm", "--unit = \"cm\": must be mm, m or in");
+  expect_refused("rail.txt --y-axis feild", "did you mean field?");
+  expect_refused("rail.txt --scale 0", "--scale = 0 [-]: must be positive");
+  expect_refused("rail.txt --smoothing-length 2", "--smoothing-length = 2 [m]: must be in [0, 1]");
+  expect_refused("rail.txt --gauge-height -1", "gauge_height = -1 [m]: must be positive");
+  expect_refused("rail.txt --trim 0.1 0.2", "no point has y within");
+  expect_refused("rail.txt --convert a.prw", ".prw is for the profile of a wheel, this is a rail");
+}
+
+} // namespace
+} // namespace microslip
