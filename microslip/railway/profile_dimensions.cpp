@@ -66,9 +66,10 @@ double extreme(const Profile& profile, Coordinate coordinate, double first, doub
       best_value = value;
     }
   };
-  for (std::size_t k = profile.piece_at(first); k <= profile.piece_at(last); ++k)
-    for (const double t : monotone_parts(profile.pieces()[k], coordinate).ends())
-      consider(profile.pieces()[k].start + t);
+  for (std::size_t k = profile.piece_at(first); k <= profile.piece_at(last); ++k) {
+    const auto parts = monotone_parts(profile.pieces()[k], coordinate);
+    for (const double t : parts.ends()) consider(profile.pieces()[k].start + t);
+  }
   consider(last);
   return best;
 }
