@@ -12,6 +12,8 @@ namespace {
 constexpr double right_angle = std::numbers::pi / 2;
 /// [rad], inclinations that differ by less everywhere on two arcs count as equal.
 constexpr double parallel = 1e-9;
+/// [rad], [m], rounding of inclinations and places.
+constexpr double rounding = 1e-13;
 /// Halvings of an arc after which the sign of a derivative need not be proven any more.
 constexpr int finest = 40;
 
@@ -178,8 +180,7 @@ struct Traversal {
     const bool wheel_rises = sine_between(w.p0, w.p1) >= 0, rail_rises = sine_between(r.p0, r.p1) >= 0;
     const auto &wheel_low = wheel_rises ? w.p0 : w.p1, &wheel_high = wheel_rises ? w.p1 : w.p0;
     const auto &rail_low = rail_rises ? r.p0 : r.p1, &rail_high = rail_rises ? r.p1 : r.p0;
-    constexpr double slack = 1e-14;
-    if (sine_between(wheel_high, rail_low) > slack || sine_between(rail_high, wheel_low) > slack) return;
+    if (sine_between(wheel_high, rail_low) > rounding || sine_between(rail_high, wheel_low) > rounding) return;
 
     Range speed, turn, rail_speed, rail_turn;
     wheel_arcs.bound_derivatives(w.arc, w.u0, w.u1, speed, turn);
@@ -195,8 +196,7 @@ struct Traversal {
                                 : Range{-1e9, 1e9};
     Range rail_y = (r.v1 - r.v0) * rail_dy + r.p0.y;
     if (rail_cosine.low >= 0) rail_y = Range::between(r.p0.y, r.p1.y);
-    constexpr double slack_y = 1e-15;
-    if (!wheel_y.meets({rail_y.low - slack_y, rail_y.high + slack_y})) return;
+    if (!wheel_y.meets({rail_y.low - rounding, rail_y.high + rounding})) return;
 
     const Range difference = turn * rail_dy - dy * rail_turn;
     const bool one_way = known && speed.low >= 0 && cosine.low > 0 && rail_cosine.low > 0;
@@ -271,7 +271,6 @@ struct Traversal {
     const double ub = b <= r.p1.y ? w.u1 : wheel_over(w, r.p1.y), vb = b <= r.p1.y ? rail_under(r, b) : r.v1;
     const auto difference = [&](double u, double v) { return sine_between(rail.at(r.arc, v), wheel_at(w.arc, u)); };
     double low = difference(ua, va), high = difference(ub, vb);
-    constexpr double rounding = 1e-15;
     if (std::abs(low) <= rounding) low = 0;
     if (std::abs(high) <= rounding) high = 0;
     if (low * high > 0) return;
@@ -337,9 +336,9 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   std::sort(points_.begin(), points_.end(),
             [](const ContactPoint& a, const ContactPoint& b) { return a.wheel_arc < b.wheel_arc; });
   // at the joints of arcs a place may be found from both sides
-  constexpr double same = 1e-11;
+  constexpr double same = 1e-9;
   const auto repeated = std::unique(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
-    return std::abs(a.s_wheel - b.s_wheel) < same && std::abs(a.s_rail - b.s_rail) < same;
+    return a.minimum == b.minimum && std::abs(a.s_wheel - b.s_wheel) < same && std::abs(a.s_rail - b.s_rail) < same;
   });
   points_.erase(repeated, points_.end());
   for (ContactPoint& p : points_) {

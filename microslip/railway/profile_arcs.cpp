@@ -10,6 +10,8 @@ namespace microslip {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
+/// [m], [rad], of places and angles.
+constexpr double rounding = 1e-13;
 
 /// c0 + c1 t + c2 t^2
 using Quadratic = std::array<double, 3>;
@@ -146,6 +148,10 @@ void ProfileArcs::build(std::size_t first, std::size_t count) {
       node.z.include(end.place.z);
     }
     node.alpha = Range::between(arc.alpha[0], arc.alpha[1]);
+    // arcs that join must not leave a gap of rounding between them
+    node.y = {node.y.low - rounding, node.y.high + rounding};
+    node.z = {node.z.low - rounding, node.z.high + rounding};
+    node.alpha = {node.alpha.low - rounding, node.alpha.high + rounding};
   }
   node.sine = {std::sin(node.alpha.low), std::sin(node.alpha.high)};
   node.tangent = {std::tan(node.alpha.low), std::tan(node.alpha.high)};
