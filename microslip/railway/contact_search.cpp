@@ -1,7 +1,6 @@
 #include "microslip/railway/contact_search.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/railway/wheel_locus.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -63,45 +62,12 @@ template <class A, class B> double sine_between(const A& a, const B& b) {
   return a.cosine * b.sine - a.sine * b.cosine;
 }
 
-/// The bounds of a part of the wheel's locus.
-struct LocusBounds {
-  Range y, z, inclination;
-};
-
 /// delta - delta0 at the angle alpha of the profile, sin(delta - delta0) = sin(alpha)/c, on the branch of alpha.
 double inclination_at(double alpha, double sine, double across) {
   if (across == 1) return alpha;
   const double branch = std::round(alpha / std::numbers::pi);
   const double angle = std::asin(std::clamp(sine / across, -1.0, 1.0));
   return branch * std::numbers::pi + (std::fmod(branch, 2) == 0 ? angle : -angle);
-}
-
-LocusBounds bounds_of(const WheelLocus<double>& locus, const ArcNode& node, double level) {
-  const auto& [origin, axes] = locus.wheel();
-  LocusBounds bounds;
-  bounds.inclination = {level + inclination_at(node.alpha.low, node.sine[0], locus.across()),
-                        level + inclination_at(node.alpha.high, node.sine[1], locus.across())};
-  // tau = beta + sigma with sin sigma = -e_x tan(alpha)/hypot(a1, a3), where a1, a3 are the components of the track's x
-  // axis across the axle
-  const double a1 = axes.ex.x, a3 = axes.ez.x, in_wheel = std::hypot(a1, a3);
-  const bool one_branch =
-      std::round(node.alpha.low / std::numbers::pi) == std::round(node.alpha.high / std::numbers::pi);
-  Range sine{-1, 1};
-  if (one_branch || axes.ey.x == 0) {
-    const double factor = -axes.ey.x / in_wheel;
-    sine = factor == 0 ? Range{0, 0}
-                       : Range::between(std::clamp(factor * node.tangent[0], -1.0, 1.0),
-                                        std::clamp(factor * node.tangent[1], -1.0, 1.0));
-  }
-  Range cosine = Range::between(std::sqrt(1 - sine.low * sine.low), std::sqrt(1 - sine.high * sine.high));
-  if (sine.holds(0)) cosine.high = 1;
-  const Range tau_sine = (a1 / in_wheel) * sine + (a3 / in_wheel) * cosine;
-  const Range tau_cosine = (a1 / in_wheel) * cosine + (-a3 / in_wheel) * sine;
-  const Range rho{locus.radius() - node.z.high, locus.radius() - node.z.low};
-  const Range ahead = rho * tau_sine, below = rho * tau_cosine;
-  bounds.y = axes.ex.y * ahead + axes.ey.y * node.y + (-axes.ez.y) * below + origin.y;
-  bounds.z = axes.ex.z * ahead + axes.ey.z * node.y + (-axes.ez.z) * below + origin.z;
-  return bounds;
 }
 
 /// The zero of a monotone function between a and b, where it has opposite signs or is zero: Newton's method within a
@@ -151,11 +117,58 @@ struct Traversal {
     RailCurve::Point p0, p1;
   };
 
-  LocusPoint<double> wheel_at(const ProfileArc& arc, double u) const {
-    return locus.at(u == 0 ? arc.ends[0] : u == 1 ? arc.ends[1] : wheel_arcs.at(arc, u));
+  ContactSearch::LocusBounds bounds_of(const ArcNode& node) const {
+    const auto& [origin, axes] = locus.wheel();
+    ContactSearch::LocusBounds bounds;
+    bounds.inclination = {level + inclination_at(node.alpha.low, node.sine[0], locus.across()),
+                          level + inclination_at(node.alpha.high, node.sine[1], locus.across())};
+    // tau = beta + sigma with sin sigma = -e_x tan(alpha)/hypot(a1, a3), where a1, a3 are the components of the track's
+    // x axis across the axle
+    const double a1 = axes.ex.x, a3 = axes.ez.x, in_wheel = std::hypot(a1, a3);
+    const bool one_branch =
+        std::round(node.alpha.low / std::numbers::pi) == std::round(node.alpha.high / std::numbers::pi);
+    Range sine{-1, 1};
+    if (one_branch || axes.ey.x == 0) {
+      const double factor = -axes.ey.x / in_wheel;
+      sine = factor == 0 ? Range{0, 0}
+                         : Range::between(std::clamp(factor * node.tangent[0], -1.0, 1.0),
+                                          std::clamp(factor * node.tangent[1], -1.0, 1.0));
+    }
+    Range cosine = Range::between(std::sqrt(1 - sine.low * sine.low), std::sqrt(1 - sine.high * sine.high));
+    if (sine.holds(0)) cosine.high = 1;
+    const Range tau_sine = (a1 / in_wheel) * sine + (a3 / in_wheel) * cosine;
+    const Range tau_cosine = (a1 / in_wheel) * cosine + (-a3 / in_wheel) * sine;
+    const Range rho{locus.radius() - node.z.high, locus.radius() - node.z.low};
+    const Range ahead = rho * tau_sine, below = rho * tau_cosine;
+    bounds.y = axes.ex.y * ahead + axes.ey.y * node.y + (-axes.ez.y) * below + origin.y;
+    bounds.z = axes.ex.z * ahead + axes.ey.z * node.y + (-axes.ez.z) * below + origin.z;
+    return bounds;
   }
 
-  void visit(std::size_t w, const LocusBounds& wheel, std::size_t r) {
+  LocusPoint<double> wheel_at(const ProfileArc& arc, double u) const {
+    if (u == 0 || u == 1) return ends(arc)[u == 0 ? 0 : 1];
+    return locus.at(wheel_arcs.at(arc, u));
+  }
+
+  const std::array<LocusPoint<double>, 2>& ends(const ProfileArc& arc) const {
+    const auto k = static_cast<std::size_t>(&arc - wheel_arcs.arcs().data());
+    if (search.ends_of_[k] != search.search_) {
+      search.ends_of_[k] = search.search_;
+      search.ends_[k] = {locus.at(arc.ends[0]), locus.at(arc.ends[1])};
+    }
+    return search.ends_[k];
+  }
+
+  const ContactSearch::LocusBounds& bounds(std::size_t node) const {
+    if (search.bounds_of_[node] != search.search_) {
+      search.bounds_of_[node] = search.search_;
+      search.bounds_[node] = bounds_of(wheel_arcs.nodes()[node]);
+    }
+    return search.bounds_[node];
+  }
+
+  void visit(std::size_t w, std::size_t r) {
+    const ContactSearch::LocusBounds& wheel = bounds(w);
     const ArcNode& rail_node = rail_arcs.nodes()[r];
     Range inclination = rail.inclination(rail_node);
     inclination = {std::max(inclination.low, -right_angle), std::min(inclination.high, right_angle)};
@@ -168,10 +181,9 @@ struct Traversal {
       pair({wheel_arc, 0, 1, wheel_at(wheel_arc, 0), wheel_at(wheel_arc, 1)},
            {rail_arc, 0, 1, rail.at(rail_arc, 0), rail.at(rail_arc, 1)}, 0);
     } else if (rail_node.count == 1 || (wheel_node.count > 1 && wheel_node.count >= rail_node.count)) {
-      for (const std::size_t half : {w + 1, wheel_node.second})
-        visit(half, bounds_of(locus, wheel_arcs.nodes()[half], level), r);
+      for (const std::size_t half : {w + 1, wheel_node.second}) visit(half, r);
     } else {
-      for (const std::size_t half : {r + 1, rail_node.second}) visit(w, wheel, half);
+      for (const std::size_t half : {r + 1, rail_node.second}) visit(w, half);
     }
   }
 
@@ -182,9 +194,11 @@ struct Traversal {
     const auto &rail_low = rail_rises ? r.p0 : r.p1, &rail_high = rail_rises ? r.p1 : r.p0;
     if (sine_between(wheel_high, rail_low) > rounding || sine_between(rail_high, wheel_low) > rounding) return;
 
-    Range speed, turn, rail_speed, rail_turn;
-    wheel_arcs.bound_derivatives(w.arc, w.u0, w.u1, speed, turn);
-    rail_arcs.bound_derivatives(r.arc, r.v0, r.v1, rail_speed, rail_turn);
+    Range speed = w.arc.speed, turn = w.arc.turn, rail_speed = r.arc.speed, rail_turn = r.arc.turn;
+    if (depth > 0) {
+      wheel_arcs.bound_derivatives(w.arc, w.u0, w.u1, speed, turn);
+      rail_arcs.bound_derivatives(r.arc, r.v0, r.v1, rail_speed, rail_turn);
+    }
     const Range cosine = between_angles(w.p0.cosine, w.p0.sine, w.p1.cosine, w.p1.sine);
     const Range rail_cosine = between_angles(r.p0.cosine, r.p0.sine, r.p1.cosine, r.p1.sine);
     bool known = w.p0.exists && w.p1.exists;
@@ -198,8 +212,15 @@ struct Traversal {
     if (rail_cosine.low >= 0) rail_y = Range::between(r.p0.y, r.p1.y);
     if (!wheel_y.meets({rail_y.low - rounding, rail_y.high + rounding})) return;
 
-    const Range difference = turn * rail_dy - dy * rail_turn;
     const bool one_way = known && speed.low >= 0 && cosine.low > 0 && rail_cosine.low > 0;
+    if (one_way && dy.low > 0 && rail_dy.low > 0) {
+      // the difference of inclinations where both have the same y, from that of the first ends
+      const Range common{std::max(wheel_y.low, rail_y.low), std::min(wheel_y.high, rail_y.high)};
+      const Range change = turn / dy * (common + -w.p0.place.y) - rail_turn / rail_dy * (common + -r.p0.y);
+      const Range left = change + std::asin(sine_between(r.p0, w.p0));
+      if (left.low > rounding || left.high < -rounding) return;
+    }
+    const Range difference = turn * rail_dy - dy * rail_turn;
     const bool at_corner = r.arc.length == 0;
     if (depth >= finest || (one_way && (at_corner || !difference.holds(0)))) {
       if (at_corner)
@@ -216,7 +237,8 @@ struct Traversal {
 
   /// Speed and turn of the locus from those of the profile; false where they are not bounded.
   bool lean_on(const WheelPart& w, Range& speed, Range& turn) const {
-    const ArcPoint a = wheel_arcs.at(w.arc, w.u0), b = wheel_arcs.at(w.arc, w.u1);
+    const ArcPoint a = w.u0 == 0 ? w.arc.ends[0] : wheel_arcs.at(w.arc, w.u0);
+    const ArcPoint b = w.u1 == 1 ? w.arc.ends[1] : wheel_arcs.at(w.arc, w.u1);
     const Range cosine = between_angles(a.cosine, a.sine, b.cosine, b.sine);
     if (cosine.low <= 0) return false;
     const Range square{1 - locus.lean() / (cosine.low * cosine.low), 1 - locus.lean() / (cosine.high * cosine.high)};
@@ -317,6 +339,10 @@ struct Traversal {
 ContactSearch::ContactSearch(const Profile& rail, const Profile& wheel) : rail_(rail), wheel_(wheel) {
   if (rail.role() != ProfileRole::rail) throw Error("contact search: the first profile must be a rail's");
   if (wheel.role() != ProfileRole::wheel) throw Error("contact search: the second profile must be a wheel's");
+  bounds_.resize(wheel_.nodes().size());
+  bounds_of_.resize(bounds_.size());
+  ends_.resize(wheel_.arcs().size());
+  ends_of_.resize(ends_.size());
   points_.reserve(256);
   regions_.reserve(32);
 }
@@ -329,8 +355,9 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   turned_.wheel.frame = seen_from(placement.wheel.frame, view);
   points_.clear();
   regions_.clear();
+  ++search_;
   Traversal traversal{*this, approach};
-  traversal.visit(0, bounds_of(traversal.locus, wheel_.nodes()[0], traversal.level), 0);
+  traversal.visit(0, 0);
 
   std::erase_if(points_, [&](const ContactPoint& p) { return p.gap > traversal.lowest + approach; });
   std::sort(points_.begin(), points_.end(),

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "microslip/railway/profile_arcs.hpp"
+#include "microslip/railway/wheel_locus.hpp"
 #include "microslip/railway/wheel_placement.hpp"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -64,7 +67,16 @@ private:
   friend struct Traversal;
   friend struct LocusWalk;
 
+  /// Bounds of a part of the wheel's locus.
+  struct LocusBounds {
+    Range y, z, inclination;
+  };
+
   ProfileArcs rail_, wheel_;
+  std::vector<LocusBounds> bounds_;                     ///< of the wheel's nodes in the search of the same number
+  std::vector<std::array<LocusPoint<double>, 2>> ends_; ///< of the wheel's arcs, likewise
+  std::vector<std::uint64_t> bounds_of_, ends_of_;      ///< numbers of searches
+  std::uint64_t search_ = 0;
   WheelPlacement<double> turned_; ///< the placement of the last search, in axes that turn with the view
   double view_ = 0;
   std::vector<ContactPoint> points_;

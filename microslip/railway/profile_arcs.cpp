@@ -97,12 +97,13 @@ ProfileArcs::ProfileArcs(Profile profile) : profile_(std::move(profile)) {
   }
   if (rail ? alpha > -outward : alpha < -outward)
     add_corner(profile_.length(), pieces.size() - 1, Corner::end, alpha, -outward);
+  for (ProfileArc& arc : arcs_) bound_derivatives(arc, 0, 1, arc.speed, arc.turn);
   nodes_.reserve(2 * arcs_.size());
   build(0, arcs_.size());
 }
 
 void ProfileArcs::add_corner(double s, std::size_t piece, Corner corner, double from, double to) {
-  ProfileArc arc{s, 0, piece, corner, {}, {from, to}};
+  ProfileArc arc{s, 0, piece, corner, {}, {from, to}, {}, {}};
   arc.ends[0].place = profile_.pieces()[piece].at(s).value;
   arc.ends = {at(arc, 0), at(arc, 1)};
   arcs_.push_back(arc);
@@ -117,7 +118,7 @@ void ProfileArcs::add_piece(std::size_t k, double& alpha) {
   std::sort(cuts.begin(), cuts.end());
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     if (!(cuts[i + 1] > cuts[i])) continue;
-    ProfileArc arc{piece.start + cuts[i], cuts[i + 1] - cuts[i], k, Corner::none, {}, {}};
+    ProfileArc arc{piece.start + cuts[i], cuts[i + 1] - cuts[i], k, Corner::none, {}, {}, {}, {}};
     arc.ends = {at(arc, 0), at(arc, 1)};
     arc.alpha[0] = nearest(angle_of(arc.ends[0]), alpha);
     arc.alpha[1] = nearest(angle_of(arc.ends[1]), arc.alpha[0]);

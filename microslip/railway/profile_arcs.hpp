@@ -34,6 +34,7 @@ struct ProfileArc {
   Corner corner = Corner::none;
   std::array<ArcPoint, 2> ends; ///< at u = 0 and 1
   std::array<double, 2> alpha;  ///< at both ends [rad], continuous from arc to arc
+  Range speed, turn;            ///< bounds of the derivatives on the whole arc
 };
 
 /// The bounds of consecutive arcs. In arrays of nodes the first half follows its node at once.
