@@ -336,45 +336,6 @@ struct Traversal {
   }
 };
 
-ContactSearch::ContactSearch(const Profile& rail, const Profile& wheel) : rail_(rail), wheel_(wheel) {
-  if (rail.role() != ProfileRole::rail) throw Error("contact search: the first profile must be a rail's");
-  if (wheel.role() != ProfileRole::wheel) throw Error("contact search: the second profile must be a wheel's");
-  bounds_.resize(wheel_.nodes().size());
-  bounds_of_.resize(bounds_.size());
-  ends_.resize(wheel_.arcs().size());
-  ends_of_.resize(ends_.size());
-  points_.reserve(256);
-  regions_.reserve(32);
-}
-
-std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& placement, double approach,
-                                                  double view) {
-  view_ = view;
-  turned_ = placement;
-  turned_.rail.frame = seen_from(placement.rail.frame, view);
-  turned_.wheel.frame = seen_from(placement.wheel.frame, view);
-  points_.clear();
-  regions_.clear();
-  ++search_;
-  Traversal traversal{*this, approach};
-  traversal.visit(0, 0);
-
-  std::erase_if(points_, [&](const ContactPoint& p) { return p.gap > traversal.lowest + approach; });
-  std::sort(points_.begin(), points_.end(),
-            [](const ContactPoint& a, const ContactPoint& b) { return a.wheel_arc < b.wheel_arc; });
-  // at the joints of arcs a place may be found from both sides
-  constexpr double same = 1e-9;
-  const auto repeated = std::unique(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
-    return a.minimum == b.minimum && std::abs(a.s_wheel - b.s_wheel) < same && std::abs(a.s_rail - b.s_rail) < same;
-  });
-  points_.erase(repeated, points_.end());
-  for (ContactPoint& p : points_) {
-    p.place = rotation_about_x(view) * p.place;
-    p.inclination += view;
-  }
-  return points_;
-}
-
 /// Follows the locus of a search over the rail.
 struct LocusWalk {
   const ContactSearch& search;
@@ -496,6 +457,52 @@ struct LocusWalk {
     return std::clamp(distance / std::max(arc.length, 1e-6), 0.01, 1000.0);
   }
 };
+
+ContactSearch::ContactSearch(const Profile& rail, const Profile& wheel) : rail_(rail), wheel_(wheel) {
+  if (rail.role() != ProfileRole::rail) throw Error("contact search: the first profile must be a rail's");
+  if (wheel.role() != ProfileRole::wheel) throw Error("contact search: the second profile must be a wheel's");
+  bounds_.resize(wheel_.nodes().size());
+  bounds_of_.resize(bounds_.size());
+  ends_.resize(wheel_.arcs().size());
+  ends_of_.resize(ends_.size());
+  points_.reserve(256);
+  regions_.reserve(32);
+}
+
+std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& placement, double approach,
+                                                  double view) {
+  view_ = view;
+  turned_ = placement;
+  turned_.rail.frame = seen_from(placement.rail.frame, view);
+  turned_.wheel.frame = seen_from(placement.wheel.frame, view);
+  points_.clear();
+  regions_.clear();
+  ++search_;
+  Traversal traversal{*this, approach};
+  // the smallest gap is at most that of any place: that of the last search leaves little to look at in a similar state
+  traversal.lowest = LocusWalk{*this}.at(nearest_arc_).gap + rounding;
+  traversal.visit(0, 0);
+
+  const auto nearest = std::min_element(points_.begin(), points_.end(),
+                                        [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
+  if (nearest == points_.end()) return {};
+  nearest_arc_ = nearest->wheel_arc;
+  const double limit = nearest->gap + approach;
+  std::erase_if(points_, [&](const ContactPoint& p) { return p.gap > limit; });
+  std::sort(points_.begin(), points_.end(),
+            [](const ContactPoint& a, const ContactPoint& b) { return a.wheel_arc < b.wheel_arc; });
+  // at the joints of arcs a place may be found from both sides
+  constexpr double same = 1e-9;
+  const auto repeated = std::unique(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
+    return a.minimum == b.minimum && std::abs(a.s_wheel - b.s_wheel) < same && std::abs(a.s_rail - b.s_rail) < same;
+  });
+  points_.erase(repeated, points_.end());
+  for (ContactPoint& p : points_) {
+    p.place = rotation_about_x(view) * p.place;
+    p.inclination += view;
+  }
+  return points_;
+}
 
 std::span<const ContactRegion> ContactSearch::regions(double lowering) {
   regions_.clear();

@@ -77,6 +77,7 @@ private:
   std::vector<std::array<LocusPoint<double>, 2>> ends_; ///< of the wheel's arcs, likewise
   std::vector<std::uint64_t> bounds_of_, ends_of_;      ///< numbers of searches
   std::uint64_t search_ = 0;
+  double nearest_arc_ = 0;        ///< place of the smallest gap in the last search
   WheelPlacement<double> turned_; ///< the placement of the last search, in axes that turn with the view
   double view_ = 0;
   std::vector<ContactPoint> points_;
