@@ -28,8 +28,8 @@ struct Range {
   friend Range operator+(const Range& a, double b) { return {a.low + b, a.high + b}; }
   friend Range operator-(const Range& a, const Range& b) { return {a.low - b.high, a.high - b.low}; }
   friend Range operator*(const Range& a, const Range& b) {
-    const auto [p, q] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-    return {p, q};
+    const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+    return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};
   }
   friend Range operator*(double f, const Range& a) { return between(f * a.low, f * a.high); }
   /// b must not hold 0.

@@ -62,12 +62,22 @@ template <class A, class B> double sine_between(const A& a, const B& b) {
   return a.cosine * b.sine - a.sine * b.cosine;
 }
 
-/// delta - delta0 at the angle alpha of the profile, sin(delta - delta0) = sin(alpha)/c, on the branch of alpha.
-double inclination_at(double alpha, double sine, double across) {
-  if (across == 1) return alpha;
+/// Bounds of delta - delta0 at the angle alpha of the profile, where sin(delta - delta0) = sin(alpha)/c. For small
+/// changes e = delta - delta0 - alpha from sin e = sin(alpha) (cos(alpha) - cos(delta - delta0) c)/c.
+Range inclination_at(double alpha, double sine, double cosine, double across) {
+  if (across == 1) return {alpha, alpha};
+  const double rest = across * across - sine * sine;
+  if (rest > 0) {
+    const double change = sine * (cosine - std::copysign(std::sqrt(rest), cosine)) / across;
+    if (std::abs(change) < 0.1) {
+      const double cubic = 0.2 * std::abs(change) * change * change;
+      return {alpha + change - cubic, alpha + change + cubic};
+    }
+  }
   const double branch = std::round(alpha / std::numbers::pi);
   const double angle = std::asin(std::clamp(sine / across, -1.0, 1.0));
-  return branch * std::numbers::pi + (std::fmod(branch, 2) == 0 ? angle : -angle);
+  const double all = branch * std::numbers::pi + (std::fmod(branch, 2) == 0 ? angle : -angle);
+  return {all, all};
 }
 
 /// The zero of a monotone function between a and b, where it has opposite signs or is zero: Newton's method within a
@@ -104,6 +114,7 @@ struct Traversal {
   RailCurve rail{rail_arcs, search.turned_.rail.frame};
   WheelLocus<double> locus{search.turned_.wheel.frame, search.turned_.radius};
   double level = std::atan2(locus.level_sine(), locus.level_cosine());
+  double in_wheel = std::hypot(search.turned_.wheel.frame.axes.ex.x, search.turned_.wheel.frame.axes.ez.x);
   double lowest = std::numeric_limits<double>::infinity();
 
   struct WheelPart {
@@ -120,22 +131,24 @@ struct Traversal {
   ContactSearch::LocusBounds bounds_of(const ArcNode& node) const {
     const auto& [origin, axes] = locus.wheel();
     ContactSearch::LocusBounds bounds;
-    bounds.inclination = {level + inclination_at(node.alpha.low, node.sine[0], locus.across()),
-                          level + inclination_at(node.alpha.high, node.sine[1], locus.across())};
+    const auto end = [&](std::size_t k, double alpha) {
+      return inclination_at(alpha, node.sine[k], node.cosine[k], locus.across());
+    };
+    bounds.inclination = {level + end(0, node.alpha.low).low, level + end(1, node.alpha.high).high};
     // tau = beta + sigma with sin sigma = -e_x tan(alpha)/hypot(a1, a3), where a1, a3 are the components of the track's
     // x axis across the axle
-    const double a1 = axes.ex.x, a3 = axes.ez.x, in_wheel = std::hypot(a1, a3);
-    const bool one_branch =
-        std::round(node.alpha.low / std::numbers::pi) == std::round(node.alpha.high / std::numbers::pi);
-    Range sine{-1, 1};
-    if (one_branch || axes.ey.x == 0) {
-      const double factor = -axes.ey.x / in_wheel;
-      sine = factor == 0 ? Range{0, 0}
-                         : Range::between(std::clamp(factor * node.tangent[0], -1.0, 1.0),
-                                          std::clamp(factor * node.tangent[1], -1.0, 1.0));
+    const double a1 = axes.ex.x, a3 = axes.ez.x;
+    Range sine{0, 0}, cosine{1, 1};
+    if (axes.ey.x != 0) {
+      sine = {-1, 1};
+      if (node.one_branch) {
+        const double factor = -axes.ey.x / in_wheel;
+        sine = Range::between(std::clamp(factor * node.tangent[0], -1.0, 1.0),
+                              std::clamp(factor * node.tangent[1], -1.0, 1.0));
+      }
+      cosine = Range::between(std::sqrt(1 - sine.low * sine.low), std::sqrt(1 - sine.high * sine.high));
+      if (sine.holds(0)) cosine.high = 1;
     }
-    Range cosine = Range::between(std::sqrt(1 - sine.low * sine.low), std::sqrt(1 - sine.high * sine.high));
-    if (sine.holds(0)) cosine.high = 1;
     const Range tau_sine = (a1 / in_wheel) * sine + (a3 / in_wheel) * cosine;
     const Range tau_cosine = (a1 / in_wheel) * cosine + (-a3 / in_wheel) * sine;
     const Range rho{locus.radius() - node.z.high, locus.radius() - node.z.low};

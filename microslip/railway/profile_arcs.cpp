@@ -155,6 +155,8 @@ void ProfileArcs::build(std::size_t first, std::size_t count) {
     node.alpha = {node.alpha.low - rounding, node.alpha.high + rounding};
   }
   node.sine = {std::sin(node.alpha.low), std::sin(node.alpha.high)};
+  node.cosine = {std::cos(node.alpha.low), std::cos(node.alpha.high)};
+  node.one_branch = std::round(node.alpha.low / std::numbers::pi) == std::round(node.alpha.high / std::numbers::pi);
   node.tangent = {std::tan(node.alpha.low), std::tan(node.alpha.high)};
   nodes_[place] = node;
 }

@@ -40,10 +40,11 @@ struct ProfileArc {
 /// The bounds of consecutive arcs. In arrays of nodes the first half follows its node at once.
 struct ArcNode {
   Range y, z, alpha;
-  std::array<double, 2> sine{}, tangent{}; ///< of both ends of alpha
-  std::size_t first = 0;                   ///< arc
-  std::size_t count = 0;                   ///< of arcs; 1 for a leaf
-  std::size_t second = 0;                  ///< index of the other half's node
+  std::array<double, 2> sine{}, cosine{}, tangent{}; ///< of both ends of alpha
+  bool one_branch = false;                           ///< whether alpha stays between two odd multiples of a right angle
+  std::size_t first = 0;                             ///< arc
+  std::size_t count = 0;                             ///< of arcs; 1 for a leaf
+  std::size_t second = 0;                            ///< index of the other half's node
 };
 
 /// A profile cut into monotone arcs, with a binary tree of their bounds. At the profile's ends corners turn its
