@@ -27,22 +27,26 @@ Profile conical_wheel(double inclination) {
   return Profile(ProfileRole::wheel, points);
 }
 
-TEST(Track, GaugePointOfARoundRailIsAsFarOutAsItsHeightSays) {
+/// Where the gauge point of the placed rail is in track axes, half the gauge from the middle.
+TEST(Track, PlacesTheGaugePointOfARoundRail) {
   const double r = 0.05, h = 0.014, y = std::sqrt(r * r - (r - h) * (r - h));
   for (const double cant : {0.0, 0.025, -0.05}) {
-    const GaugePoint point = gauge_point(round_rail(r, -1.2, 1.2), cant, h);
-    // the circle's centre lies r below the profile's origin and turns with it
-    EXPECT_NEAR(point.place.y, r * std::sin(cant) - y, 1e-10);
-    EXPECT_NEAR(point.top, r - r * std::cos(cant), 1e-10);
-    EXPECT_NEAR(point.place.z, point.top - h, 1e-10);
+    Track track;
+    track.cant = cant;
+    track.gauge_height = h;
+    const Frame<double> frame = place_rail(track, round_rail(r, -1.3, 1.2));
+    // the circle's centre lies r below the profile's origin, its gauge point y beside it and its top r above it
+    const Vec3<double> centre = frame.outer({0, 0, -r});
+    EXPECT_NEAR(centre.y, track.gauge / 2 + y, 1e-9);
+    EXPECT_NEAR(centre.z, -r, 1e-10);
   }
 }
 
 TEST(Track, GaugePointOfAnUndercutRailLiesAboveTheGaugeHeight) {
   const double r = 0.013;
-  const GaugePoint point = gauge_point(round_rail(r, -2, 1.2), 0, 0.016);
-  EXPECT_NEAR(point.place.y, -r, 1e-10);
-  EXPECT_NEAR(point.place.z, -r, 1e-5);
+  Track track;
+  track.gauge_height = 0.016;
+  EXPECT_NEAR(place_rail(track, round_rail(r, -2, 1.2)).origin.y, track.gauge / 2 + r, 1e-9);
 }
 
 TEST(Track, PlacesTheRailIndependentlyOfItsProfilesOrigin) {
@@ -59,9 +63,9 @@ TEST(Track, PlacesTheRailIndependentlyOfItsProfilesOrigin) {
 }
 
 TEST(Track, RefusesWhatItCannotPlace) {
-  expect_error([] { gauge_point(round_rail(0.05, -0.3, 1.2), 0, 0.014); }, "gauge_height", "at most");
-  EXPECT_THROW(gauge_point(round_rail(0.05, 0, 1.2), 0, 0.014), Error);
   Track track;
+  expect_error([&] { place_rail(track, round_rail(0.05, -0.3, 1.2)); }, "gauge_height", "at most");
+  EXPECT_THROW(place_rail(track, round_rail(0.05, 0, 1.2)), Error);
   track.gauge = -1.435;
   expect_error([&] { place_rail(track, round_rail(0.05, -1.2, 1.2)); }, "gauge", "[m]");
 }

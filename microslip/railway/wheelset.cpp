@@ -1,25 +1,23 @@
 #include "microslip/railway/wheelset.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/cubic_roots.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
+
+#include <cmath>
+#include <vector>
 
 namespace microslip {
 namespace {
 
 /// z where the profile has the lateral coordinate y.
 double height_at(const Profile& profile, double y) {
-  std::optional<double> height;
-  for (const ProfilePiece& piece : profile.pieces()) {
-    const CubicRoots roots = cubic_roots({piece.c[0].y - y, piece.c[1].y, piece.c[2].y, piece.c[3].y}, 0, piece.length);
-    for (const double t : roots) {
-      const double z = piece.at(piece.start + t).value.z;
-      if (height && std::abs(z - *height) > 1e-12)
-        throw Error("tape_circle", y, "m", "where the profile has one height");
-      height = z;
-    }
-  }
-  if (!height) throw Error("tape_circle", y, "m", "within the wheel's profile");
-  return *height;
+  const std::vector<double> places = crossings(profile, &ProfilePoint::y, y);
+  if (places.empty()) throw Error("tape_circle", y, "m", "within the wheel's profile");
+  const double height = profile.at(places.front()).value.z;
+  for (const double s : places)
+    if (std::abs(profile.at(s).value.z - height) > 1e-12)
+      throw Error("tape_circle", y, "m", "where the profile has one height");
+  return height;
 }
 
 } // namespace
