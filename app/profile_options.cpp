@@ -1,22 +1,10 @@
 #include "app/profile_options.hpp"
 
 #include "app/option_text.hpp"
+#include "io/length_unit.hpp"
 #include "microslip/error.hpp"
 
-#include <array>
-#include <string_view>
-
 namespace microslip {
-namespace {
-
-constexpr auto unit_words = std::to_array<std::string_view>({"mm", "m", "in"});
-
-double length_of(const std::string& field, const std::string& word) {
-  require_word(field, word, unit_words);
-  return word == "mm" ? 1e-3 : word == "m" ? 1 : 0.0254;
-}
-
-} // namespace
 
 void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& prefix, const std::string& of) {
   options.prefix = "--" + prefix;
@@ -41,7 +29,7 @@ ProfileFileOptions file_options(const ProfileOptions& options, std::optional<Pro
   ProfileFileOptions result;
   result.role = role;
   if (!options.format.empty()) result.format = from_word<ProfileFormat>(name("format"), options.format);
-  if (!options.unit.empty()) result.unit = length_of(name("unit"), options.unit);
+  if (!options.unit.empty()) result.unit = length_of_unit(name("unit"), options.unit);
   if (!options.y_axis.empty()) result.y_axis = from_word<LateralSense>(name("y-axis"), options.y_axis);
   if (!options.z_axis.empty()) result.z_axis = from_word<VerticalSense>(name("z-axis"), options.z_axis);
   result.scale = require_positive(name("scale"), options.scale, "-");

@@ -8,6 +8,7 @@
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
+#include "app/wheel_rail_tables.hpp"
 #include "cases/case_document.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "io/option_words.hpp"
@@ -192,7 +193,16 @@ void print_interior(const InteriorGrid& points, const std::vector<InteriorState>
   table.print();
 }
 
-RollingContactResult solve_with_progress(const RollingCase& input, const std::string& name) {
+std::string kind_of(const RollingCase&) {
+  return "rolling_contact";
+}
+std::string kind_of(const WheelRailCase&) {
+  return "wheel_rail";
+}
+
+// Input is a RollingCase or a WheelRailCase, Result what solve_case makes of it.
+
+template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
   const InterruptGuard guard;
   ProgressBar bar(name);
   auto result = solve_case(input, [&](double fraction) {
@@ -204,16 +214,18 @@ RollingContactResult solve_with_progress(const RollingCase& input, const std::st
   return result;
 }
 
-Provenance provenance_of(const SolveArguments& arguments, const RollingCase& input, const std::string& case_text) {
-  return {.kind = "rolling_contact",
+template <class Input>
+Provenance provenance_of(const SolveArguments& arguments, const Input& input, const std::string& case_text) {
+  return {.kind = kind_of(input),
           .title = input.title,
           .command_line = command_line(),
           .case_file = arguments.case_file.string(),
           .case_text = case_text};
 }
 
-void write(const SolveArguments& arguments, const RollingCase& input, const RollingContactResult& result,
-           const Provenance& provenance, const fs::path& file) {
+template <class Input, class Result>
+void write(const SolveArguments& arguments, const Input& input, const Result& result, const Provenance& provenance,
+           const fs::path& file) {
   const InterruptGuard guard;
   create_folder(arguments.folder);
   write_result(input, result, provenance, file);
@@ -234,8 +246,9 @@ void print_file(const fs::path& file) {
   std::fflush(stdout);
 }
 
-void print_document(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
-                    const fs::path& file, std::vector<std::string> pictures) {
+template <class Input, class Result>
+void print_document(const Input& input, const Result& result, const Provenance& provenance, const fs::path& file,
+                    std::vector<std::string> pictures) {
   Json document = case_document(input, result, provenance);
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
@@ -249,12 +262,8 @@ std::vector<std::string> draw(const fs::path& result_file, const fs::path& folde
   return pictures.files;
 }
 
-int solve(SolveArguments arguments) {
-  if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
-  const auto text = read_case_text(arguments.case_file);
-  const auto input = parse_case(text, arguments.case_file.string());
+template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
-
   if (!arguments.json) print_tables(input, result);
   const auto file = arguments.folder / "result.h5";
   const Provenance provenance = provenance_of(arguments, input, text);
@@ -271,10 +280,19 @@ int solve(SolveArguments arguments) {
   return ExitCode::not_met;
 }
 
+int solve(SolveArguments arguments) {
+  if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
+  const auto text = read_case_text(arguments.case_file);
+  const auto name = arguments.case_file.string();
+  if (is_wheel_rail_case(text, name)) return solve(arguments, parse_wheel_rail_case(text, name), text);
+  return solve(arguments, parse_case(text, name), text);
+}
+
 } // namespace
 
 void add_solve_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("solve", "Solve a case of rolling contact: forces, fields and pictures");
+  auto* command =
+      program.add_subcommand("solve", "Solve a wheel on a rail or a Hertzian contact: forces, fields and pictures");
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")
       ->required()
@@ -286,10 +304,13 @@ void add_solve_command(CLI::App& program, int& exit_code) {
   command->add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
   add_json_flag(*command, arguments->json);
   command->footer(
-      "Solves Hertz's problem and then the theory that the case file asks for; the exact theory and FASTSIM2 stand\n"
-      "side by side. Prints forces on body 1 [N], the moment [N m], areas [mm^2] and the frictional power [W]. Writes\n"
-      "result.h5 (SI) and tractions.png, areas.png, creep_curve.png. With --json the numbers of result.h5 but its\n"
-      "fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
+      "Of a wheel on a rail ([track], [rail], [wheelset], [wheel]) finds the patches between the profiles and solves\n"
+      "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
+      "[sweep]. Of two bodies with radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
+      "asks for; the exact theory and FASTSIM2 stand side by side. Prints forces on body 1 [N], the moment [N m], "
+      "areas\n"
+      "[mm^2] and the frictional power [W]. Writes result.h5 (SI) and pictures. With --json the numbers of result.h5\n"
+      "but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
       "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

@@ -21,7 +21,7 @@ Json to_json(int value) {
 } // namespace
 
 bool is_field(const std::string& path) {
-  constexpr std::array<std::string_view, 3> groups = {"fields", "elements", "interior"};
+  constexpr std::array<std::string_view, 5> groups = {"fields", "elements", "interior", "profiles", "outlines"};
   const std::string bounded = "/" + path;
   return std::any_of(groups.begin(), groups.end(), [&](std::string_view group) {
     return bounded.find("/" + std::string(group) + "/") != std::string::npos;

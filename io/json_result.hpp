@@ -23,7 +23,8 @@ private:
   Json members_ = Json::object(), units_ = Json::object();
 };
 
-/// Whether a path leads into one of the groups `fields`, `elements` and `interior`, which documents leave out.
+/// Whether a path leads into one of the groups `fields`, `elements`, `interior`, `profiles` and `outlines`, which
+/// documents leave out.
 bool is_field(const std::string& path);
 
 } // namespace microslip

@@ -2,6 +2,7 @@
 
 #include "io/nearest_word.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,9 @@ template <> constexpr auto words_of<ProfileRole> = std::array<Word, 2>{"rail", "
 template <> constexpr auto words_of<ProfileFormat> = std::array<Word, 3>{"simpack", "miniprof", "columns"};
 template <> constexpr auto words_of<LateralSense> = std::array<Word, 2>{"field", "gauge"};
 template <> constexpr auto words_of<VerticalSense> = std::array<Word, 2>{"up", "down"};
+template <> constexpr auto words_of<WheelRailLevel> = std::array<Word, 2>{"fastsim2", "exact"};
+template <> constexpr auto words_of<PatchShape> = std::array<Word, 2>{"flat", "curved"};
+template <> constexpr auto words_of<TrackSide> = std::array<Word, 2>{"left", "right"};
 
 } // namespace
 
@@ -62,6 +66,9 @@ template std::span<const std::string_view> option_words<ProfileRole>();
 template std::span<const std::string_view> option_words<ProfileFormat>();
 template std::span<const std::string_view> option_words<LateralSense>();
 template std::span<const std::string_view> option_words<VerticalSense>();
+template std::span<const std::string_view> option_words<WheelRailLevel>();
+template std::span<const std::string_view> option_words<PatchShape>();
+template std::span<const std::string_view> option_words<TrackSide>();
 template std::string_view to_word(Theory);
 template std::string_view to_word(TractionBound);
 template std::string_view to_word(FlexibilityModel);
@@ -77,6 +84,9 @@ template std::string_view to_word(ProfileRole);
 template std::string_view to_word(ProfileFormat);
 template std::string_view to_word(LateralSense);
 template std::string_view to_word(VerticalSense);
+template std::string_view to_word(WheelRailLevel);
+template std::string_view to_word(PatchShape);
+template std::string_view to_word(TrackSide);
 template Theory from_word(std::string_view, std::string_view);
 template TractionBound from_word(std::string_view, std::string_view);
 template FlexibilityModel from_word(std::string_view, std::string_view);
@@ -92,6 +102,9 @@ template ProfileRole from_word(std::string_view, std::string_view);
 template ProfileFormat from_word(std::string_view, std::string_view);
 template LateralSense from_word(std::string_view, std::string_view);
 template VerticalSense from_word(std::string_view, std::string_view);
+template WheelRailLevel from_word(std::string_view, std::string_view);
+template PatchShape from_word(std::string_view, std::string_view);
+template TrackSide from_word(std::string_view, std::string_view);
 
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;

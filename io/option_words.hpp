@@ -11,8 +11,8 @@ namespace microslip {
 
 /// The words by which files and the command line name options, e.g. "fastsim_half_step" or "parabolic". There are
 /// words for Theory, TractionBound, FlexibilityModel, CreepageTable, Precision, RollingDirection,
-/// ContactMotion, Discretisation, ElementShape, Coupling, SlipStart, ProfileRole, ProfileFormat, LateralSense and
-/// VerticalSense.
+/// ContactMotion, Discretisation, ElementShape, Coupling, SlipStart, ProfileRole, ProfileFormat, LateralSense,
+/// VerticalSense, WheelRailLevel, PatchShape and TrackSide.
 template <class Option> std::span<const std::string_view> option_words();
 template <class Option> std::string_view to_word(Option option);
 

@@ -164,6 +164,19 @@ std::string TomlSection::text(std::string_view key, std::string_view missing) co
   return node->as_string()->get();
 }
 
+std::string TomlSection::required_text(std::string_view key) const {
+  if (!has(key)) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  auto value = text(key, "");
+  at(key, [&] {
+    if (value.empty()) throw Error(full(key) + ": must not be empty");
+  });
+  return value;
+}
+
+bool TomlSection::is_list(std::string_view key) const {
+  return has(key) && find(key)->is_array();
+}
+
 std::string TomlSection::word(std::string_view key, std::string_view missing,
                               std::span<const std::string_view> words) const {
   auto value = text(key, missing);

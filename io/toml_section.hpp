@@ -42,7 +42,10 @@ public:
   double modulus(std::string_view key) const;
   /// A list of finite numbers, at least one.
   std::vector<double> numbers(std::string_view key, std::string_view unit) const;
+  bool is_list(std::string_view key) const;
   std::string text(std::string_view key, std::string_view missing) const;
+  /// Text that must be there and not empty.
+  std::string required_text(std::string_view key) const;
   std::string word(std::string_view key, std::string_view missing, std::span<const std::string_view> words) const;
   template <class Option> Option option(std::string_view key, Option missing) const {
     return from_word<Option>(key, word(key, to_word(missing), option_words<Option>()));

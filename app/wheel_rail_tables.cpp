@@ -1,0 +1,193 @@
+#include "app/wheel_rail_tables.hpp"
+
+#include "app/quantity_table.hpp"
+#include "io/option_words.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// A row of a table for people: a quantity by its name, its label, and its unit with what it is multiplied by.
+struct PrintedQuantity {
+  std::string_view name, label, unit;
+  double factor = 1;
+};
+
+constexpr PrintedQuantity printed_of_wheel[] = {
+    {"force_x", "longitudinal force", "N"},
+    {"force_y", "lateral force, to the left", "N"},
+    {"force_z", "vertical force, upwards", "N"},
+    {"moment_x", "moment about x", "N m"},
+    {"moment_y", "moment about the axle", "N m"},
+    {"moment_z", "moment about z", "N m"},
+    {"vertical", "height above the nominal radius", "mm", 1e3},
+    {"frictional_power", "frictional power", "W"},
+    {"t_gamma", "T-gamma", "N"},
+    {"t_gamma_with_spin", "T-gamma with spin", "N"},
+    {"residual", "residual of the vertical force", "-"},
+};
+
+constexpr PrintedQuantity printed_of_patch[] = {
+    {"rail_y", "y on the rail", "mm", 1e3},
+    {"wheel_y", "y on the wheel", "mm", 1e3},
+    {"place_x", "x along the track", "mm", 1e3},
+    {"rolling_radius", "rolling radius", "mm", 1e3},
+    {"angle", "contact angle", "deg", degrees},
+    {"turn", "turn of the rail's surface", "deg", degrees},
+    {"approach", "approach", "mm", 1e3},
+    {"creepage_longitudinal", "longitudinal creepage", "-"},
+    {"creepage_lateral", "lateral creepage", "-"},
+    {"spin", "spin", "1/m"},
+    {"normal_force", "normal force", "N"},
+    {"fx", "force fx", "N"},
+    {"fy", "force fy", "N"},
+    {"mz", "moment mz", "N m"},
+    {"contact_area", "contact area", "mm^2", 1e6},
+    {"slip_area", "slip area", "mm^2", 1e6},
+    {"peak_pressure", "peak pressure", "MPa", 1e-6},
+    {"frictional_power", "frictional power", "W"},
+    {"t_gamma", "T-gamma", "N"},
+    {"t_gamma_with_spin", "T-gamma with spin", "N"},
+};
+
+template <class Table> const auto& find(const Table& table, std::string_view name) {
+  return *std::find_if(table.begin(), table.end(), [name](const auto& q) { return q.name == name; });
+}
+
+std::string description_of(const WheelRailCase& input) {
+  const bool is_exact = input.method.level == WheelRailLevel::exact;
+  const std::string theory =
+      is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements) : "fastsim2";
+  return fmt::format("{} wheel, {}, {} patches", to_word(input.side), theory, to_word(input.method.shape));
+}
+
+void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) {
+  QuantityTable table(description_of(input));
+  for (const auto& [name, label, unit, factor] : printed_of_wheel)
+    table.add(std::string(label), factor * find(wheel_quantities(), name).value(solution), std::string(unit));
+  table.add("status", {std::string(to_string(solution.status))});
+  table.print();
+}
+
+void print_patches(const std::vector<WheelRailPatch>& patches) {
+  if (patches.empty()) return;
+  std::vector<std::string> heads, status;
+  for (const WheelRailPatch& patch : patches) {
+    heads.push_back(fmt::format("patch {}", heads.size() + 1));
+    status.emplace_back(to_string(patch.status));
+  }
+  QuantityTable table("patches", heads);
+  for (const auto& [name, label, unit, factor] : printed_of_patch) {
+    std::vector<double> values;
+    for (const WheelRailPatch& patch : patches) values.push_back(factor * find(patch_quantities(), name).value(patch));
+    table.add(std::string(label), values, std::string(unit));
+  }
+  table.add("status", status);
+  table.print();
+}
+
+/// A column of the table of a sweep.
+struct Column {
+  std::string head, unit;
+  std::vector<std::string> cells;
+
+  std::size_t width() const {
+    std::size_t width = std::max(head.size(), unit.size());
+    for (const auto& cell : cells) width = std::max(width, cell.size());
+    return width;
+  }
+};
+
+/// Lengths of the state in mm, everything else as it is.
+PrintedQuantity printed_of_state(std::string_view name, std::string_view unit) {
+  return unit == "m" ? PrintedQuantity{name, name, "mm", 1e3} : PrintedQuantity{name, name, unit, 1};
+}
+
+std::vector<Column> varied_columns(const WheelRailCase& input) {
+  std::vector<Column> columns;
+  for (const auto name : input.varied) {
+    const bool is_force = name == "vertical_force";
+    const auto unit = is_force ? "N" : find(state_quantities(), name).unit;
+    const auto [of, label, printed, factor] = printed_of_state(name, unit);
+    Column column{std::string(label), std::string(printed), {}};
+    for (const auto& [state, force] : input.states)
+      column.cells.push_back(
+          fmt::format("{:.6g}", factor * (is_force ? *force : find(state_quantities(), name).value(state))));
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+template <class Value>
+Column column_of(const WheelRailResult& result, const char* head, const char* unit, const Value& value) {
+  Column column{head, unit, {}};
+  for (const WheelRailSolution& solution : result.solutions) column.cells.push_back(value(solution));
+  return column;
+}
+
+std::vector<Column> result_columns(const WheelRailResult& result) {
+  using Solution = const WheelRailSolution&;
+  const auto number = [&](const char* name, const char* head, const char* unit, double factor, int digits) {
+    const WheelQuantity& q = find(wheel_quantities(), name);
+    return column_of(result, head, unit,
+                     [&](Solution s) { return fmt::format("{:.{}f}", factor * q.value(s), digits); });
+  };
+  const auto largest = [&](const char* head, const char* unit, double factor, double WheelRailPatch::*member) {
+    return column_of(result, head, unit, [&](Solution s) {
+      double most = 0;
+      for (const WheelRailPatch& patch : s.patches) most = std::max(most, patch.*member);
+      return fmt::format("{:.1f}", factor * most);
+    });
+  };
+  return {number("force_x", "Fx", "N", 1, 1),
+          number("force_y", "Fy", "N", 1, 1),
+          number("force_z", "Fz", "N", 1, 1),
+          number("moment_y", "My", "N m", 1, 2),
+          number("vertical", "height", "mm", 1e3, 4),
+          number("patch_count", "patches", "", 1, 0),
+          largest("p max", "MPa", 1e-6, &WheelRailPatch::peak_pressure),
+          number("frictional_power", "power", "W", 1, 2),
+          number("t_gamma", "T-gamma", "N", 1, 3),
+          column_of(result, "status", "", [](Solution s) { return std::string(to_string(s.status)); })};
+}
+
+void print_sweep(const WheelRailCase& input, const WheelRailResult& result) {
+  auto columns = varied_columns(input);
+  for (auto& column : result_columns(result)) columns.push_back(std::move(column));
+  fmt::print("{}\n", description_of(input));
+  const auto print_line = [&](const auto& text_of) {
+    std::string line;
+    for (const Column& column : columns) line += fmt::format("  {:>{}}", text_of(column), column.width());
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  print_line([](const Column& column) { return column.head; });
+  print_line([](const Column& column) { return column.unit; });
+  for (std::size_t k = 0; k < result.solutions.size(); ++k)
+    print_line([k](const Column& column) { return column.cells[k]; });
+}
+
+} // namespace
+
+void print_tables(const WheelRailCase& input, const WheelRailResult& result) {
+  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
+  if (result.solutions.size() > 1) {
+    print_sweep(input, result);
+  } else {
+    print_wheel(input, result.solutions.front());
+    fmt::print("\n");
+    print_patches(result.solutions.front().patches);
+  }
+  fmt::print("\n");
+}
+
+} // namespace microslip

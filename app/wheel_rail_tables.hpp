@@ -1,0 +1,10 @@
+#pragma once
+
+#include "cases/wheel_rail_result.hpp"
+
+namespace microslip {
+
+/// Prints the wheel's forces and a column for each patch or, of a sweep, a row for each state.
+void print_tables(const WheelRailCase& input, const WheelRailResult& result);
+
+} // namespace microslip

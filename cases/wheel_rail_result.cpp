@@ -1,0 +1,260 @@
+#include "cases/wheel_rail_result.hpp"
+
+#include "io/json_result.hpp"
+#include "io/option_words.hpp"
+#include "microslip/contact/mirrored_solution.hpp"
+#include "microslip/contact/quantities.hpp"
+#include "microslip/railway/wheel_locus.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+std::string of_states(std::size_t some, const WheelRailCase& input) {
+  if (input.states.size() == 1) return "";
+  return " (" + std::to_string(some) + " of " + std::to_string(input.states.size()) + " states)";
+}
+
+std::string reason_of(Status status) {
+  switch (status) {
+  case Status::no_contact:
+    return "wheel and rail do not touch";
+  case Status::invalid_input:
+    return "the state is out of range";
+  case Status::no_solution:
+    return "no height of the wheel gives the vertical force";
+  default:
+    return "not converged: see the residual of the vertical force and the status of each patch";
+  }
+}
+
+void add_status(const WheelRailCase& input, WheelRailResult& result) {
+  const auto& all = result.solutions;
+  const auto first = std::find_if(all.begin(), all.end(), [](const auto& s) { return s.status != Status::ok; });
+  if (first == all.end()) return;
+  result.status = first->status;
+  const auto alike = std::count_if(all.begin(), all.end(), [&](const auto& s) { return s.status == first->status; });
+  result.reason = reason_of(first->status) + of_states(static_cast<std::size_t>(alike), input);
+}
+
+void add_warnings(const WheelRailCase& input, WheelRailResult& result) {
+  for (const auto* profile : {&input.rail, &input.wheel})
+    for (const auto& warning : profile->report.warnings)
+      result.warnings.push_back(profile->report.source + ": " + warning);
+  std::size_t at_end = 0, turned = 0;
+  double largest = 0;
+  for (const WheelRailSolution& solution : result.solutions) {
+    at_end += solution.at_profile_end;
+    double turn = 0;
+    for (const WheelRailPatch& patch : solution.patches) turn = std::max(turn, std::abs(patch.turn));
+    turned += turn > largest_flat_turn;
+    largest = std::max(largest, turn);
+  }
+  if (at_end > 0)
+    result.warnings.push_back("a patch reaches the end of a profile: its forces are too small" +
+                              of_states(at_end, input));
+  if (turned > 0 && input.method.shape == PatchShape::flat)
+    result.warnings.push_back(
+        "the rail's surface turns by " + std::to_string(std::lround(largest * 180 / std::numbers::pi)) +
+        " degrees within a flat patch, more than 14; shape = \"curved\" follows it" + of_states(turned, input));
+}
+
+void write_inputs(ResultWriter& file, const WheelRailCase& input) {
+  const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
+    file.scalar(std::string("inputs/") + name, value, unit, what);
+  };
+  file.text("inputs/side", std::string(to_word(input.side)), "of the track, looking along x");
+  file.text("inputs/theory", std::string(to_word(input.method.level)), "algorithm");
+  file.text("inputs/shape", std::string(to_word(input.method.shape)), "of the patches");
+  scalar("grid", input.method.elements, "-", "elements across a patch, of the exact theory");
+  scalar("tolerance", input.method.tolerance, "-", "of the vertical force, relative");
+  if (const auto& origin = input.track.rail_origin) {
+    scalar("rail_y", origin->y, "m", "of the left rail's profile in track axes");
+    scalar("rail_z", origin->z, "m", "the same, upwards");
+  } else {
+    scalar("gauge", input.track.gauge, "m", "between the gauge points of both rails");
+    scalar("gauge_height", input.track.gauge_height, "m", "of the gauge points below the rails' tops");
+  }
+  scalar("cant", input.track.cant, "rad", "inclination of the rails, towards the track's centre");
+  scalar("nominal_radius", input.wheelset.nominal_radius, "m", "of the wheels");
+  scalar("flange_back_distance", input.wheelset.flange_back_distance, "m", "between the backs of both flanges");
+  scalar("flange_back_position", input.wheelset.flange_back_position, "m", "of the flange's back in the profile");
+  if (input.wheelset.tape_circle)
+    scalar("tape_circle", *input.wheelset.tape_circle, "m", "where the radius is the nominal one");
+  scalar("shear_modulus", input.material.shear_modulus, "Pa", "shear modulus G of wheel and rail");
+  scalar("poisson_ratio", input.material.poisson_ratio, "-", "Poisson's ratio of both");
+  std::vector<double> coefficient, angle;
+  for (const InclinedFriction& f : input.friction) coefficient.push_back(f.coefficient), angle.push_back(f.angle);
+  file.array("inputs/friction_coefficient", coefficient, "-", "friction coefficient mu at the angles");
+  file.array("inputs/friction_angle", angle, "rad", "inclination of the surface, > 0 rising to the field side");
+}
+
+/// The numbers of the state that are not zero throughout, or that a sweep varies.
+void write_states(ResultWriter& file, const WheelRailCase& input) {
+  for (const StateQuantity& q : state_quantities()) {
+    std::vector<double> values;
+    for (const auto& [state, force] : input.states) values.push_back(q.value(state));
+    const bool varies = std::find(input.varied.begin(), input.varied.end(), q.name) != input.varied.end();
+    const bool is_zero = std::all_of(values.begin(), values.end(), [](double v) { return v == 0; });
+    if (varies || !is_zero)
+      file.array("states/" + std::string(q.name), values, std::string(q.unit), std::string(q.description));
+  }
+  if (input.states.front().vertical_force) {
+    std::vector<double> values;
+    for (const auto& [state, force] : input.states) values.push_back(force.value_or(0));
+    file.array("states/vertical_force", values, "N", "prescribed vertical force on the wheel");
+  }
+  std::string varied;
+  for (const auto name : input.varied) varied.append(varied.empty() ? "" : ", ").append(name);
+  if (!varied.empty()) file.attribute("states", "varied", varied);
+}
+
+std::uint8_t code_of(Status status) {
+  return static_cast<std::uint8_t>(status);
+}
+constexpr const char* status_codes = "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution";
+
+void write_wheel(ResultWriter& file, const WheelRailResult& result) {
+  std::vector<double> values(result.solutions.size());
+  for (const WheelQuantity& q : wheel_quantities()) {
+    std::transform(result.solutions.begin(), result.solutions.end(), values.begin(), q.value);
+    file.array("wheel/" + std::string(q.name), values, std::string(q.unit), std::string(q.description));
+  }
+  std::vector<std::uint8_t> status, at_end;
+  for (const WheelRailSolution& s : result.solutions)
+    status.push_back(code_of(s.status)), at_end.push_back(s.at_profile_end ? 1 : 0);
+  file.array("wheel/status", status, "-", status_codes);
+  file.array("wheel/at_profile_end", at_end, "-", "1: a patch ends where a profile ends");
+}
+
+void write_patches(ResultWriter& file, const WheelRailResult& result) {
+  std::vector<WheelRailPatch> patches;
+  std::vector<int> of_state;
+  std::vector<std::uint8_t> status;
+  for (std::size_t k = 0; k < result.solutions.size(); ++k)
+    for (const WheelRailPatch& patch : result.solutions[k].patches) {
+      patches.push_back(patch), of_state.push_back(static_cast<int>(k));
+      status.push_back(code_of(patch.status));
+    }
+  if (patches.empty()) return;
+  file.array("patches/state", of_state, "-", "index of the state that the patch belongs to, from 0");
+  std::vector<double> values(patches.size());
+  for (const PatchQuantity& q : patch_quantities()) {
+    std::transform(patches.begin(), patches.end(), values.begin(), q.value);
+    file.array("patches/" + std::string(q.name), values, std::string(q.unit), std::string(q.description));
+  }
+  file.array("patches/status", status, "-", status_codes);
+}
+
+/// Stations of each piece of a profile, its ends included.
+template <class Visit> void walk(const Profile& profile, const Visit& visit) {
+  constexpr int stations = 4;
+  for (const ProfilePiece& piece : profile.pieces())
+    for (int k = 0; k < stations; ++k) visit(piece.at(piece.start + piece.length * k / stations));
+  visit(profile.at(profile.length()));
+}
+
+void write_curve(ResultWriter& file, const std::string& group, const std::vector<double>& y,
+                 const std::vector<double>& z, const std::string& axes) {
+  file.array(group + "/y", y, "m", "y in " + axes);
+  file.array(group + "/z", z, "m", "z in " + axes);
+}
+
+void write_profile(ResultWriter& file, const std::string& name, const PreparedProfile& prepared) {
+  std::vector<double> y, z;
+  walk(prepared.profile, [&](const CurvePoint& p) { y.push_back(p.value.y), z.push_back(p.value.z); });
+  write_curve(file, "profiles/" + name, y, z, "the profile's own axes: y to the field side, z up");
+  file.attribute("profiles/" + name, "source", prepared.report.source);
+}
+
+/// Rail and wheel seen along the track, in track axes, at the height that was found.
+void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelRailSolution& solution) {
+  const double sign = input.side == TrackSide::right ? -1 : 1;
+  WheelState<double> state = input.states.front().state;
+  if (sign < 0) state = state.mirrored();
+  state.vertical = solution.vertical;
+  const auto nominal = nominal_placement(input.track, input.rail.profile, input.wheelset, input.wheel.profile);
+  const WheelPlacement<double> placed = place(nominal, state);
+  std::vector<double> y, z;
+  const auto add = [&](const Vec3<double>& point) { y.push_back(sign * point.y), z.push_back(point.z); };
+  walk(input.rail.profile, [&](const CurvePoint& p) { add(placed.rail_point(0, p.value.y, p.value.z)); });
+  write_curve(file, "outlines/rail", y, z, "track axes: to the left, up");
+  y.clear(), z.clear();
+  const WheelLocus<double> locus(placed.wheel.frame, placed.radius);
+  walk(input.wheel.profile, [&](const CurvePoint& p) {
+    const double speed = std::hypot(p.first.y, p.first.z);
+    const auto point = locus.at({.place = p.value, .cosine = p.first.y / speed, .sine = p.first.z / speed});
+    if (point.exists) add(point.place);
+  });
+  write_curve(file, "outlines/wheel", y, z, "track axes: to the left, up");
+}
+
+/// Of the patch with this index, in its frame.
+void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& solution) {
+  const std::string group = "fields/" + std::to_string(index) + "/";
+  const ResultWriter::Shape shape = {static_cast<std::size_t>(solution.elements.my()),
+                                     static_cast<std::size_t>(solution.elements.mx())};
+  for (const FieldQuantity& f : field_quantities())
+    if (!f.values(solution).empty())
+      file.array(group + std::string(f.name), f.values(solution), std::string(f.unit_of(solution)),
+                 std::string(f.description), shape);
+  std::vector<std::uint8_t> states;
+  for (const CellState state : solution.fields.state) states.push_back(static_cast<std::uint8_t>(state));
+  file.array(group + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
+}
+
+} // namespace
+
+WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
+  WheelRailResult result;
+  WheelRail solver(bodies_of(input), input.method);
+  for (const auto& [state, force] : input.states) {
+    go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
+    result.solutions.push_back(solver.solve(state, force));
+    if (input.side == TrackSide::right)
+      for (ContactSolution& patch : result.solutions.back().fields) mirror(patch);
+  }
+  go_on(progress, 1);
+  add_status(input, result);
+  add_warnings(input, result);
+  return result;
+}
+
+std::vector<std::size_t> first_patches(const WheelRailResult& result) {
+  std::vector<std::size_t> first = {0};
+  for (const WheelRailSolution& solution : result.solutions) first.push_back(first.back() + solution.patches.size());
+  return first;
+}
+
+void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file) {
+  write_inputs(file, input);
+  write_states(file, input);
+  write_wheel(file, result);
+  write_patches(file, result);
+  write_profile(file, "rail", input.rail);
+  write_profile(file, "wheel", input.wheel);
+  if (input.states.size() == 1) write_outlines(file, input, result.solutions.front());
+  const auto first = first_patches(result);
+  for (std::size_t k = 0; k < result.solutions.size(); ++k)
+    for (std::size_t i = 0; i < result.solutions[k].fields.size(); ++i)
+      write_fields(file, first[k] + i, result.solutions[k].fields[i]);
+  std::string warnings;
+  for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
+  if (!warnings.empty()) file.attribute("/", "warnings", warnings);
+}
+
+Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance) {
+  JsonResult written(provenance);
+  write_result(input, result, written);
+  Json document = written.document();
+  document["status"] = to_string(result.status);
+  document["warnings"] = result.warnings;
+  return document;
+}
+
+} // namespace microslip

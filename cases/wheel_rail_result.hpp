@@ -1,0 +1,37 @@
+#pragma once
+
+#include "io/json.hpp"
+#include "io/result_writer.hpp"
+#include "io/wheel_rail_case.hpp"
+#include "microslip/progress.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// All that `microslip solve` computes of a wheel on a rail.
+struct WheelRailResult {
+  std::vector<WheelRailSolution> solutions; ///< of each state
+  Status status = Status::ok;               ///< the first one that is not ok
+  std::string reason;                       ///< of it, with the number of states it concerns; empty if all are ok
+  std::vector<std::string> warnings;        ///< of the profiles, and of results that are not to be trusted
+};
+
+/// Solves all states. `progress` is told after each. Throws Stopped if it returns false.
+WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress = {});
+
+/// The patches of all states one after another; the first of state k has the index that is the k-th number.
+std::vector<std::size_t> first_patches(const WheelRailResult& result);
+
+/// Writes inputs, states, what is found of the wheel and of each patch, profiles, and fields at the exact level.
+void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file);
+/// Writes it as HDF5. Error if that is impossible.
+void write_result(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
+                  const std::filesystem::path& path);
+
+/// The same as a JSON object: what JsonResult makes of it, then `status` and `warnings`.
+Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance);
+
+} // namespace microslip

@@ -1,0 +1,276 @@
+#include "io/wheel_rail_case.hpp"
+
+#include "io/length_unit.hpp"
+#include "io/profile_file.hpp"
+#include "io/toml_section.hpp"
+#include "microslip/error.hpp"
+#include "microslip/friction/friction_law.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace microslip {
+namespace {
+
+constexpr double largest_force = 1e9; // N
+constexpr int most_states = 10000;
+constexpr std::string_view force_key = "vertical_force", height_key = "vertical";
+
+/// The names of a section's numbers of the state.
+void add_state_keys(TomlSection::Words& keys, std::string_view section) {
+  for (const StateQuantity& q : state_quantities())
+    if (q.section == section) keys.push_back(q.name);
+}
+
+Track read_track(const TomlSection& section) {
+  TomlSection::Words keys = {"gauge", "gauge_height", "rail_y", "rail_z", "cant"};
+  add_state_keys(keys, "track");
+  section.allow(keys);
+  Track track;
+  track.cant = section.between("cant", "rad", -0.5, 0.5, track.cant);
+  if (section.has("rail_y") || section.has("rail_z")) {
+    section.one_of("gauge", "rail_y");
+    track.rail_origin = {section.between("rail_y", "m", 0, 3), section.between("rail_z", "m", -1, 1)};
+    return track;
+  }
+  track.gauge = section.between("gauge", "m", 0.1, 6);
+  track.gauge_height = section.between("gauge_height", "m", 1e-4, 0.2, track.gauge_height);
+  return track;
+}
+
+Wheelset read_wheelset(const TomlSection& section) {
+  Wheelset wheelset;
+  wheelset.nominal_radius = section.between("nominal_radius", "m", 0.01, 10);
+  wheelset.flange_back_distance = section.between("flange_back_distance", "m", 0.05, 6);
+  wheelset.flange_back_position = section.between("flange_back_position", "m", -1, 1, wheelset.flange_back_position);
+  if (section.has("tape_circle")) wheelset.tape_circle = section.between("tape_circle", "m", -1, 1);
+  return wheelset;
+}
+
+/// The section that names the profile.
+std::string section_of(ProfileRole role) {
+  return role == ProfileRole::rail ? "rail" : "wheelset";
+}
+
+constexpr std::string_view profile_keys[] = {"profile", "format",  "unit",  "scale", "y_axis",
+                                             "z_axis",  "section", "y_min", "y_max", "smoothing_length"};
+
+ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role) {
+  ProfileFileOptions options;
+  options.role = role;
+  if (section.has("format")) options.format = section.option("format", ProfileFormat::columns);
+  if (section.has("unit"))
+    section.at("unit", [&] { options.unit = length_of_unit(section_of(role) + ".unit", section.text("unit", "")); });
+  options.scale = section.between("scale", "-", 1e-3, 1e3, options.scale);
+  if (section.has("y_axis")) options.y_axis = section.option("y_axis", LateralSense::field);
+  if (section.has("z_axis")) options.z_axis = section.option("z_axis", VerticalSense::up);
+  section.count("section", 1, 10000, options.section);
+  ProfileTreatment& treatment = options.treatment;
+  if (section.has("y_min")) treatment.y_min = section.between("y_min", "m", -1, 1);
+  if (section.has("y_max")) treatment.y_max = section.between("y_max", "m", -1, 1);
+  treatment.smoothing_length = section.between("smoothing_length", "m", 0, 1, 0);
+  return options;
+}
+
+/// The profile that a section names, with a path from the case file's folder.
+PreparedProfile read_profile(const TomlSection& section, const std::string& name, ProfileRole role) {
+  const auto path = std::filesystem::path(name).parent_path() / section.required_text("profile");
+  const ProfileFileOptions options = profile_options(section, role);
+  std::optional<PreparedProfile> profile;
+  section.at("profile", [&] {
+    try {
+      profile = read_profile(path, options);
+    } catch (const Error& error) {
+      throw Error(section_of(role) + ".profile: " + error.what());
+    }
+  });
+  return std::move(*profile);
+}
+
+Material read_material(const TomlSection& section) {
+  section.allow({"young_modulus", "shear_modulus", "poisson_ratio"});
+  const auto key = section.one_of("young_modulus", "shear_modulus");
+  const double modulus = section.between(key, "Pa", 1, 1e15);
+  const double poisson_ratio = section.between("poisson_ratio", "-", 0, 0.5);
+  return key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
+}
+
+std::vector<InclinedFriction> read_friction(const TomlSection& section) {
+  section.allow({"law", "coefficient", "angle"});
+  section.word("law", "coulomb", TomlSection::Words{"coulomb"});
+  if (!section.is_list("coefficient") && !section.has("angle"))
+    return {{0, section.between("coefficient", "-", 0, FrictionLaw::largest_coefficient)}};
+  const auto coefficients = section.numbers("coefficient", "-"), angles = section.numbers("angle", "rad");
+  section.at("angle", [&] {
+    if (angles.size() != coefficients.size())
+      throw Error("friction.angle: must have as many numbers as friction.coefficient");
+    if (std::adjacent_find(angles.begin(), angles.end(), std::greater_equal<>()) != angles.end())
+      throw Error("friction.angle: must be ascending");
+  });
+  std::vector<InclinedFriction> friction;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    section.at("coefficient", [&] {
+      require_between("friction.coefficient", coefficients[k], "-", 0, FrictionLaw::largest_coefficient);
+    });
+    friction.push_back({angles[k], coefficients[k]});
+  }
+  return friction;
+}
+
+WheelRailMethod read_method(const TomlSection& section) {
+  section.allow({"theory", "shape", "grid", "tolerance"});
+  WheelRailMethod method;
+  method.level = section.option("theory", method.level);
+  method.shape = section.option("shape", method.shape);
+  section.count("grid", 6, 1000, method.elements);
+  method.tolerance = section.between("tolerance", "-", 1e-12, 1e-2, method.tolerance);
+  return method;
+}
+
+double number_of_state(const TomlSection& section, const StateQuantity& quantity, std::optional<double> missing = 0) {
+  return section.between(quantity.name, quantity.unit, -quantity.limit, quantity.limit, missing);
+}
+
+/// The numbers of a sweep: a list, or `count` ones from `from` to `to`.
+std::vector<double> read_values(const TomlSection& sweep, std::string_view key, std::string_view unit, double low,
+                                double high) {
+  if (sweep.is_list(key)) {
+    auto values = sweep.numbers(key, unit);
+    for (const double value : values)
+      sweep.at(key, [&] { require_between("sweep." + std::string(key), value, unit, low, high); });
+    return values;
+  }
+  const TomlSection range = sweep.required_section(key);
+  range.allow({"from", "to", "count"});
+  const double from = range.between("from", unit, low, high), to = range.between("to", unit, low, high);
+  int count = 0;
+  range.count("count", 2, most_states, count);
+  if (count == 0) range.at("count", [&] { throw Error("sweep." + std::string(key) + ": count is missing"); });
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(from + (to - from) * k / (count - 1));
+  return values;
+}
+
+struct Sweep {
+  std::string_view name;
+  const StateQuantity* quantity; ///< none for the vertical force
+  std::vector<double> values;
+};
+
+std::vector<Sweep> read_sweeps(const TomlSection& section) {
+  TomlSection::Words keys = {force_key};
+  for (const StateQuantity& q : state_quantities()) keys.push_back(q.name);
+  section.allow(keys);
+  std::vector<Sweep> sweeps;
+  for (const StateQuantity& q : state_quantities())
+    if (section.has(q.name)) sweeps.push_back({q.name, &q, read_values(section, q.name, q.unit, -q.limit, q.limit)});
+  if (section.has(force_key))
+    sweeps.push_back({force_key, nullptr, read_values(section, force_key, "N", 1e-6, largest_force)});
+  for (const Sweep& sweep : sweeps)
+    section.at(sweep.name, [&] {
+      const std::size_t count = sweep.values.size(), first = sweeps.front().values.size();
+      if (count > most_states) throw Error("sweep." + std::string(sweep.name) + ": more than 10000 numbers");
+      if (count != first)
+        throw Error("sweep." + std::string(sweep.name) + ": has " + std::to_string(count) + " numbers, sweep." +
+                    std::string(sweeps.front().name) + " has " + std::to_string(first) + "; they vary together");
+    });
+  return sweeps;
+}
+
+bool varies(const std::vector<Sweep>& sweeps, std::string_view name) {
+  return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; });
+}
+
+/// The state before any sweep. What a sweep varies may be left out.
+LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, const std::vector<Sweep>& sweeps) {
+  TomlSection::Words keys = {"side", force_key};
+  add_state_keys(keys, "wheel");
+  wheel.allow(keys);
+  LoadedWheelState loaded;
+  for (const StateQuantity& q : state_quantities()) {
+    const bool needed = q.name == "forward_velocity" && !varies(sweeps, q.name);
+    q.of(loaded.state) = number_of_state(q.section == "wheel" ? wheel : root.required_section(q.section), q,
+                                         needed ? std::nullopt : std::optional(0.0));
+  }
+  const bool force_varies = varies(sweeps, force_key), height_varies = varies(sweeps, height_key);
+  if (force_varies || height_varies) {
+    wheel.at(force_varies ? height_key : force_key, [&] {
+      if (force_varies == height_varies || wheel.has(force_varies ? height_key : force_key))
+        throw Error("[wheel] and [sweep] need either vertical_force or vertical");
+    });
+  } else if (wheel.one_of(force_key, height_key) == force_key) {
+    loaded.vertical_force = wheel.between(force_key, "N", 1e-6, largest_force);
+  }
+  return loaded;
+}
+
+std::vector<LoadedWheelState> states_of(const LoadedWheelState& given, const std::vector<Sweep>& sweeps,
+                                        bool pitch_is_given, double nominal_radius) {
+  std::vector<LoadedWheelState> states(sweeps.empty() ? 1 : sweeps.front().values.size(), given);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    auto& [state, force] = states[k];
+    for (const Sweep& sweep : sweeps) {
+      if (sweep.quantity != nullptr)
+        sweep.quantity->of(state) = sweep.values[k];
+      else
+        force = sweep.values[k];
+    }
+    if (!pitch_is_given) state.pitch_velocity = state.forward_velocity / nominal_radius;
+  }
+  return states;
+}
+
+} // namespace
+
+bool is_wheel_rail_case(std::string_view text, const std::string& name) {
+  const auto table = parse_toml(text, name);
+  const TomlSection root(table, name);
+  return root.has("track") || root.has("rail") || root.has("wheelset") || root.has("wheel");
+}
+
+WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name) {
+  const auto table = parse_toml(text, name);
+  const TomlSection root(table, name);
+  root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "sweep"});
+  const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
+                    wheelset = root.required_section("wheelset"), wheel = root.required_section("wheel");
+  TomlSection::Words rail_keys(std::begin(profile_keys), std::end(profile_keys)), wheelset_keys = rail_keys;
+  add_state_keys(rail_keys, "rail");
+  rail.allow(rail_keys);
+  for (const auto* key : {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"})
+    wheelset_keys.emplace_back(key);
+  wheelset.allow(wheelset_keys);
+  const auto sweeps = read_sweeps(root.optional_section("sweep"));
+
+  WheelRailCase input{.title = root.text("title", ""),
+                      .track = read_track(track),
+                      .wheelset = read_wheelset(wheelset),
+                      .rail = read_profile(rail, name, ProfileRole::rail),
+                      .wheel = read_profile(wheelset, name, ProfileRole::wheel),
+                      .side = wheel.option("side", TrackSide::left),
+                      .material = read_material(root.required_section("material")),
+                      .friction = read_friction(root.required_section("friction")),
+                      .method = read_method(root.optional_section("solution")),
+                      .varied = {},
+                      .states = {}};
+  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
+  input.states = states_of(read_state(root, wheel, sweeps), sweeps, pitch_is_given, input.wheelset.nominal_radius);
+  for (const Sweep& sweep : sweeps) input.varied.push_back(sweep.name);
+  // Whether the profiles fit the track and the wheelset.
+  track.at("gauge", [&] { place_rail(input.track, input.rail.profile); });
+  wheelset.at("nominal_radius", [&] { place_wheel(input.wheelset, input.wheel.profile); });
+  return input;
+}
+
+WheelRailBodies bodies_of(const WheelRailCase& input) {
+  return {.rail = input.rail.profile,
+          .wheel = input.wheel.profile,
+          .track = input.track,
+          .wheelset = input.wheelset,
+          .side = input.side,
+          .material = combine(input.material, input.material),
+          .friction = input.friction};
+}
+
+} // namespace microslip

@@ -1,0 +1,147 @@
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+using State = WheelState<double>&;
+using Solution = const WheelRailSolution&;
+using Patch = const WheelRailPatch&;
+
+constexpr StateQuantity all_state_quantities[] = {
+    {"wheel", "lateral", "m", 1, "position of the wheelset's centre, to the left positive",
+     [](State s) -> double& { return s.lateral; }},
+    {"wheel", "vertical", "m", 1, "height of the wheelset's centre above the nominal radius, upwards positive",
+     [](State s) -> double& { return s.vertical; }},
+    {"wheel", "roll", "rad", 1, "roll of the wheelset; positive raises the left wheel",
+     [](State s) -> double& { return s.roll; }},
+    {"wheel", "yaw", "rad", 1, "yaw of the wheelset; positive turns to the left",
+     [](State s) -> double& { return s.yaw; }},
+    {"wheel", "forward_velocity", "m/s", 1000, "velocity of the wheelset's centre along the track",
+     [](State s) -> double& { return s.forward_velocity; }},
+    {"wheel", "lateral_velocity", "m/s", 1000, "velocity of the wheelset's centre to the left",
+     [](State s) -> double& { return s.lateral_velocity; }},
+    {"wheel", "vertical_velocity", "m/s", 1000, "velocity of the wheelset's centre upwards",
+     [](State s) -> double& { return s.vertical_velocity; }},
+    {"wheel", "roll_velocity", "rad/s", 1e5, "angular velocity of the wheelset about its x",
+     [](State s) -> double& { return s.roll_velocity; }},
+    {"wheel", "pitch_velocity", "rad/s", 1e5, "angular velocity of the wheelset about its axle; positive rolls forward",
+     [](State s) -> double& { return s.pitch_velocity; }},
+    {"wheel", "yaw_velocity", "rad/s", 1e5, "angular velocity of the wheelset about its z",
+     [](State s) -> double& { return s.yaw_velocity; }},
+    {"track", "curvature", "1/m", 1, "curvature of the track; positive in a curve to the left",
+     [](State s) -> double& { return s.curvature; }},
+    {"wheel", "deflection_longitudinal", "m", 1, "motion of the wheel's centre against the axle, forward",
+     [](State s) -> double& { return s.deflection.longitudinal; }},
+    {"wheel", "deflection_lateral", "m", 1, "the same to the left",
+     [](State s) -> double& { return s.deflection.lateral; }},
+    {"wheel", "deflection_vertical", "m", 1, "the same upwards",
+     [](State s) -> double& { return s.deflection.vertical; }},
+    {"wheel", "deflection_roll", "rad", 1, "rotation of the wheel against the axle about x",
+     [](State s) -> double& { return s.deflection.roll; }},
+    {"wheel", "deflection_yaw", "rad", 1, "the same about z", [](State s) -> double& { return s.deflection.yaw; }},
+    {"wheel", "deflection_longitudinal_velocity", "m/s", 1000, "velocity of that motion, forward",
+     [](State s) -> double& { return s.deflection.longitudinal_velocity; }},
+    {"wheel", "deflection_lateral_velocity", "m/s", 1000, "the same to the left",
+     [](State s) -> double& { return s.deflection.lateral_velocity; }},
+    {"wheel", "deflection_vertical_velocity", "m/s", 1000, "the same upwards",
+     [](State s) -> double& { return s.deflection.vertical_velocity; }},
+    {"wheel", "deflection_roll_velocity", "rad/s", 1e5, "angular velocity of that rotation about x",
+     [](State s) -> double& { return s.deflection.roll_velocity; }},
+    {"wheel", "deflection_pitch_velocity", "rad/s", 1e5, "the same about the axle",
+     [](State s) -> double& { return s.deflection.pitch_velocity; }},
+    {"wheel", "deflection_yaw_velocity", "rad/s", 1e5, "the same about z",
+     [](State s) -> double& { return s.deflection.yaw_velocity; }},
+    {"rail", "deviation_lateral", "m", 1, "of the rail from its nominal place, to the left positive",
+     [](State s) -> double& { return s.rail.lateral; }},
+    {"rail", "deviation_vertical", "m", 1, "the same upwards", [](State s) -> double& { return s.rail.vertical; }},
+    {"rail", "deviation_roll", "rad", 1, "rotation of the rail about x, right-handed",
+     [](State s) -> double& { return s.rail.roll; }},
+    {"rail", "deviation_lateral_velocity", "m/s", 1000, "velocity of that deviation to the left",
+     [](State s) -> double& { return s.rail.lateral_velocity; }},
+    {"rail", "deviation_vertical_velocity", "m/s", 1000, "the same upwards",
+     [](State s) -> double& { return s.rail.vertical_velocity; }},
+    {"rail", "deviation_roll_velocity", "rad/s", 1e5, "angular velocity of that rotation",
+     [](State s) -> double& { return s.rail.roll_velocity; }},
+};
+
+template <class Value> double sum_over_patches(Solution solution, const Value& value) {
+  double sum = 0;
+  for (const WheelRailPatch& patch : solution.patches) sum += value(patch);
+  return sum;
+}
+
+constexpr WheelQuantity all_wheel_quantities[] = {
+    {"force_x", "N", "force on the wheel along the track", [](Solution s) { return s.force.x; }},
+    {"force_y", "N", "force on the wheel to the left", [](Solution s) { return s.force.y; }},
+    {"force_z", "N", "force on the wheel upwards", [](Solution s) { return s.force.z; }},
+    {"moment_x", "N m", "moment on the wheel about its centre, about the track's x",
+     [](Solution s) { return s.moment.x; }},
+    {"moment_y", "N m", "the same about y: positive drives the wheel forward", [](Solution s) { return s.moment.y; }},
+    {"moment_z", "N m", "the same about z", [](Solution s) { return s.moment.z; }},
+    {"vertical", "m", "height of the wheelset's centre above the nominal radius: given, or found for the force",
+     [](Solution s) { return s.vertical; }},
+    {"frictional_power", "W", "power lost to friction in all patches",
+     [](Solution s) { return sum_over_patches(s, [](Patch p) { return p.frictional_power; }); }},
+    {"t_gamma", "N", "|Fx xi| + |Fy eta|, summed over the patches",
+     [](Solution s) { return sum_over_patches(s, t_gamma); }},
+    {"t_gamma_with_spin", "N", "|Fx xi| + |Fy eta| + |Mz phi|, summed over the patches",
+     [](Solution s) { return sum_over_patches(s, t_gamma_with_spin); }},
+    {"residual", "-", "residual of the vertical force, relative", [](Solution s) { return s.residual; }},
+    {"iterations", "-", "iterations over the wheel's height",
+     [](Solution s) { return static_cast<double>(s.iterations); }},
+    {"patch_count", "-", "number of patches in contact",
+     [](Solution s) { return static_cast<double>(s.patches.size()); }},
+};
+
+constexpr PatchQuantity all_patch_quantities[] = {
+    {"place_x", "m", "origin of the patch's frame on the rail, along the track", [](Patch p) { return p.place.x; }},
+    {"place_y", "m", "the same to the left of the track's centre", [](Patch p) { return p.place.y; }},
+    {"place_z", "m", "the same above the tops of the rails", [](Patch p) { return p.place.z; }},
+    {"angle", "rad", "of the contact plane against the track plane; positive rises to the left",
+     [](Patch p) { return p.angle; }},
+    {"rail_y", "m", "of the rail's profile there, in its own axes: to the field side positive",
+     [](Patch p) { return p.rail_y; }},
+    {"wheel_y", "m", "of the wheel's profile there, in its own axes", [](Patch p) { return p.wheel_y; }},
+    {"rolling_radius", "m", "of the wheel there", [](Patch p) { return p.rolling_radius; }},
+    {"turn", "rad", "by how much the rail's surface turns across the patch", [](Patch p) { return p.turn; }},
+    {"approach", "m", "greatest overlap of the undeformed bodies along the normal", [](Patch p) { return p.approach; }},
+    {"rolling_speed", "m/s", "rolling speed V", [](Patch p) { return p.rolling_speed; }},
+    {"creepage_longitudinal", "-", "longitudinal creepage; positive for a braked wheel",
+     [](Patch p) { return p.creepage.longitudinal; }},
+    {"creepage_lateral", "-", "lateral creepage, along the surface to the left",
+     [](Patch p) { return p.creepage.lateral; }},
+    {"spin", "1/m", "spin about the normal", [](Patch p) { return p.creepage.spin; }},
+    {"normal_force", "N", "force on the wheel along the normal", [](Patch p) { return p.normal_force; }},
+    {"fx", "N", "force on the wheel along the track", [](Patch p) { return p.fx; }},
+    {"fy", "N", "force on the wheel along the surface, to the left", [](Patch p) { return p.fs; }},
+    {"mz", "N m", "moment on the wheel about the normal through the patch's origin", [](Patch p) { return p.moment; }},
+    {"contact_area", "m^2", "area of the contact", [](Patch p) { return p.contact_area; }},
+    {"slip_area", "m^2", "area of slip", [](Patch p) { return p.slip_area; }},
+    {"peak_pressure", "Pa", "largest pressure", [](Patch p) { return p.peak_pressure; }},
+    {"frictional_power", "W", "power lost to friction", [](Patch p) { return p.frictional_power; }},
+    {"t_gamma", "N", "|Fx xi| + |Fy eta|", t_gamma},
+    {"t_gamma_with_spin", "N", "|Fx xi| + |Fy eta| + |Mz phi|", t_gamma_with_spin},
+};
+
+} // namespace
+
+std::span<const StateQuantity> state_quantities() {
+  return all_state_quantities;
+}
+std::span<const WheelQuantity> wheel_quantities() {
+  return all_wheel_quantities;
+}
+std::span<const PatchQuantity> patch_quantities() {
+  return all_patch_quantities;
+}
+
+double t_gamma(const WheelRailPatch& patch) {
+  return std::abs(patch.fx * patch.creepage.longitudinal) + std::abs(patch.fs * patch.creepage.lateral);
+}
+double t_gamma_with_spin(const WheelRailPatch& patch) {
+  return t_gamma(patch) + std::abs(patch.moment * patch.creepage.spin);
+}
+
+} // namespace microslip
