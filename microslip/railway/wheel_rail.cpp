@@ -68,10 +68,10 @@ bool is_velocity(WheelVariable which) {
   return which >= WheelVariable::forward_velocity;
 }
 
-/// Half the step of a central difference: places change an approach of 20 um by a thousandth, velocities a creepage of
-/// .001.
+/// Half the step of a central difference: places change an approach of 50 um, velocities a creepage of .001
+/// by a ten-thousandth.
 double difference_step(WheelVariable which, double speed) {
-  constexpr double place = 2e-8, yaw = 1e-6, creepage = 1e-6, radius = 0.5; // [m], [rad], [-], [m]
+  constexpr double place = 5e-9, yaw = 2e-7, creepage = 1e-7, radius = 0.5; // [m], [rad], [-], [m]
   switch (which) {
   case WheelVariable::lateral:
   case WheelVariable::vertical:
@@ -116,7 +116,7 @@ struct WheelRail::Workspace {
     derivatives = {};
     if (out.status != Status::ok) return;
     state.vertical = out.vertical;
-    const double larger = method.level == WheelRailLevel::exact ? 30 : 1; // its forces have the error of a tolerance
+    const double larger = method.level == WheelRailLevel::exact ? 100 : 1; // its forces have the error of a tolerance
     double speed = 0;
     for (const WheelRailPatch& patch : out.patches) speed = std::max(speed, patch.rolling_speed);
     for (std::size_t k = wheel_variables; k-- > 0;) {

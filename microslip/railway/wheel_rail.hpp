@@ -46,9 +46,9 @@ public:
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution);
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 
-  /// The same with derivatives, by central differences of steps of a thousandth of what changes the forces much, the
-  /// wheel being held in its height; so they hold where no patch comes or goes. Errors of 1e-5 of the largest of their
-  /// row at the level `fastsim2`, where they cost some three solves, of 1e-2 at `exact`, where they cost 20.
+  /// The same with derivatives, by central differences of steps of a ten-thousandth of what changes the forces much,
+  /// the wheel being held in its height; so they hold where no patch comes or goes. Errors of 1e-5 of the largest of
+  /// their row at the level `fastsim2`, where they cost some three solves, of 1e-2 at `exact`, where they cost 20.
   /// Derivatives of a solution that is not ok are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives);

@@ -1,0 +1,277 @@
+#include "microslip/railway/wheel_rail.hpp"
+
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+
+#include "wheel_rail_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr CombinedMaterial steel{82e9, 0.28, 0};
+constexpr double friction = 0.3;
+
+Profile example_profile(const char* name) {
+  return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
+}
+
+/// S1002 on 60E1, canted 1:40.
+WheelRailBodies pair(TrackSide side = TrackSide::left) {
+  static const Profile rail = example_profile("60e1.prr"), wheel = example_profile("s1002.prw");
+  return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, side, steel, {{0, friction}}};
+}
+
+WheelState<double> running(double lateral, double yaw, double creepage = 0) {
+  WheelState<double> s;
+  s.lateral = lateral, s.yaw = yaw;
+  s.forward_velocity = 20, s.pitch_velocity = 20 / 0.46 * (1 + creepage);
+  return s;
+}
+
+/// A sphere of .1 m on a rail that is a cylinder of .1 m along the track.
+WheelRail sphere_on_cylinder(WheelRailLevel level, int elements = 24) {
+  WheelRailBodies bodies{round_head(0.1), spherical_wheel(0.1, 0.03), {}, {}, TrackSide::left, steel, {{0, friction}}};
+  bodies.track.rail_origin = ProfilePoint{0.7, 0};
+  bodies.wheelset = {.flange_back_distance = 1.4, .flange_back_position = 0, .nominal_radius = 0.1, .tape_circle = {}};
+  return WheelRail(std::move(bodies), {.level = level, .elements = elements});
+}
+
+TEST(WheelRail, HasHertzsForcesOnAnyInclination) {
+  const GapCurvatures gap = gap_curvatures({0.1, std::numeric_limits<double>::infinity(), 0.1, 0.1});
+  const HertzContact hertz = hertz_from_load(gap, steel, 5e3);
+  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
+    WheelRail contact = sphere_on_cylinder(level);
+    const double fine = level == WheelRailLevel::exact ? 1 : 8;
+    for (const double lateral : {0.0, 0.02, -0.04}) {
+      // Centres .2 m apart: the normal leans by asin(lateral/.2). At rest, so that there is no friction.
+      WheelState<double> state;
+      state.lateral = lateral;
+      const double angle = -std::asin(lateral / 0.2);
+      const auto s = contact.solve(state, 5e3 * std::cos(angle));
+      ASSERT_EQ(s.status, Status::ok);
+      ASSERT_EQ(s.patches.size(), 1u);
+      EXPECT_NEAR(s.patches[0].normal_force, 5e3, 2e-3 * fine * 5e3);
+      EXPECT_NEAR(s.patches[0].angle, angle, 3e-4);
+      EXPECT_NEAR(s.force.y, -5e3 * std::sin(angle), 3e-3 * fine * 5e3);
+      EXPECT_NEAR(s.patches[0].peak_pressure / hertz.peak_pressure, 1, 0.01 * fine);
+      const double height = std::sqrt(0.04 - lateral * lateral) - 0.2;
+      EXPECT_NEAR((height - s.vertical) * std::cos(angle) / hertz.approach, 1, 4e-3 * fine);
+    }
+  }
+}
+
+TEST(WheelRail, IsTheSameInAMirror) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
+    WheelRail left(pair(), {.level = level, .elements = 8}),
+        right(pair(TrackSide::right), {.level = level, .elements = 8});
+    for (int k = 0; k < (level == WheelRailLevel::exact ? 3 : 30); ++k) {
+      WheelState<double> state = running(5e-3 * any(random), 5e-3 * any(random), 2e-3 * any(random));
+      state.roll = 1e-3 * any(random), state.lateral_velocity = 0.02 * any(random);
+      const auto a = left.solve(state, 50e3), b = right.solve(state.mirrored(), 50e3);
+      EXPECT_EQ(a.force.x, b.force.x);
+      EXPECT_EQ(a.force.y, -b.force.y);
+      EXPECT_EQ(a.moment.y, b.moment.y);
+      EXPECT_EQ(a.moment.z, -b.moment.z);
+      EXPECT_EQ(a.vertical, b.vertical);
+      ASSERT_EQ(a.patches.size(), b.patches.size());
+      EXPECT_EQ(a.patches[0].creepage.spin, -b.patches[0].creepage.spin);
+    }
+  }
+}
+
+TEST(WheelRail, DoesNotDependOnWhereItsPartsHaveTheirOrigins) {
+  const WheelRailBodies here_bodies = pair();
+  const Profile &rail = here_bodies.rail, &wheel = here_bodies.wheel;
+  const auto moved = [](const Profile& profile, ProfilePoint by) {
+    std::vector<ProfilePoint> points;
+    for (const ProfilePiece& piece : profile.pieces()) points.push_back({piece.c[0].y + by.y, piece.c[0].z + by.z});
+    const ProfilePoint last = profile.at(profile.length()).value;
+    points.push_back({last.y + by.y, last.z + by.z});
+    return Profile(profile.role(), points);
+  };
+  WheelRailBodies other = pair();
+  other.rail = moved(rail, {0.02, 0.1});
+  other.wheel = moved(wheel, {0.013, 0});
+  other.wheelset.flange_back_position += 0.013;
+  WheelRail here(here_bodies), there(other);
+  for (const double y : {-4e-3, 0.0, 3e-3, 6e-3}) {
+    const auto a = here.solve(running(y, 3e-3, 1e-3), 60e3), b = there.solve(running(y, 3e-3, 1e-3), 60e3);
+    EXPECT_NEAR(a.force.x, b.force.x, 1e-6 * 60e3);
+    EXPECT_NEAR(a.force.y, b.force.y, 1e-6 * 60e3);
+    EXPECT_NEAR(a.vertical, b.vertical, 1e-11);
+  }
+}
+
+TEST(WheelRail, BearsTheVerticalForceThatItIsGiven) {
+  WheelRail contact(pair());
+  WheelRailSolution found;
+  for (const double force : {200.0, 10e3, 150e3})
+    for (double y = -8e-3; y <= 8e-3; y += 1e-3) {
+      contact.solve(running(y, 5e-3), force, found);
+      ASSERT_EQ(found.status, Status::ok) << y;
+      EXPECT_NEAR(found.force.z, force, 5e-6 * force);
+      WheelState<double> there = running(y, 5e-3);
+      there.vertical = found.vertical;
+      const auto again = contact.solve(there);
+      EXPECT_NEAR(again.force.z, force, 1e-5 * force);
+    }
+}
+
+TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
+  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .elements = 24});
+  for (const double y : {0.0, 5e-3}) {
+    const auto s = contact.solve(running(y, 2e-3, 1e-3), 50e3);
+    for (const WheelRailPatch& p : s.patches) {
+      const double power =
+          -p.rolling_speed * (p.creepage.longitudinal * p.fx + p.creepage.lateral * p.fs + p.creepage.spin * p.moment);
+      EXPECT_NEAR(p.frictional_power, power, 0.02 * power);
+      EXPECT_GT(p.frictional_power, 0);
+    }
+  }
+}
+
+TEST(WheelRail, HasBothLevelsNearEachOther) {
+  WheelRail fast(pair()), exact(pair(), {.level = WheelRailLevel::exact, .elements = 20});
+  for (double y = -4e-3; y <= 4e-3; y += 2e-3) {
+    const auto a = fast.solve(running(y, 1e-3, 5e-4), 50e3), b = exact.solve(running(y, 1e-3, 5e-4), 50e3);
+    EXPECT_NEAR(a.force.x, b.force.x, 0.05 * friction * 50e3);
+    EXPECT_NEAR(a.force.y, b.force.y, 0.05 * friction * 50e3);
+    EXPECT_NEAR(a.vertical, b.vertical, 0.02 * b.patches[0].approach);
+  }
+}
+
+TEST(WheelRail, TakesACurvedPatchForFlatWhereItTurnsLittle) {
+  // The wheel's rolling radius varies over the patch by about its width squared over twice the rail's radius.
+  WheelRail flat(pair()), curved(pair(), {.shape = PatchShape::curved});
+  double before = 1;
+  for (const double force : {20e3, 2e3, 200.0}) {
+    const auto a = flat.solve(running(0, 1e-3, 1e-3), force), b = curved.solve(running(0, 1e-3, 1e-3), force);
+    const double difference = std::hypot(a.force.x - b.force.x, a.force.y - b.force.y) / (friction * force);
+    EXPECT_LT(difference, 0.6 * before);
+    before = difference;
+  }
+  EXPECT_LT(before, 0.01);
+}
+
+TEST(WheelRail, SlidesAtTheFrictionOfTheInclination) {
+  WheelRailBodies bodies = pair();
+  bodies.friction = {{-0.1, 0.1}, {0.1, 0.5}};
+  WheelRail contact(bodies);
+  const auto s = contact.solve(running(0, 0, 1), 50e3);
+  const WheelRailPatch& p = s.patches.at(0);
+  EXPECT_NEAR(std::hypot(p.fx, p.fs) / p.normal_force, 0.3 + 2 * p.angle, 2e-3);
+}
+
+/// The largest error of a row of derivatives against differences, over the row's largest number.
+double derivative_error(WheelRail& contact, WheelState<double> state, std::optional<double> force) {
+  WheelRailSolution found, low, high;
+  WheelRailDerivatives d;
+  contact.differentiate(state, force, found, d);
+  EXPECT_EQ(found.status, Status::ok);
+  const std::vector<std::pair<WheelVariable, double WheelState<double>::*>> places = {
+      {WheelVariable::lateral, &WheelState<double>::lateral},
+      {WheelVariable::roll, &WheelState<double>::roll},
+      {WheelVariable::yaw, &WheelState<double>::yaw},
+      {WheelVariable::pitch_velocity, &WheelState<double>::pitch_velocity},
+      {WheelVariable::lateral_velocity, &WheelState<double>::lateral_velocity}};
+  double worst = 0;
+  if (!force) state.vertical = found.vertical;
+  for (const auto& [which, place] : places) {
+    const bool velocity = which >= WheelVariable::forward_velocity;
+    const double step = velocity ? 1e-5 : 1e-8;
+    WheelState<double> below = state, above = state;
+    below.*place -= step, above.*place += step;
+    contact.solve(below, force, low);
+    contact.solve(above, force, high);
+    const Vec3<double> expected = 0.5 / step * (high.force - low.force);
+    const Vec3<double> got = d.force[static_cast<std::size_t>(which)];
+    const double size = std::sqrt(dot(expected, expected)) + 1;
+    worst = std::max(worst, std::sqrt(dot(expected - got, expected - got)) / size);
+  }
+  return worst;
+}
+
+TEST(WheelRail, HasTheDerivativesOfItsForces) {
+  WheelRail contact(pair(), {.tolerance = 1e-11});
+  for (const double y : {-3e-3, 0.0, 2e-3}) EXPECT_LT(derivative_error(contact, running(y, 2e-3, 1e-3), 50e3), 1e-4);
+  WheelState<double> state = running(2e-3, 2e-3, 1e-3);
+  state.vertical = contact.solve(state, 50e3).vertical;
+  EXPECT_LT(derivative_error(contact, state, {}), 1e-4);
+  // Held by a force, the height changes with it as the stiffness says.
+  WheelRailSolution found;
+  WheelRailDerivatives d;
+  contact.differentiate(state, 50e3, found, d);
+  const double softer = contact.solve(state, 50.05e3).vertical - contact.solve(state, 49.95e3).vertical;
+  EXPECT_NEAR(d.vertical[1] * 100 / softer, 1, 1e-3);
+  EXPECT_NEAR(d.force[1].z, 1, 1e-9);
+  EXPECT_NEAR(d.force[0].z, 0, 1e-6);
+}
+
+TEST(WheelRail, SaysWhereThereIsNoContact) {
+  WheelRail contact(pair());
+  EXPECT_EQ(contact.solve(running(0.3, 0), 10e3).status, Status::no_contact);
+  WheelState<double> high = running(0, 0);
+  high.vertical = 0.01;
+  const auto apart = contact.solve(high);
+  EXPECT_EQ(apart.status, Status::no_contact);
+  EXPECT_EQ(apart.force.z, 0);
+  for (const double force : {0.0, -1e3, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(contact.solve(running(0, 0), force).status, Status::invalid_input);
+  WheelState<double> nan = running(0, 0);
+  nan.deflection.yaw = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(contact.solve(nan, 10e3).status, Status::invalid_input);
+}
+
+TEST(WheelRail, StandsAndRollsBackward) {
+  WheelRail contact(pair());
+  WheelState<double> still;
+  const auto s = contact.solve(still, 10e3);
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_NEAR(s.force.x, 0, 1e-9);
+  // Backward with the opposite turning: the same creepages along the track, forces the other way round.
+  WheelState<double> back = running(0, 0, 1e-3);
+  back.forward_velocity *= -1, back.pitch_velocity *= -1;
+  const auto b = contact.solve(back, 10e3), f = contact.solve(running(0, 0, 1e-3), 10e3);
+  EXPECT_NEAR(b.force.x, -f.force.x, 1e-6 * 10e3);
+}
+
+TEST(WheelRail, RefusesWhatMakesNoSense) {
+  const auto error_of = [](WheelRailBodies bodies, const WheelRailMethod& method = {}) -> std::string {
+    try {
+      WheelRail(std::move(bodies), method);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(error_of(pair()), "none");
+  WheelRailBodies bad = pair();
+  std::swap(bad.rail, bad.wheel);
+  EXPECT_NE(error_of(bad).find("wheel"), std::string::npos);
+  bad = pair();
+  bad.friction = {};
+  EXPECT_NE(error_of(bad).find("friction"), std::string::npos);
+  bad.friction = {{0.1, 0.3}, {0.1, 0.4}};
+  EXPECT_NE(error_of(bad).find("friction angle"), std::string::npos);
+  bad = pair();
+  bad.material.dissimilarity = 0.1;
+  EXPECT_NE(error_of(bad).find("dissimilarity"), std::string::npos);
+  EXPECT_NE(error_of(pair(), {.elements = 0}).find("elements"), std::string::npos);
+  bad = pair();
+  bad.track.gauge = -1;
+  EXPECT_NE(error_of(bad).find("gauge"), std::string::npos);
+}
+
+} // namespace
+} // namespace microslip
