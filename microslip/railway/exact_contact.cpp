@@ -14,8 +14,10 @@ namespace {
 struct Loaded {
   ContactPatch* patch;
   ExactPatch exact;
-  double force; ///< normal [N]
+  double force;     ///< normal [N]
+  double stiffness; ///< its change with the approach, at first after Hertz [N/m]
   ExactPatch::Rolled rolled{};
+  double force_before = 0, approach_before = 0; ///< of the last step
 };
 
 /// By how much a force on one patch lifts the rail at another one, for each newton [m/N].
@@ -25,55 +27,72 @@ double far_field(const CombinedMaterial& material, const PatchFrame& one, const 
          (std::numbers::pi * material.shear_modulus * std::sqrt(dot(way, way)));
 }
 
-/// Normal forces of patches that act on each other, with the wheel lowered by `zeta` [m]; returns the vertical force.
-double bear(std::vector<Loaded>& loaded, const CombinedMaterial& material, double zeta) {
-  constexpr int most_sweeps = 8;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double change = 0, largest = 0;
-    for (Loaded& one : loaded) {
-      const PatchFrame& frame = one.patch->outline.frame;
-      double approach = zeta * std::cos(frame.angle);
-      for (const Loaded& other : loaded)
-        if (&other != &one) approach -= far_field(material, frame, other.patch->outline.frame) * other.force;
-      const double before = std::exchange(one.force, one.exact.normal_force(material, approach));
-      change += std::abs(one.force - before), largest = std::max(largest, one.force);
-    }
-    if (loaded.size() == 1 || change < 1e-6 * largest) break;
-  }
-  double sum = 0;
-  for (const Loaded& one : loaded) sum += one.force * one.patch->vertical_share();
-  return sum;
+/// Approach [m] of a patch with the wheel lowered by `zeta`: the others lift it off.
+double approach_of(const std::vector<Loaded>& loaded, const Loaded& one, const CombinedMaterial& material,
+                   double zeta) {
+  const PatchFrame& frame = one.patch->outline.frame;
+  double approach = zeta * std::cos(frame.angle);
+  for (const Loaded& other : loaded)
+    if (&other != &one) approach -= far_field(material, frame, other.patch->outline.frame) * other.force;
+  return approach;
 }
 
-/// The lowering [m] with which the patches bear the vertical force [N], by secants; sets their normal forces.
-double find_lowering(std::vector<Loaded>& loaded, const CombinedMaterial& material, double vertical_force,
-                     double lowering) {
+/// Changes of the normal forces by `rise` [N] of each patch on its own, when each lifts the others off.
+std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const CombinedMaterial& material,
+                                  const std::vector<double>& rise) {
+  constexpr int sweeps = 30; // each reduces the error to a third or less
+  std::vector<double> change = rise;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (std::size_t k = 0; k < loaded.size(); ++k) {
+      double lift = 0;
+      for (std::size_t l = 0; l < loaded.size(); ++l)
+        if (l != k)
+          lift += far_field(material, loaded[k].patch->outline.frame, loaded[l].patch->outline.frame) * change[l];
+      change[k] = rise[k] - loaded[k].stiffness * lift;
+    }
+  return change;
+}
+
+/// Finds normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) and, where a vertical force [N] is given, the
+/// lowering zeta [m] with which they bear it: Newton's method with stiffnesses dN_i that secants improve. Returns zeta.
+double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material, std::optional<double> vertical_force,
+                  double zeta) {
   constexpr int most_steps = 12;
   constexpr double tolerance = 1e-6;
-  double depth = 0;
-  for (const Loaded& one : loaded) depth = std::max(depth, -one.patch->least_gap);
-  double before = lowering, excess_before = bear(loaded, material, before) - vertical_force;
-  if (std::abs(excess_before) < tolerance * vertical_force) return before;
-  double zeta = before - excess_before * depth / (1.5 * (excess_before + vertical_force)); // after Hertz, F ~ depth^1.5
-  for (int k = 0; k < most_steps; ++k) {
-    const double excess = bear(loaded, material, zeta) - vertical_force;
-    if (std::abs(excess) < tolerance * vertical_force || excess == excess_before) break;
-    const double next = zeta - excess * (zeta - before) / (excess - excess_before);
-    before = zeta, excess_before = excess, zeta = next;
+  if (loaded.size() == 1 && vertical_force) {
+    loaded.front().force = *vertical_force / loaded.front().patch->vertical_share();
+    return zeta;
+  }
+  std::vector<double> missing(loaded.size()), by_zeta(loaded.size());
+  for (int step = 0; step < most_steps; ++step) {
+    double largest = 0, error = 0, vertical = 0;
+    for (std::size_t k = 0; k < loaded.size(); ++k) {
+      Loaded& one = loaded[k];
+      const double approach = approach_of(loaded, one, material, zeta);
+      const double now = one.exact.normal_force(material, approach);
+      const double secant = (now - one.force_before) / (approach - one.approach_before);
+      if (step > 0 && secant > 0.3 * one.stiffness && secant < 3 * one.stiffness) one.stiffness = secant;
+      one.force_before = now, one.approach_before = approach;
+      missing[k] = now - one.force;
+      by_zeta[k] = one.stiffness * std::cos(one.patch->outline.frame.angle);
+      largest = std::max(largest, now), error = std::max(error, std::abs(missing[k]));
+      vertical += one.force * one.patch->vertical_share();
+    }
+    const double short_of = vertical_force ? *vertical_force - vertical : 0;
+    if (std::max(error, std::abs(short_of)) <= tolerance * largest) break;
+    const std::vector<double> direct = with_coupling(loaded, material, missing);
+    const std::vector<double> lowered = with_coupling(loaded, material, by_zeta);
+    double direct_vertical = 0, lowered_vertical = 0;
+    for (std::size_t k = 0; k < loaded.size(); ++k) {
+      direct_vertical += direct[k] * loaded[k].patch->vertical_share();
+      lowered_vertical += lowered[k] * loaded[k].patch->vertical_share();
+    }
+    const double more = vertical_force ? (short_of - direct_vertical) / lowered_vertical : 0;
+    for (std::size_t k = 0; k < loaded.size(); ++k)
+      loaded[k].force = std::max(loaded[k].force + direct[k] + more * lowered[k], 0.0);
+    zeta += more;
   }
   return zeta;
-}
-
-/// One patch has the force that its part of the vertical one demands; several share it by the wheel's height.
-double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material, std::optional<double> vertical_force,
-                  double lowering) {
-  if (!vertical_force) {
-    bear(loaded, material, 0);
-    return 0;
-  }
-  if (loaded.size() > 1) return find_lowering(loaded, material, *vertical_force, lowering);
-  loaded.front().force = *vertical_force / loaded.front().patch->vertical_share();
-  return lowering;
 }
 
 void sum(const CoarseContact& coarse, std::vector<Loaded>& loaded, WheelRailSolution& out) {
@@ -81,6 +100,7 @@ void sum(const CoarseContact& coarse, std::vector<Loaded>& loaded, WheelRailSolu
   WheelForces wheel;
   out.patches.clear();
   for (Loaded& one : loaded) {
+    if (!(one.force > 0)) continue;
     ContactSolution& solution = one.rolled.solution;
     WheelRailPatch patch = coarse.describe(*one.patch);
     patch.approach += one.rolled.approach;
@@ -117,7 +137,7 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
     loaded.push_back({&patch,
                       ExactPatch(coarse.surface(), patch.outline, method.shape, extent.x / method.elements,
                                  extent.y / method.elements, patch.least_gap, patch.speed),
-                      load});
+                      load, -1.5 * load / patch.least_gap});
   }
   if (loaded.empty()) {
     out.status = Status::no_contact;
@@ -130,8 +150,9 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
     lowering = share_load(loaded, bodies.material, vertical_force, lowering);
     double change = 0;
     for (Loaded& one : loaded) {
+      if (!(one.force > 0)) continue;
       one.rolled = one.exact.roll(bodies.material, one.force, friction, direction);
-      const double shear = one.rolled.solution.totals.fy / one.force;
+      const double shear = one.force > 0 ? one.rolled.solution.totals.fy / one.force : 0;
       const double sine = std::sin(one.patch->outline.frame.angle);
       change += std::abs((shear - std::exchange(one.patch->shear, shear)) * sine) * one.force;
     }
