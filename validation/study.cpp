@@ -14,6 +14,7 @@
 #include "validation/fastsim2_table2.hpp"
 #include "validation/hertz.hpp"
 #include "validation/kalker_coefficients.hpp"
+#include "validation/manchester.hpp"
 #include "validation/model_problem.hpp"
 #include "validation/random_problems.hpp"
 #include "validation/refinement.hpp"
@@ -23,6 +24,7 @@
 #include "validation/subsurface.hpp"
 #include "validation/temperature.hpp"
 #include "validation/viscoelastic_cylinders.hpp"
+#include "validation/wheel_rail.hpp"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +55,7 @@ constexpr std::array all_studies = {
     Study{"hertz", "the normal problem against Hertz's closed form, and its order", run_hertz},
     Study{"kalker-coefficients", "creepage coefficients without slip beside Kalker's table, and a finer table",
           run_kalker_coefficients},
+    Study{"manchester", "a wheelset of the Manchester benchmark beside CONTACT, at both levels", run_manchester},
     Study{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies",
           run_model_problem},
     Study{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps",
@@ -70,6 +73,7 @@ constexpr std::array all_studies = {
           run_temperature},
     Study{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads",
           run_viscoelastic_cylinders},
+    Study{"wheel-rail", "a wheel on a rail: continuity, 100,000 random states, derivatives, energy", run_wheel_rail},
 };
 
 } // namespace

@@ -62,8 +62,8 @@ PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile
   const auto between = [](double low, double high, double t) { return (low + high) / 2 + t * (high - low) / 2; };
   double sum = 0, x = 0, angle = 0, rail_s = 0, wheel_s = 0;
   double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low;
-  for (std::size_t k = 0; k < 2 * nodes.size(); ++k) {
-    const double t = k % 2 == 0 ? nodes[k / 2] : -nodes[k / 2];
+  for (std::size_t k = 0; k < 4 * nodes.size(); ++k) {
+    const double node = nodes[k / 4], t = (k % 2 == 0 ? node : -node) / 2 + (k % 4 < 2 ? 0.5 : -0.5);
     const double s = between(region.inner.s_wheel, region.outer.s_wheel, t);
     const CurvePoint on_wheel = wheel.at(s);
     const OverRail point =
@@ -71,7 +71,7 @@ PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile
     const double depth = std::max(point.overlap, 0.0);
     const double reach = std::sqrt(2 * (placement.radius - on_wheel.value.z) * depth);
     x_low = std::min(x_low, point.place.x - reach), x_high = std::max(x_high, point.place.x + reach);
-    const double weight = weights[k / 2] * depth * depth * std::sqrt(depth) * std::max(on_wheel.first.y, 0.0);
+    const double weight = weights[k / 4] * depth * depth * std::sqrt(depth) * std::max(on_wheel.first.y, 0.0);
     sum += weight;
     x += weight * point.place.x, angle += weight * inclination(placement, rail, point.rail_s);
     rail_s += weight * point.rail_s, wheel_s += weight * s;

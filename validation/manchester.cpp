@@ -1,0 +1,209 @@
+#include "validation/manchester.hpp"
+
+#include "io/profile_file.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail.hpp"
+#include "validation/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip::validation {
+namespace {
+
+const std::filesystem::path reference = MICROSLIP_REFERENCE_DATA;
+const std::filesystem::path cases_folder = reference / ".." / "contact-cases";
+
+constexpr double vertical_force = 10e3, friction = 0.3;
+constexpr CombinedMaterial steel{82e9, 0.28, 0};
+
+/// The state of a case in microslip's axes: y and z, and angles about them, change their sign.
+struct State {
+  WheelState<double> state;
+  double force = 0;
+};
+
+/// The first numbers of a line.
+std::vector<double> numbers(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<double> values;
+  for (double value = 0; in >> value;) values.push_back(value);
+  return values;
+}
+
+std::vector<State> read_states(const std::filesystem::path& file) {
+  std::vector<State> states;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.find("S, Y, FZ, ROLL, YAW, PITCH") != std::string::npos) {
+      const auto v = numbers(line);
+      if (v.size() < 6) throw Error(file.string() + ": a line of a wheelset's place has not six numbers");
+      State s;
+      s.state.lateral = -1e-3 * v[1], s.force = v[2], s.state.roll = v[3], s.state.yaw = -v[4];
+      states.push_back(s);
+    } else if (line.find("VS,VY,VZ, VROLL,VYAW,VPITCH") != std::string::npos && !states.empty()) {
+      const auto v = numbers(line);
+      if (v.size() < 6) throw Error(file.string() + ": a line of a wheelset's velocity has not six numbers");
+      states.back().state.forward_velocity = 1e-3 * v[0], states.back().state.pitch_velocity = -v[5];
+    }
+  }
+  return states;
+}
+
+using Row = std::map<std::string, double>;
+
+/// What CONTACT printed for the cases of a file, by the names of the columns; the first patch of each.
+std::vector<Row> read_printed(const std::string& file) {
+  std::vector<Row> rows;
+  std::ifstream in(reference / "contact_results.csv");
+  std::vector<std::string> names;
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    if (cells.empty() || cells[0] != file || cells[2] != "1") continue;
+    Row row;
+    for (std::size_t k = 3; k < cells.size() && k < names.size(); ++k) {
+      std::istringstream value(cells[k]);
+      double number = 0;
+      if (value >> number) row[names[k]] = number;
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Our result of a case beside CONTACT's, in its units and axes.
+struct Compared {
+  TrackSide side;
+  int number;
+  std::size_t patches;
+  double lateral;                            ///< [mm]
+  double height, place, angle;               ///< differences [mm], [mm], [rad]
+  double creepage;                           ///< largest relative difference of xi, eta, phi
+  double fx, fy;                             ///< differences over mu Fn
+  double pressure;                           ///< relative difference of the peak
+  double our_x, our_y, printed_x, printed_y; ///< on the wheel [N]
+
+  double force() const { return std::max(std::abs(fx), std::abs(fy)); }
+};
+
+Compared compare(WheelRail& contact, TrackSide side, int number, const State& state, const Row& printed) {
+  const WheelRailSolution s = contact.solve(state.state, state.force);
+  if (s.status != Status::ok || s.patches.empty()) throw Error(fmt::format("case {} was not solved", number));
+  // Several patches: the one with the greatest load is compared.
+  const WheelRailPatch& p = *std::max_element(
+      s.patches.begin(), s.patches.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
+  const double toward_field = side == TrackSide::right ? 1 : -1; // CONTACT's y points to the right
+  const auto relative = [](double ours, double theirs, double scale) { return std::abs(ours - theirs) / scale; };
+  const double scale = std::hypot(printed.at("cksi_or_fx"), printed.at("ceta_or_fy"));
+  const double bound = friction * printed.at("fn");
+  return {.side = side,
+          .number = number,
+          .patches = s.patches.size(),
+          .lateral = -1e3 * state.state.lateral,
+          .height = -1e3 * s.vertical - printed.at("z_ws"),
+          .place = 1e3 * p.rail_y * toward_field - printed.at("y_cp_r"),
+          .angle = p.angle - printed.at("delt_cp_tr"),
+          .creepage =
+              std::max({relative(p.creepage.longitudinal, -printed.at("cksi_or_fx"), scale),
+                        relative(p.creepage.lateral, printed.at("ceta_or_fy"), scale),
+                        relative(p.creepage.spin, 1e3 * printed.at("cphi"), 1e3 * std::abs(printed.at("cphi")))}),
+          .fx = (s.force.x + printed.at("Fx_tr")) / bound,
+          .fy = (s.force.y - printed.at("Fy_tr")) / bound,
+          .pressure = p.peak_pressure * 1e-6 / printed.at("pmax") - 1,
+          .our_x = s.force.x,
+          .our_y = s.force.y,
+          .printed_x = -printed.at("Fx_tr"),
+          .printed_y = printed.at("Fy_tr")};
+}
+
+/// How many cases have a number within a tolerance, and the largest number of all of them.
+template <class Of>
+void count(Report& report, const char* name, const std::vector<Compared>& cases, Of of, double tolerance,
+           std::size_t wanted) {
+  std::size_t within = 0;
+  double worst = 0;
+  for (const Compared& c : cases) {
+    within += std::abs(of(c)) <= tolerance;
+    worst = std::max(worst, std::abs(of(c)));
+  }
+  report.figure(name, fmt::format("{} of {} within {:g}; largest {:.2g}", within, cases.size(), tolerance, worst),
+                fmt::format("at least {}", wanted), within >= wanted);
+}
+
+void print(Report& report, const std::vector<Compared>& fast, const std::vector<Compared>& exact) {
+  report.heading("Forces on the wheel [N] and their differences from CONTACT's in mu Fn");
+  report.line("side   y mm  patches  CONTACT Fx     Fy   exact Fx     Fy   fast Fx     Fy   exact error  fast error");
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    const Compared &e = exact[k], &f = fast[k];
+    report.line(fmt::format("{:5} {:5.1f} {:8} {:11.0f} {:6.0f} {:10.0f} {:6.0f} {:9.0f} {:6.0f} {:12.4f} {:11.4f}",
+                            e.side == TrackSide::left ? "left" : "right", e.lateral, e.patches, e.printed_x,
+                            e.printed_y, e.our_x, e.our_y, f.our_x, f.our_y, e.force(), f.force()));
+  }
+}
+
+} // namespace
+
+bool run_manchester(const StudyOptions& options, std::ostream& out) {
+  Report report(out, options.figures);
+  const std::filesystem::path rail_file = cases_folder / "MBench_UIC60_v3.prr",
+                              wheel_file = cases_folder / "MBench_S1002_v3.prw";
+  if (!std::filesystem::exists(rail_file) || !std::filesystem::exists(reference / "contact_results.csv")) {
+    report.line("SKIPPED: contact_results.csv or the folder of CONTACT's cases is not beside MICROSLIP_REFERENCE_DATA");
+    return true;
+  }
+  const Profile rail = read_profile(rail_file).profile, wheel = read_profile(wheel_file).profile;
+  std::array<std::vector<Compared>, 2> found; // fast, exact
+  for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
+    const std::string name = side == TrackSide::left ? "mbench_a22_left" : "mbench_a22_right";
+    const auto states = read_states(cases_folder / (name + ".inp"));
+    const auto printed = read_printed(name + ".ref_out");
+    if (states.size() != printed.size()) throw Error(name + ": its cases are not those of the stored results");
+    const WheelRailBodies bodies{rail, wheel, {}, {}, side, steel, {{0, friction}}};
+    for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
+      WheelRail contact(bodies, {.level = level});
+      for (std::size_t k = 0; k < states.size(); ++k) {
+        found[level == WheelRailLevel::exact].push_back(
+            compare(contact, side, static_cast<int>(k) + 1, states[k], printed[k]));
+        if (options.progress && !options.progress((side == TrackSide::right ? 0.5 : 0.0) +
+                                                  0.5 * static_cast<double>(k) / static_cast<double>(states.size())))
+          return false;
+      }
+    }
+  }
+  print(report, found[0], found[1]);
+  for (const WheelRailLevel level : {WheelRailLevel::exact, WheelRailLevel::fastsim2}) {
+    const bool exact = level == WheelRailLevel::exact;
+    const auto& cases = found[exact];
+    report.heading(exact ? "Exact level, 24 elements across each contact" : "Level fastsim2");
+    count(
+        report, "height [mm]", cases, [](const Compared& c) { return c.height; }, 3e-4, exact ? 41 : 38);
+    count(
+        report, "place on the rail [mm]", cases, [](const Compared& c) { return c.place; }, 0.005, 36);
+    count(
+        report, "inclination [rad]", cases, [](const Compared& c) { return c.angle; }, 2e-4, 40);
+    count(
+        report, "creepages, relative", cases, [](const Compared& c) { return c.creepage; }, 2e-3, exact ? 39 : 38);
+    count(
+        report, "forces, in mu Fn", cases, [](const Compared& c) { return c.force(); }, 0.005, exact ? 40 : 34);
+    count(
+        report, "peak pressure, relative", cases, [](const Compared& c) { return c.pressure; }, exact ? 0.02 : 0.05,
+        exact ? 41 : 40);
+  }
+  return report.all_met();
+}
+
+} // namespace microslip::validation
