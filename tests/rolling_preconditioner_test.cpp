@@ -4,7 +4,7 @@
 #include "microslip/exact/halfspace/rolling_operator.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
-#include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/transforms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ Field series(double size, double c, int count) {
 class Definition {
 public:
   Definition(const ElementGrid& grid, std::span<const double> p)
-      : grid_(grid), n_(fftw::quick_size(grid.my)), waves_(static_cast<std::size_t>(grid.mx) * n_) {
+      : grid_(grid), n_(quick_size(grid.my)), waves_(static_cast<std::size_t>(grid.mx) * n_) {
     for (int i = 0; i < grid.mx; ++i)
       for (int wave = 0; wave < n_; ++wave)
         for (int j = 0; j < grid.my; ++j)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -75,13 +74,12 @@ std::array<double, 2> dense_product_at(const RandomKernels& kernels, const Pair&
 }
 
 template <class Real> Pair product(SymmetricToeplitz<Real>& transform, const Shape& s, const Pair& p) {
-  const auto place = [&](std::size_t k) { return k / s.mx * transform.stride() + k % s.mx; };
-  std::complex<Real>* field = transform.cleared_field();
+  const auto field = transform.cleared_field();
   for (std::size_t k = 0; k < s.count(); ++k)
-    field[place(k)] = {static_cast<Real>(p[0][k]), static_cast<Real>(p[1][k])};
-  const std::complex<Real>* result = transform.apply();
+    field.x[k] = static_cast<Real>(p[0][k]), field.y[k] = static_cast<Real>(p[1][k]);
+  const auto result = transform.apply();
   Pair u{Field(s.count()), Field(s.count())};
-  for (std::size_t k = 0; k < s.count(); ++k) u[0][k] = result[place(k)].real(), u[1][k] = result[place(k)].imag();
+  for (std::size_t k = 0; k < s.count(); ++k) u[0][k] = result.x[k], u[1][k] = result.y[k];
   return u;
 }
 

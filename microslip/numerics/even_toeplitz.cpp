@@ -1,11 +1,11 @@
 #include "microslip/numerics/even_toeplitz.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/kernel/wave_products.hpp"
 #include "microslip/numerics/threads.hpp"
+#include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
-#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -14,151 +14,113 @@
 namespace microslip {
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr int batch = 8;                           // rows, or columns next to each other, in one call
+constexpr int lanes = block_lanes<double>;
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 constexpr double smallest_share = 1e-2;            // of the kernel at 0, in its transform
 
 int padded(int m) {
-  return m == 1 ? 1 : fftw::good_even_size(2 * m);
+  return m == 1 ? 1 : quick_size(2 * m);
+}
+
+int threads_for(int nx, int ny) {
+  return static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1;
 }
 
 } // namespace
 
 struct EvenToeplitz::Plans {
   int mx, my, nx, ny;
-  int columns, rows;                        ///< of a kernel's transform: kx = 0 .. nx/2, ky = 0 .. ny/2
-  std::vector<double> spectrum, inverse;    ///< index kx rows + ky, with the scaling of the transforms
-  fftw::Buffer<Complex> z;                  ///< rows of `columns`, a multiple of `batch` of them
-  std::vector<fftw::Buffer<Complex>> works; ///< of each thread: a batch of rows, or two of columns
-  fftw::RealTransforms of_rows;
-  fftw::Transforms<double> column_forward, column_backward;
+  WaveBlocks<double> waves;
+  ColumnTransforms<double> columns;
+  int lines;                             ///< of a block in a kernel's transform: ky = 0 .. ny/2
+  std::vector<double> spectrum, inverse; ///< with the scaling of the transforms: block after block
   long products = 0;
 
   Plans(int x, int y, const KernelRow& kernel, const TransformPlans& plans)
-      : mx(x), my(y), nx(padded(x)), ny(padded(y)), columns(nx / 2 + 1), rows(ny / 2 + 1), of_rows(nx, batch, plans),
-        column_forward(ny, batch, FFTW_FORWARD, plans), column_backward(ny, batch, FFTW_BACKWARD, plans) {
-    const int row_room = (my + batch - 1) / batch * batch;
-    z = fftw::allocate<Complex>(static_cast<std::size_t>(row_room) * columns);
-    const int threads = static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1;
-    const std::size_t half_work = static_cast<std::size_t>(batch) * std::max(columns, ny);
-    for (int i = 0; i < threads; ++i) works.push_back(fftw::allocate<Complex>(2 * half_work));
-    find_spectra(kernel);
-  }
-
-  void find_spectra(const KernelRow& kernel) {
-    spectrum.resize(static_cast<std::size_t>(columns) * rows);
+      : mx(x), my(y), nx(padded(x)), ny(padded(y)),
+        waves(my, nx, threads_for(nx, ny), 2 * static_cast<std::size_t>(ny), plans), columns(ny, plans),
+        lines(ny / 2 + 1) {
+    spectrum.resize(waves.count() * table_size());
     inverse.resize(spectrum.size());
+    const double least = smallest_share * transform_kernel_rows(kernel, plans), points = static_cast<double>(nx) * ny;
+    const Buffer<double> in = allocate<double>(columns.work_size());
+    for (int b = 0; b < waves.count(); b += 2) transform_kernel_columns(b, in.get());
+    for (int b = 0; b < waves.count(); ++b)
+      for (int j = 0; j < lines; ++j)
+        for (int i = 0; i < waves.lanes_of(b); ++i) {
+          const std::size_t k = b * table_size() + static_cast<std::size_t>(j) * lanes + i;
+          inverse[k] = 1 / std::max(spectrum[k], least) / points;
+          spectrum[k] /= points;
+        }
+  }
+
+  std::size_t table_size() const { return static_cast<std::size_t>(lines) * lanes; }
+  double* table(int block) { return block < waves.count() ? &spectrum[block * table_size()] : nullptr; }
+
+  /// Even rows have real transforms. Returns the number at 0.
+  double transform_kernel_rows(const KernelRow& kernel, const TransformPlans& plans) {
+    const int batch = std::min(lines, RowTransforms<double>::most_rows);
+    WaveBlocks<double> some(batch, nx, 1, 0, plans);
+    std::vector<double> rows(static_cast<std::size_t>(batch) * nx);
     double at_zero = 0;
-    const KernelRow observed = [&](int j, std::span<double> entries) {
-      kernel(j, entries);
-      if (j == 0) at_zero = entries[0];
-    };
-    for (int j = 0; j < rows; j += batch) transform_kernel_rows(j, observed);
-    for (int kx = 0; kx < columns; kx += 2 * batch) transform_kernel_columns(kx);
-    const double least = smallest_share * at_zero, points = static_cast<double>(nx) * ny;
-    for (std::size_t k = 0; k < spectrum.size(); ++k) {
-      inverse[k] = 1 / std::max(spectrum[k], least) / points;
-      spectrum[k] /= points;
-    }
-  }
-
-  /// Some of the kernel's rows, which as even ones have real transforms.
-  void transform_kernel_rows(int first, const KernelRow& kernel) {
-    auto* in = reinterpret_cast<double*>(works[0].get());
-    Complex* out = works[0].get() + static_cast<std::size_t>(batch) * columns;
-    const int count = std::min(batch, rows - first);
-    for (int j = 0; j < batch; ++j) {
-      double* row = in + static_cast<std::size_t>(j) * 2 * columns;
-      if (j < count)
-        kernel(first + j, {row, static_cast<std::size_t>(columns)});
-      else
-        std::fill_n(row, nx, 0.0);
-      std::reverse_copy(row + 1, row + (nx + 1) / 2, row + columns);
-    }
-    of_rows.forward(in, out);
-    for (int j = 0; j < count; ++j)
-      for (int i = 0; i < columns; ++i)
-        spectrum[static_cast<std::size_t>(i) * rows + first + j] =
-            out[static_cast<std::size_t>(j) * columns + i].real();
-  }
-
-  /// Some columns of that, in pairs as real and imaginary part.
-  void transform_kernel_columns(int kx) {
-    Complex *in = works[0].get(), *out = in + static_cast<std::size_t>(batch) * ny;
-    const auto column = [&](int c) {
-      return kx + c < columns ? &spectrum[static_cast<std::size_t>(kx + c) * rows] : nullptr;
-    };
-    for (int c = 0; c < batch; ++c) {
-      const double *real = column(2 * c), *imaginary = column(2 * c + 1);
-      Complex* to = in + static_cast<std::size_t>(c) * ny;
-      for (int j = 0; j < rows; ++j) {
-        to[j] = {real != nullptr ? real[j] : 0, imaginary != nullptr ? imaginary[j] : 0};
-        if (j > 0) to[ny - j] = to[j];
+    for (int first = 0; first < lines; first += batch) {
+      const int count = std::min(batch, lines - first);
+      for (int j = 0; j < count; ++j) {
+        double* row = rows.data() + static_cast<std::size_t>(j) * nx;
+        kernel(first + j, {row, static_cast<std::size_t>(nx / 2 + 1)});
+        std::reverse_copy(row + 1, row + (nx + 1) / 2, row + nx / 2 + 1);
+        if (first + j == 0) at_zero = row[0];
       }
+      some.forward(0, {rows.data(), rows.data() + nx, 2 * static_cast<std::size_t>(nx)}, nx, 0);
+      for (int b = 0; b < waves.count(); ++b)
+        for (int j = 0; j < count; ++j)
+          std::copy_n(some.block(b) + j * line_size<double>, waves.lanes_of(b),
+                      table(b) + static_cast<std::size_t>(first + j) * lanes);
     }
-    column_forward.execute(in, out);
-    for (int c = 0; c < 2 * batch; ++c) {
-      double* to = column(c);
-      const Complex* from = out + static_cast<std::size_t>(c / 2) * ny;
-      for (int j = 0; j < rows && to != nullptr; ++j) to[j] = c % 2 == 0 ? from[j].real() : from[j].imag();
+    return at_zero;
+  }
+
+  /// Two blocks of that at once, as real and imaginary parts of even columns.
+  void transform_kernel_columns(int b, double* in) {
+    double *real = table(b), *imaginary = table(b + 1);
+    double *out = waves.work(0), *work = out + columns.work_size();
+    for (int j = 0; j < lines; ++j) {
+      double* line = in + static_cast<std::size_t>(j) * line_size<double>;
+      std::copy_n(real + static_cast<std::size_t>(j) * lanes, lanes, line);
+      if (imaginary != nullptr)
+        std::copy_n(imaginary + static_cast<std::size_t>(j) * lanes, lanes, line + lanes);
+      else
+        std::fill_n(line + lanes, lanes, 0.0);
+      if (j > 0 && j < ny - j)
+        std::copy_n(line, line_size<double>, in + static_cast<std::size_t>(ny - j) * line_size<double>);
+    }
+    columns.forward({in, line_size<double>, ny}, lanes, out, work);
+    for (int j = 0; j < lines; ++j) {
+      const double* line = out + static_cast<std::size_t>(j) * line_size<double>;
+      std::copy_n(line, lanes, real + static_cast<std::size_t>(j) * lanes);
+      if (imaginary != nullptr) std::copy_n(line + lanes, lanes, imaginary + static_cast<std::size_t>(j) * lanes);
     }
   }
 
-  int row_batches() const { return (my + batch - 1) / batch; }
-  int column_batches() const { return (columns + batch - 1) / batch; }
-
-  void transform_rows(int first, const double* in, Complex* work) {
-    auto* real = reinterpret_cast<double*>(work);
-    for (int j = 0; j < batch; ++j) {
-      double* row = real + static_cast<std::size_t>(j) * 2 * columns;
-      const int in_row = first + j < my ? mx : 0;
-      std::copy_n(in + (in_row > 0 ? static_cast<std::size_t>(first + j) * mx : 0), in_row, row);
-      std::fill(row + in_row, row + nx, 0.0);
-    }
-    of_rows.forward(real, z.get() + static_cast<std::size_t>(first) * columns);
-  }
-
-  void transform_rows_back(int first, double* out, Complex* work) {
-    auto* real = reinterpret_cast<double*>(work);
-    of_rows.backward(z.get() + static_cast<std::size_t>(first) * columns, real);
-    for (int j = 0; j < std::min(batch, my - first); ++j)
-      std::copy_n(real + static_cast<std::size_t>(j) * 2 * columns, mx, out + static_cast<std::size_t>(first + j) * mx);
-  }
-
-  /// The columns from kx on: transformed along y, multiplied, transformed back.
-  void convolve_columns(const std::vector<double>& kernel, int kx, Complex* work) {
-    Complex* result = work + static_cast<std::size_t>(batch) * ny;
-    const int count = std::min(batch, columns - kx);
-    for (int c = 0; c < batch; ++c) {
-      Complex* here = work + static_cast<std::size_t>(c) * ny;
-      std::fill(here + (c < count ? my : 0), here + ny, Complex(0));
-    }
-    for (int j = 0; j < my; ++j)
-      for (int c = 0; c < count; ++c)
-        work[static_cast<std::size_t>(c) * ny + j] = z[static_cast<std::size_t>(j) * columns + kx + c];
-    column_forward.execute(work, result);
-    for (int c = 0; c < count; ++c) {
-      const double* k = kernel.data() + static_cast<std::size_t>(kx + c) * rows;
-      Complex* here = result + static_cast<std::size_t>(c) * ny;
-      for (int j = 0; j < rows; ++j) here[j] *= k[j];
-      for (int j = rows; j < ny; ++j) here[j] *= k[ny - j];
-    }
-    column_backward.execute(result, work);
-    for (int j = 0; j < my; ++j)
-      for (int c = 0; c < count; ++c)
-        z[static_cast<std::size_t>(j) * columns + kx + c] = work[static_cast<std::size_t>(c) * ny + j];
+  /// Of a block, with its part of a table: columns are transformed along y, multiplied and transformed back.
+  void convolve_columns(const std::vector<double>& kernel, int b, int thread) {
+    double *transformed = waves.work(thread), *work = transformed + columns.work_size();
+    columns.forward({waves.block(b), line_size<double>, my}, waves.lanes_of(b), transformed, work);
+    multiply(&kernel[b * table_size()], ny, transformed);
+    columns.backward(transformed, {waves.block(b), line_size<double>, my}, waves.lanes_of(b), work);
   }
 
   void convolve(const std::vector<double>& kernel, std::span<const double> in, std::span<double> out) {
     ++products;
-    const int threads = static_cast<int>(works.size());
-    const auto work = [&](int thread) { return works[thread].get(); };
-    share_out(row_batches(), threads, [&](int b, int t) { transform_rows(b * batch, in.data(), work(t)); });
-    share_out(column_batches(), threads, [&](int b, int t) { convolve_columns(kernel, b * batch, work(t)); });
-    share_out(row_batches(), threads, [&](int b, int t) { transform_rows_back(b * batch, out.data(), work(t)); });
+    const std::size_t two_rows = 2 * static_cast<std::size_t>(mx);
+    const RowPairs<const double> from = {in.data(), in.data() + mx, two_rows};
+    const RowPairs<double> to = {out.data(), out.data() + mx, two_rows};
+    share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.forward(b, from, mx, thread); });
+    share_out(waves.count(), waves.threads(), [&](int b, int thread) { convolve_columns(kernel, b, thread); });
+    share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.backward(b, to, mx, thread); });
   }
+
+  void (*multiply)(const double*, int, double*) = detail::wave_products<double>().even;
 };
 
 EvenToeplitz::EvenToeplitz(int mx, int my, const KernelRow& kernel, const TransformPlans& plans) {

@@ -1,13 +1,12 @@
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 
-#include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/kernel/wave_products.hpp"
 #include "microslip/numerics/precision.hpp"
 #include "microslip/numerics/threads.hpp"
+#include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <utility>
 #include <vector>
 
@@ -16,10 +15,12 @@
 namespace microslip {
 namespace {
 
-constexpr int block = 6;                           // columns next to each other that are read together
-constexpr int batch = 2 * block;                   // transforms in one call: rows, or columns and their mirror images
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 constexpr double smallest_share = 1e-2;            // of the kernels at 0, in the transform that is inverted
+
+int threads_for(int nx, int ny) {
+  return static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1;
+}
 
 /// A symmetric matrix of two rows: `mean` times unity and `difference`, -`difference` on the diagonal, `mixed` beside.
 struct SymmetricPair {
@@ -34,147 +35,115 @@ struct SymmetricPair {
   }
 };
 
-/// z = s z + t v and v = s v + conj(t) z with t = d + i m, for complex numbers written out in real ones, which the
-/// compiler vectorises.
-template <class Real> void multiply(const Real* s, const Real* d, const Real* m, Real* z, Real* v, int size) {
-#pragma omp simd
-  for (int k = 0; k < size; ++k) {
-    const Real zr = z[2 * k], zi = z[2 * k + 1], vr = v[2 * k], vi = v[2 * k + 1];
-    z[2 * k] = s[k] * zr + d[k] * vr - m[k] * vi;
-    z[2 * k + 1] = s[k] * zi + d[k] * vi + m[k] * vr;
-    v[2 * k] = s[k] * vr + d[k] * zr + m[k] * zi;
-    v[2 * k + 1] = s[k] * vi + d[k] * zi - m[k] * zr;
-  }
-}
-
 } // namespace
 
 template <class Real> struct SymmetricToeplitz<Real>::Plans {
+  static constexpr int lanes = block_lanes<Real>, line = line_size<Real>;
+
   int mx, my, nx, ny;
-  std::vector<Real> mean, difference, mixed; ///< (xx + yy)/2, (xx - yy)/2, xy, for kx = 0 .. nx/2 all ky
-  fftw::Buffer<Complex> field, z;            ///< and its transforms: rows of nx, a multiple of `batch` of them
-  int threads;                               ///< that share the work
-  /// For each thread three batches of columns: what goes in, zero where no rows are, its transform, what comes out.
-  fftw::Buffer<Complex> work;
-  fftw::Transforms<Real> rows_forward, rows_backward, columns_forward, columns_backward;
+  std::vector<Real> x, y;    ///< the field's components, if there is one
+  WaveBlocks<Real> waves;    ///< of x and y by turns, row after row
+  std::vector<Real> kernels; ///< xx, xy, yy of a block's waves, for ky = 0 .. ny/2; block after block
+  ColumnTransforms<Real> columns;
+  detail::WaveProducts<Real> wave_products = detail::wave_products<Real>();
   long products = 0;
 
-  Plans(int x, int y, int period_x, int period_y, const TransformPlans& plans)
-      : mx(x), my(y), nx(fftw::quick_size(period_x)), ny(fftw::quick_size(period_y)),
-        field(fftw::allocate<Complex>(field_size())), z(fftw::allocate<Complex>(field_size())),
-        threads(static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1),
-        work(fftw::allocate<Complex>(threads * 3 * batch_size())), rows_forward(nx, batch, FFTW_FORWARD, plans),
-        rows_backward(nx, batch, FFTW_BACKWARD, plans), columns_forward(ny, batch, FFTW_FORWARD, plans),
-        columns_backward(ny, batch, FFTW_BACKWARD, plans) {
-    std::fill_n(work.get(), threads * 3 * batch_size(), Complex(0));
-  }
+  Plans(int x_count, int y_count, int period_x, int period_y, const TransformPlans& plans)
+      : mx(x_count), my(y_count), nx(quick_size(period_x)), ny(quick_size(period_y)),
+        waves(2 * my, nx, threads_for(nx, ny), 3 * static_cast<std::size_t>(ny), plans), columns(ny, plans) {}
   template <class Other>
   Plans(const Other& other, double factor, const TransformPlans& plans)
       : Plans(other.mx, other.my, other.nx, other.ny, plans) {
-    const auto scaled = [factor](const auto& from, std::vector<Real>& to) {
-      to.resize(from.size());
-      convert(from, factor, to);
-    };
-    scaled(other.mean, mean);
-    scaled(other.difference, difference);
-    scaled(other.mixed, mixed);
+    kernels.resize(waves.count() * table_size());
+    for (int kx = 0; kx <= nx / 2; ++kx)
+      for (int ky = 0; ky <= ny / 2; ++ky)
+        for (int component = 0; component < 3; ++component)
+          kernels[index(kx, ky, component)] = static_cast<Real>(factor * other.kernels[other.index(kx, ky, component)]);
   }
 
-  /// All three kernels go through one transform, of xx + xy + i yy: those of xx and yy are real and even in kx, that of
-  /// xy is real and odd. What becomes of each wave's pair of the kernels is up to `use`.
-  template <class Use> void find_spectra(const Kernels& kernels, Use use) {
-    std::fill_n(field.get(), field_size(), Complex(0));
-    for (int j = 0; j < std::min(my, ny / 2 + 1); ++j)
-      for (int i = 0; i < std::min(mx, nx / 2 + 1); ++i) {
-        const std::size_t k = static_cast<std::size_t>(j) * mx + i, row = static_cast<std::size_t>(j) * nx;
-        const bool is_mirror = i % (nx / 2) == 0 || j % (ny / 2) == 0; // where odd periodic kernels are zero
-        const double xx = kernels.xx[k], xy = is_mirror ? 0 : kernels.xy[k], yy = kernels.yy[k];
-        field[row + (nx - i) % nx] = {static_cast<Real>(xx - xy), static_cast<Real>(yy)};
-        field[row + i] = {static_cast<Real>(xx + xy), static_cast<Real>(yy)};
-      }
-    for (auto* spectrum : {&mean, &difference, &mixed}) spectrum->resize(static_cast<std::size_t>(nx / 2 + 1) * ny);
-    transform_rows();
-    share_out(column_blocks(), threads, [&](int b, int thread) { find_spectra_of_columns(b * block, thread, use); });
-    std::fill_n(work.get(), threads * 3 * batch_size(), Complex(0));
+  std::size_t field_size() const { return static_cast<std::size_t>(mx) * my; }
+  std::size_t table_size() const { return static_cast<std::size_t>(ny / 2 + 1) * 3 * lanes; } ///< of a block
+  std::size_t index(int kx, int ky, int component) const {
+    return kx / lanes * table_size() + static_cast<std::size_t>(3 * ky + component) * lanes + kx % lanes;
   }
 
-  /// Of the columns from kx on. The kernels' row -j is the mirror image of row j.
-  template <class Use> void find_spectra_of_columns(int kx, int thread, Use use) {
-    Complex *in = work.get() + thread * 3 * batch_size(), *out = in + batch_size();
-    const int count = std::min(block, nx / 2 + 1 - kx);
-    std::fill_n(in, batch_size(), Complex(0));
-    for (int j = 0; j < std::min(my, ny / 2 + 1); ++j) {
-      const Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
-      for (int c = 0; c < count; ++c) {
-        const Complex here = row[kx + c], image = row[(nx - kx - c) % nx];
-        Complex *column = in + static_cast<std::size_t>(c) * ny, *other = column + static_cast<std::size_t>(block) * ny;
-        column[(ny - j) % ny] = image, other[(ny - j) % ny] = here;
-        column[j] = here, other[j] = image;
+  /// Rows of the kernels are those of xx + xy, whose waves are real parts for xx and imaginary ones for xy, and of yy.
+  /// What becomes of each wave's pair of the kernels is up to `use`.
+  template <class Use> void find_spectra(const Kernels& of, Use use) {
+    kernels.assign(waves.count() * table_size(), 0);
+    const int rows = std::min(my, ny / 2 + 1);
+    share_out(waves.batches_of(2 * rows), waves.threads(),
+              [&](int b, int thread) { transform_kernel_rows(of, b, rows, thread); });
+    share_out(waves.count(), waves.threads(), [&](int b, int thread) { find_spectra_of_block(b, rows, thread, use); });
+  }
+
+  /// Those of a batch.
+  void transform_kernel_rows(const Kernels& of, int b, int rows, int thread) {
+    constexpr int pairs = RowTransforms<Real>::most_rows / 2;
+    const std::size_t stride = 2 * static_cast<std::size_t>(nx);
+    std::vector<Real> some(pairs * stride);
+    for (int l = 0; l < std::min(pairs, rows - b * pairs); ++l)
+      set_kernel_rows(of, b * pairs + l, some.data() + l * stride, some.data() + l * stride + nx);
+    waves.forward_batch(b, {some.data(), some.data() + nx, stride}, nx, thread);
+  }
+
+  void set_kernel_rows(const Kernels& of, int j, Real* first, Real* second) const {
+    for (int i = 0; i < std::min(mx, nx / 2 + 1); ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * mx + i;
+      const bool is_mirror = i % (nx / 2) == 0 || j % (ny / 2) == 0; // where odd periodic kernels are zero
+      const double xx = of.xx[k], xy = is_mirror ? 0 : of.xy[k], yy = of.yy[k];
+      first[(nx - i) % nx] = static_cast<Real>(xx - xy), second[(nx - i) % nx] = static_cast<Real>(yy);
+      first[i] = static_cast<Real>(xx + xy), second[i] = static_cast<Real>(yy);
+    }
+  }
+
+  /// Columns of xx + xy + i yy: that of xx + xy at -j is the conjugate complex of that at j, yy is even.
+  template <class Use> void find_spectra_of_block(int b, int rows, int thread, Use use) {
+    const std::size_t size = columns.work_size();
+    Real *in = waves.work(thread), *out = in + size, *work = out + size;
+    std::fill_n(in, size, Real(0));
+    for (int j = 0; j < rows; ++j) {
+      const Real *first = waves.block(b) + static_cast<std::size_t>(2 * j) * line, *second = first + line;
+      Real *to = in + static_cast<std::size_t>(j) * line, *image = in + static_cast<std::size_t>((ny - j) % ny) * line;
+      for (int i = 0; i < lanes; ++i) {
+        const Real xx = first[i], xy = first[lanes + i], yy = second[i];
+        image[i] = xx, image[lanes + i] = yy - xy;
+        to[i] = xx, to[lanes + i] = yy + xy;
       }
     }
-    columns_forward.execute(in, out);
+    columns.forward({in, line, ny}, waves.lanes_of(b), out, work);
     const double points = double(nx) * ny; // scales the transforms
-    for (int c = 0; c < count; ++c)
-      for (int j = 0; j < ny; ++j) {
-        const Complex here = out[c * ny + j], image = out[(block + c) * ny + j];
-        const double xx = (double(here.real()) + image.real()) / 2, yy = (double(here.imag()) + image.imag()) / 2;
-        const double xy = (double(here.real()) - image.real()) / 2;
-        const std::size_t to = static_cast<std::size_t>(kx + c) * ny + j;
+    for (int ky = 0; ky <= ny / 2; ++ky)
+      for (int i = 0; i < waves.lanes_of(b); ++i) {
+        const Real *here = out + static_cast<std::size_t>(ky) * line + i;
+        const Real *image = out + static_cast<std::size_t>((ny - ky) % ny) * line + i;
+        const double xx = (double(here[0]) + image[0]) / 2, xy = (double(here[0]) - image[0]) / 2;
+        const double yy = (double(here[lanes]) + image[lanes]) / 2;
         const SymmetricPair pair = use(SymmetricPair{(xx + yy) / 2, (xx - yy) / 2, xy});
-        mean[to] = static_cast<Real>(pair.mean / points);
-        difference[to] = static_cast<Real>(pair.difference / points);
-        mixed[to] = static_cast<Real>(pair.mixed / points);
+        Real* to = &kernels[index(b * lanes + i, ky, 0)];
+        to[0] = static_cast<Real>((pair.mean + pair.difference) / points);
+        to[lanes] = static_cast<Real>(pair.mixed / points);
+        to[2 * lanes] = static_cast<Real>((pair.mean - pair.difference) / points);
       }
   }
 
-  int row_batches() const { return (my + batch - 1) / batch; }
-  int column_blocks() const { return nx / 2 / block + 1; }
-  std::size_t field_size() const { return static_cast<std::size_t>(row_batches()) * batch * nx; }
-
-  std::size_t batch_size() const { return static_cast<std::size_t>(batch) * ny; } ///< of columns
-
-  /// The columns from kx on and their mirror images: transformed along y, multiplied, transformed back. The images are
-  /// taken as conjugate complex: so Z(-k) conjugate stands where Z(k) does.
-  void convolve_columns(int kx, int thread) {
-    Complex *in = work.get() + thread * 3 * batch_size(), *out = in + batch_size(), *back = out + batch_size();
-    const int count = std::min(block, nx / 2 + 1 - kx);
-    std::array<int, block> mirror;
-    for (int c = 0; c < count; ++c) mirror[c] = (nx - kx - c) % nx;
-    for (int j = 0; j < my; ++j) {
-      const Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
-      for (int c = 0; c < count; ++c) {
-        in[static_cast<std::size_t>(c) * ny + j] = row[kx + c];
-        in[static_cast<std::size_t>(block + c) * ny + j] = std::conj(row[mirror[c]]);
-      }
-    }
-    columns_forward.execute(in, out);
-    for (int c = 0; c < count; ++c) {
-      const std::size_t spectrum = static_cast<std::size_t>(kx + c) * ny;
-      multiply(&mean[spectrum], &difference[spectrum], &mixed[spectrum],
-               reinterpret_cast<Real*>(out + static_cast<std::size_t>(c) * ny),
-               reinterpret_cast<Real*>(out + static_cast<std::size_t>(block + c) * ny), ny);
-    }
-    columns_backward.execute(out, back);
-    for (int j = 0; j < my; ++j) {
-      Complex* row = z.get() + static_cast<std::size_t>(j) * nx;
-      for (int c = 0; c < count; ++c) {
-        row[mirror[c]] = std::conj(back[static_cast<std::size_t>(block + c) * ny + j]);
-        row[kx + c] = back[static_cast<std::size_t>(c) * ny + j];
-      }
-    }
+  /// Of a block: transformed along y, multiplied, transformed back.
+  void convolve_columns(int b, int thread) {
+    Real *x_waves = waves.work(thread), *y_waves = x_waves + columns.work_size(), *work = y_waves + columns.work_size();
+    const BlockLines<Real> x_lines = {waves.block(b), 2 * line, my}, y_lines = {waves.block(b) + line, 2 * line, my};
+    const int used = waves.lanes_of(b);
+    columns.forward({x_lines.first, x_lines.stride, my}, used, x_waves, work);
+    columns.forward({y_lines.first, y_lines.stride, my}, used, y_waves, work);
+    wave_products.symmetric(&kernels[b * table_size()], ny, x_waves, y_waves);
+    columns.backward(x_waves, x_lines, used, work);
+    columns.backward(y_waves, y_lines, used, work);
   }
 
-  void transform_rows() {
-    const std::size_t rows = static_cast<std::size_t>(batch) * nx;
-    share_out(row_batches(), threads, [&](int b, int) { rows_forward.execute(&field[b * rows], &z[b * rows]); });
-  }
-
-  void apply() {
+  void apply(const RowPairs<const Real>& in, const RowPairs<Real>& out) {
     ++products;
-    const std::size_t rows = static_cast<std::size_t>(batch) * nx;
-    transform_rows();
-    share_out(column_blocks(), threads, [&](int b, int thread) { convolve_columns(b * block, thread); });
-    share_out(row_batches(), threads, [&](int b, int) { rows_backward.execute(&z[b * rows], &field[b * rows]); });
+    share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.forward(b, in, mx, thread); });
+    share_out(waves.count(), waves.threads(), [&](int b, int thread) { convolve_columns(b, thread); });
+    share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.backward(b, out, mx, thread); });
   }
 };
 
@@ -215,35 +184,28 @@ template <class Real> SymmetricToeplitz<Real>::~SymmetricToeplitz() = default;
 template <class Real> long SymmetricToeplitz<Real>::products() const {
   return plans_->products;
 }
-template <class Real> std::size_t SymmetricToeplitz<Real>::stride() const {
-  return plans_->nx;
+template <class Real> auto SymmetricToeplitz<Real>::cleared_field() -> Field {
+  plans_->x.assign(plans_->field_size(), 0);
+  plans_->y.assign(plans_->field_size(), 0);
+  return {plans_->x, plans_->y};
 }
 
-template <class Real> std::complex<Real>* SymmetricToeplitz<Real>::cleared_field() {
-  std::fill_n(plans_->field.get(), plans_->field_size(), Complex(0));
-  return plans_->field.get();
-}
-
-template <class Real> const std::complex<Real>* SymmetricToeplitz<Real>::apply() {
-  plans_->apply();
-  return plans_->field.get();
+template <class Real> auto SymmetricToeplitz<Real>::apply() -> Field {
+  const std::size_t stride = plans_->mx;
+  Real *x = plans_->x.data(), *y = plans_->y.data();
+  plans_->apply({x, y, stride}, {x, y, stride});
+  return {plans_->x, plans_->y};
 }
 
 template <class Real>
 void SymmetricToeplitz<Real>::apply(std::span<const Real> px, std::span<const Real> py, Real factor, std::span<Real> ux,
                                     std::span<Real> uy) {
-  const auto mx = static_cast<std::size_t>(plans_->mx), my = static_cast<std::size_t>(plans_->my);
-  Complex* field = cleared_field();
-  for (std::size_t j = 0; j < my; ++j)
-    for (std::size_t i = 0; i < mx; ++i)
-      field[j * stride() + i] = {px[j * mx + i], py.empty() ? Real(0) : py[j * mx + i]};
-  apply();
-  for (std::size_t j = 0; j < my; ++j)
-    for (std::size_t i = 0; i < mx; ++i) {
-      const Complex u = factor * field[j * stride() + i];
-      ux[j * mx + i] = u.real();
-      if (!uy.empty()) uy[j * mx + i] = u.imag();
-    }
+  const std::size_t stride = plans_->mx;
+  if (py.empty() || uy.empty()) plans_->y.assign(plans_->field_size(), 0);
+  Real* y = plans_->y.data();
+  plans_->apply({px.data(), py.empty() ? y : py.data(), stride}, {ux.data(), uy.empty() ? y : uy.data(), stride});
+  for (const std::span<Real> u : {ux, uy})
+    for (Real& value : u) value *= factor;
 }
 
 template class SymmetricToeplitz<double>;

@@ -2,7 +2,6 @@
 
 #include "microslip/numerics/transform_plans.hpp"
 
-#include <complex>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -11,15 +10,14 @@ namespace microslip {
 
 /// Products with a matrix of blocks [xx, xy; xy, yy] on an mx x my grid, ux(I) = sum_J xx(I - J) px(J) + xy(I - J)
 /// py(J) and so on, where xx and yy are even and xy is odd in both components of the offset, as is so for half-spaces.
-/// Both components go through one complex transform, Z = Px + i Py on a grid padded to at least 2 mx x 2 my; in its
-/// space U(k) = (xx + yy)/2 Z(k) + ((xx - yy)/2 + i xy) conj Z(-k), where the kernels' transforms are real and known on
-/// a quarter of the plane. Rows that are zero are skipped, and columns are transformed, multiplied and transformed back
-/// while they are in the cache. Cost: 8 mx my complex transformed there and back, O(N log N); memory 4 mx my complex
-/// and 6 mx my real numbers. Results do not depend on the number of OpenMP threads, which large grids use. Distinct
-/// objects may be used from distinct threads. In double or in single precision.
+/// Both components go through real transforms on a grid padded to at least 2 mx x 2 my, where the kernels' transforms
+/// are real and known on a quarter of the plane. Rows that are zero are skipped, and columns are transformed, multiplied
+/// and transformed back while they are in the cache. Cost: 8 mx my real numbers transformed there and back, O(N log N);
+/// memory: 2 mx my complex and 3 mx my real numbers, and 2 mx my more for a field. Results do not depend on the number
+/// of OpenMP threads, which large grids use. Distinct objects may be used from distinct threads. In double or in single
+/// precision.
 template <class Real> class SymmetricToeplitz {
 public:
-  using Complex = std::complex<Real>;
   /// Kernels at the offsets 0 .. mx - 1, 0 .. my - 1, index j mx + i.
   struct Kernels {
     std::span<const double> xx, xy, yy;
@@ -43,12 +41,14 @@ public:
   SymmetricToeplitz& operator=(SymmetricToeplitz&&) noexcept;
   ~SymmetricToeplitz();
 
-  /// The field px + i py that the matrix is applied to, zeroed: index j stride() + i. What is not in the mx x my grid
-  /// must stay zero.
-  Complex* cleared_field();
-  std::size_t stride() const;
-  /// Turns the field into ux + i uy, which can be read where the grid is, and returns it.
-  const Complex* apply();
+  /// Components of a grid function, index j mx + i.
+  struct Field {
+    std::span<Real> x, y;
+  };
+  /// The field p that the matrix is applied to, zeroed.
+  Field cleared_field();
+  /// Turns the field into u and returns it.
+  Field apply();
 
   /// (ux, uy) = factor times the matrix times (px, py), grid functions with index j mx + i; an empty py is zero, an
   /// empty uy not wanted.

@@ -1,92 +1,60 @@
 #include "microslip/numerics/toeplitz.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/fftw.hpp"
+#include "microslip/numerics/kernel/wave_products.hpp"
+#include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace microslip {
-namespace {
 
-using Complex = std::complex<double>;
-
-constexpr int batch = 8; // rows, or columns next to each other, in one call
-
-/// z = k v, or z += k v, for complex numbers written out in real ones, which the compiler vectorises.
-void multiply(const double* k, const double* v, double* z, std::size_t size, bool add) {
-  if (!add) std::fill_n(z, 2 * size, 0.0);
-#pragma omp simd
-  for (std::size_t m = 0; m < size; ++m) {
-    const double kr = k[2 * m], ki = k[2 * m + 1], vr = v[2 * m], vi = v[2 * m + 1];
-    z[2 * m] = z[2 * m] + kr * vr - ki * vi;
-    z[2 * m + 1] = z[2 * m + 1] + kr * vi + ki * vr;
-  }
-}
-
-} // namespace
-
-/// Rows are transformed first, then columns, which are stored one after another, so that both are contiguous.
+/// Rows are transformed first, then columns, block by block.
 struct ToeplitzTransform::Plans {
+  static constexpr int line = line_size<double>;
+
   int mx, my, components;
-  int nx, ny;                   ///< padded grid
-  int columns;                  ///< nx/2 + 1
-  fftw::Buffer<Complex> rows;   ///< of `columns`, a multiple of `batch` of them
-  fftw::Buffer<Complex> loaded; ///< transforms of the components
-  fftw::Buffer<Complex> work;   ///< a batch of rows, or two of columns
-  fftw::RealTransforms row_transforms;
-  fftw::Transforms<double> column_forward, column_backward;
+  int nx, ny; ///< padded grid
+  TransformPlans plans;
+  WaveBlocks<double> waves;
+  ColumnTransforms<double> columns;
+  Buffer<double> loaded; ///< transforms of the components
   int loaded_components = 0;
   long products = 0;
+  detail::WaveProducts<double> wave_products = detail::wave_products<double>();
 
   Plans(int x, int y, int n)
-      : mx(x), my(y), components(n), nx(fftw::quick_size(2 * x - 1)), ny(padded_rows(y)), columns(nx / 2 + 1),
-        rows(fftw::allocate<Complex>(static_cast<std::size_t>(in_batches(ny)) * columns)),
-        loaded(fftw::allocate<Complex>(size() * components)),
-        work(fftw::allocate<Complex>(2 * static_cast<std::size_t>(batch) * std::max(columns, ny))),
-        row_transforms(nx, batch), column_forward(ny, batch, FFTW_FORWARD), column_backward(ny, batch, FFTW_BACKWARD) {}
+      : mx(x), my(y), components(n), nx(quick_size(2 * x - 1)), ny(padded_rows(y)),
+        waves(my, nx, 1, 2 * static_cast<std::size_t>(ny), plans), columns(ny, plans),
+        loaded(allocate<double>(size() * components)) {}
 
-  static int in_batches(int count) { return (count + batch - 1) / batch * batch; }
-  static int padded_rows(int my) { return my == 1 ? 1 : fftw::quick_size(2 * my - 1); }
+  static int padded_rows(int my) { return my == 1 ? 1 : quick_size(2 * my - 1); }
 
-  std::size_t size() const { return static_cast<std::size_t>(in_batches(columns)) * ny; }
-  Complex* second_work() const { return work.get() + static_cast<std::size_t>(batch) * ny; }
+  std::size_t block_size() const { return static_cast<std::size_t>(ny) * line; } ///< of the transform
+  std::size_t size() const { return waves.count() * block_size(); }
 
-  /// The transform of a function with `count` rows that are not zero; fill(j, row) sets row j, zero before.
-  template <class Fill> void forward(int count, Complex* to, Fill fill) {
-    auto* real = reinterpret_cast<double*>(work.get());
-    for (int first = 0; first < count; first += batch) {
-      std::fill_n(real, static_cast<std::size_t>(batch) * 2 * columns, 0.0);
-      for (int j = first; j < std::min(first + batch, count); ++j)
-        fill(j, real + static_cast<std::size_t>(j - first) * 2 * columns);
-      row_transforms.forward(real, rows.get() + static_cast<std::size_t>(first) * columns);
-    }
-    for (int kx = 0; kx < columns; kx += batch) {
-      std::fill_n(work.get(), static_cast<std::size_t>(batch) * ny, Complex(0));
-      const int together = std::min(batch, columns - kx);
-      for (int j = 0; j < count; ++j)
-        for (int c = 0; c < together; ++c)
-          work[static_cast<std::size_t>(c) * ny + j] = rows[static_cast<std::size_t>(j) * columns + kx + c];
-      column_forward.execute(work.get(), to + static_cast<std::size_t>(kx) * ny);
-    }
+  /// The columns of `count` rows whose waves are known.
+  void transform_columns(WaveBlocks<double>& of, int count, double* to) {
+    for (int b = 0; b < of.count(); ++b)
+      columns.forward({of.block(b), line, count}, of.lanes_of(b), to + b * block_size(), waves.work(0));
   }
 
-  /// What `multiply(offset, z)` makes of the columns from an offset on, transformed back.
-  template <class Multiply> void backward(std::span<double> out, Multiply multiply_columns) {
-    for (int kx = 0; kx < columns; kx += batch) {
-      multiply_columns(static_cast<std::size_t>(kx) * ny, work.get());
-      column_backward.execute(work.get(), second_work());
-      const int together = std::min(batch, columns - kx);
-      for (int j = 0; j < my; ++j)
-        for (int c = 0; c < together; ++c)
-          rows[static_cast<std::size_t>(j) * columns + kx + c] = second_work()[static_cast<std::size_t>(c) * ny + j];
+  void forward(std::span<const double> in, double* to) {
+    const RowPairs<const double> rows = {in.data(), in.data() + mx, 2 * static_cast<std::size_t>(mx)};
+    for (int b = 0; b < waves.batches(); ++b) waves.forward(b, rows, mx, 0);
+    transform_columns(waves, my, to);
+  }
+
+  /// What `multiply(offset, z)` adds to zeros for a block of columns, transformed back.
+  template <class Multiply> void backward(std::span<double> out, Multiply multiply) {
+    double *z = waves.work(0), *work = z + block_size();
+    for (int b = 0; b < waves.count(); ++b) {
+      std::fill_n(z, block_size(), 0.0);
+      multiply(b * block_size(), z);
+      columns.backward(z, {waves.block(b), line, my}, waves.lanes_of(b), work);
     }
-    auto* real = reinterpret_cast<double*>(work.get());
-    for (int first = 0; first < my; first += batch) {
-      row_transforms.backward(rows.get() + static_cast<std::size_t>(first) * columns, real);
-      for (int j = first; j < std::min(first + batch, my); ++j)
-        std::copy_n(real + static_cast<std::size_t>(j - first) * 2 * columns, mx,
-                    out.data() + static_cast<std::size_t>(j) * mx);
-    }
+    const RowPairs<double> rows = {out.data(), out.data() + mx, 2 * static_cast<std::size_t>(mx)};
+    for (int b = 0; b < waves.batches(); ++b) waves.backward(b, rows, mx, 0);
   }
 };
 
@@ -100,7 +68,8 @@ ToeplitzTransform& ToeplitzTransform::operator=(ToeplitzTransform&&) noexcept = 
 ToeplitzTransform::~ToeplitzTransform() = default;
 
 std::size_t ToeplitzTransform::padded_size(int mx, int my) {
-  return static_cast<std::size_t>(Plans::in_batches(fftw::quick_size(2 * mx - 1) / 2 + 1)) *
+  const int columns = quick_size(2 * mx - 1) / 2 + 1, lanes = block_lanes<double>;
+  return static_cast<std::size_t>((columns + lanes - 1) / lanes * lanes) *
          static_cast<std::size_t>(Plans::padded_rows(my));
 }
 
@@ -116,25 +85,31 @@ long ToeplitzTransform::products() const {
 
 ToeplitzTransform::Spectrum ToeplitzTransform::kernel_spectrum(std::span<const double> kernel) {
   Plans& p = *plans_;
-  const fftw::Buffer<Complex> z = fftw::allocate<Complex>(p.size());
-  p.forward(p.ny, z.get(), [&](int row, double* to) {
-    const int j = row < p.my ? row : row - p.ny;
-    if (j <= -p.my) return;
-    const double* from = kernel.data() + static_cast<std::size_t>(j + p.my - 1) * (2 * p.mx - 1);
-    for (int i = 1 - p.mx; i < p.mx; ++i) to[i < 0 ? i + p.nx : i] = from[i + p.mx - 1];
-  });
-  Spectrum spectrum(z.get(), z.get() + p.size());
+  WaveBlocks<double> waves(p.ny, p.nx, 1, 0, p.plans);
+  constexpr int batch = RowTransforms<double>::most_rows;
+  const auto nx = static_cast<std::size_t>(p.nx);
+  std::vector<double> rows(batch * nx);
   const double scale = 1.0 / p.nx / p.ny;
-  for (Complex& value : spectrum) value *= scale;
+  for (int b = 0; b < waves.batches(); ++b) {
+    std::fill(rows.begin(), rows.end(), 0.0);
+    for (int row = b * batch; row < std::min((b + 1) * batch, p.ny); ++row) {
+      const int j = row < p.my ? row : row - p.ny;
+      if (j <= -p.my) continue;
+      const double* from = kernel.data() + static_cast<std::size_t>(j + p.my - 1) * (2 * p.mx - 1);
+      double* to = rows.data() + (row - b * batch) * nx;
+      for (int i = 1 - p.mx; i < p.mx; ++i) to[i < 0 ? i + p.nx : i] = scale * from[i + p.mx - 1];
+    }
+    waves.forward_batch(b, {rows.data(), rows.data() + nx, 2 * nx}, p.nx, 0);
+  }
+  Spectrum spectrum(p.size());
+  p.transform_columns(waves, p.ny, spectrum.data());
   return spectrum;
 }
 
 void ToeplitzTransform::load(std::span<const std::span<const double>> in) {
   Plans& p = *plans_;
   p.loaded_components = static_cast<int>(in.size());
-  for (int c = 0; c < p.loaded_components; ++c)
-    p.forward(p.my, p.loaded.get() + c * p.size(),
-              [&](int j, double* to) { std::copy_n(in[c].data() + static_cast<std::size_t>(j) * p.mx, p.mx, to); });
+  for (int c = 0; c < p.loaded_components; ++c) p.forward(in[c], p.loaded.get() + c * p.size());
 }
 
 void ToeplitzTransform::apply(std::span<const Spectrum* const> kernels, std::span<const std::span<double>> out) {
@@ -142,13 +117,10 @@ void ToeplitzTransform::apply(std::span<const Spectrum* const> kernels, std::spa
   const int n = p.loaded_components;
   ++p.products;
   for (std::size_t r = 0; r < out.size(); ++r)
-    p.backward(out[r], [&](std::size_t offset, Complex* z) {
-      for (int c = 0; c < n; ++c) {
-        const Complex* kernel = kernels[r * n + c]->data() + offset;
-        const Complex* v = p.loaded.get() + c * p.size() + offset;
-        multiply(reinterpret_cast<const double*>(kernel), reinterpret_cast<const double*>(v),
-                 reinterpret_cast<double*>(z), static_cast<std::size_t>(batch) * p.ny, c > 0);
-      }
+    p.backward(out[r], [&](std::size_t offset, double* z) {
+      for (int c = 0; c < n; ++c)
+        p.wave_products.add_general(kernels[r * n + c]->data() + offset, p.ny, p.loaded.get() + c * p.size() + offset,
+                                    z);
     });
 }
 

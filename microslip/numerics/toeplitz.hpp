@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -20,7 +19,7 @@ public:
   ToeplitzTransform& operator=(ToeplitzTransform&&) noexcept;
   ~ToeplitzTransform();
 
-  using Spectrum = std::vector<std::complex<double>>;
+  using Spectrum = std::vector<double>;
 
   /// Transform of a kernel given at the offsets i = 1 - mx .. mx - 1, j = 1 - my .. my - 1, as an array with index
   /// (j + my - 1) (2 mx - 1) + (i + mx - 1). Includes the scaling of the inverse transform.

@@ -4,7 +4,7 @@
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/numerics/precision.hpp"
 #include "microslip/simplified/flexibility.hpp"
-#include "microslip/simplified/instruction_set.hpp"
+#include "microslip/numerics/instruction_set.hpp"
 
 namespace microslip {
 

@@ -40,7 +40,7 @@ void FittedOperator::make_product(const CombinedMaterial& material, const Fitted
   std::optional<SymmetricToeplitz<double>> transform;
   if (product_) std::tie(memory, transform) = product_->take_apart();
   transform = kernel.transform(plans, std::move(transform));
-  memory = fitted_tables(material.poisson_ratio, used, kernel, transform->stride(), progress, std::move(memory));
+  memory = fitted_tables(material.poisson_ratio, used, kernel, progress, std::move(memory));
   product_.emplace(std::move(memory), std::move(*transform), 1 / material.shear_modulus);
   elements_ = contact.elements.size();
   diagonal_ = kernel.diagonal();

@@ -3,7 +3,6 @@
 #include "microslip/numerics/precision.hpp"
 
 #include <algorithm>
-#include <complex>
 #include <experimental/simd>
 #include <utility>
 
@@ -60,21 +59,26 @@ FittedProduct<Real>::FittedProduct(const FittedProduct<double>& other, double fa
 template <class Real> void FittedProduct<Real>::load(std::span<const Real> px, std::span<const Real> py) {
   std::copy(px.begin(), px.end(), px_.begin());
   std::copy(py.begin(), py.end(), py_.begin());
-  std::complex<Real>* field = transform_.cleared_field();
-  for (const Place& p : tables_.places) field[p.cell] = {px[p.element], py[p.element]};
+  const auto [x, y] = transform_.cleared_field();
+  for (const Place& p : tables_.places) x[p.cell] = px[p.element], y[p.cell] = py[p.element];
   for (const Moments& m : tables_.moments)
-    for (std::size_t i = 0; i < 3; ++i)
-      field[m.first_cell + i] += m.weight[i] * std::complex<Real>(px[m.element], py[m.element]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      x[m.first_cell + i] += m.weight[i] * px[m.element];
+      y[m.first_cell + i] += m.weight[i] * py[m.element];
+    }
 }
 
 /// The displacements by the transforms.
 template <class Real> void FittedProduct<Real>::read() {
-  const std::complex<Real>* field = transform_.apply();
-  for (const Place& p : tables_.places) ux_[p.element] = field[p.cell].real(), uy_[p.element] = field[p.cell].imag();
+  const auto [x, y] = transform_.apply();
+  for (const Place& p : tables_.places) ux_[p.element] = x[p.cell], uy_[p.element] = y[p.cell];
   for (const Stencil& s : tables_.stencils) {
-    std::complex<Real> u = 0;
-    for (int i = 0; i < tables_.nodes; ++i) u += s.weight[i] * field[s.first_cell + i];
-    ux_[s.point] = u.real(), uy_[s.point] = u.imag();
+    Real ux = 0, uy = 0;
+    for (int i = 0; i < tables_.nodes; ++i) {
+      ux += s.weight[i] * x[s.first_cell + i];
+      uy += s.weight[i] * y[s.first_cell + i];
+    }
+    ux_[s.point] = ux, uy_[s.point] = uy;
   }
 }
 

@@ -96,10 +96,10 @@ FittedContact without_spare_elements(const FittedContact& contact) {
 }
 
 FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedContact& contact,
-                                            const GridKernel& kernel, std::size_t stride, const Progress& progress,
+                                            const GridKernel& kernel, const Progress& progress,
                                             FittedProduct<double>::Tables memory) {
   const auto& [grid, elements, load_share] = contact;
-  const auto cell = [&](int row, int column) { return static_cast<std::size_t>(row) * stride + column; };
+  const auto cell = [&](int row, int column) { return static_cast<std::size_t>(row) * grid.mx + column; };
   Product::Tables tables = std::move(memory);
   tables.clear();
   tables.nodes = std::min(Product::most_nodes, grid.mx);

@@ -14,10 +14,10 @@ namespace microslip {
 /// displacements are 0 at a distance that the grid tells.
 FittedContact without_spare_elements(const FittedContact& contact);
 
-/// What FittedProduct needs besides the transforms, for similar bodies. `stride`: of rows in the transforms' field.
-/// `memory`: tables that are not needed any more. Throws Stopped if `progress` returns false.
+/// What FittedProduct needs besides the transforms, for similar bodies. `memory`: tables that are not needed any
+/// more. Throws Stopped if `progress` returns false.
 FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedContact& contact,
-                                            const GridKernel& kernel, std::size_t stride, const Progress& progress,
+                                            const GridKernel& kernel, const Progress& progress,
                                             FittedProduct<double>::Tables memory = {});
 
 } // namespace microslip

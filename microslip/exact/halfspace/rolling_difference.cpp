@@ -24,40 +24,40 @@ RollingDifference::RollingDifference(const DisplacementQuadrant& quadrant, const
                 length_),
       displacement_(transform_of(quadrant, grid.mx + std::abs(columns), grid.my)) {}
 
-/// u of the grid's first element; that of element (i, j) is j stride + i further, on to the columns that particles come
-/// from.
-const RollingDifference::Complex* RollingDifference::displace(std::span<const double> px, std::span<const double> py) {
-  const std::size_t stride = displacement_.stride(), first = static_cast<std::size_t>(std::max(-columns_, 0));
-  Complex* field = displacement_.cleared_field() + first;
-  for (int j = 0; j < my_; ++j)
-    for (int i = 0; i < mx_; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * mx_ + i;
-      field[j * stride + i] = {px[k], py[k]};
-    }
-  return displacement_.apply() + first;
+/// u of the grid and the columns that particles come from, from the grid's first element on: that of element (i, j) is
+/// j displacement_.mx() + i further.
+SymmetricToeplitz<double>::Field RollingDifference::displace(std::span<const double> px, std::span<const double> py) {
+  const std::size_t first = std::max(-columns_, 0), stride = displacement_.mx();
+  const auto [x, y] = displacement_.cleared_field();
+  for (int j = 0; j < my_; ++j) {
+    const std::size_t from = static_cast<std::size_t>(j) * mx_, to = j * stride + first;
+    std::copy_n(&px[from], mx_, &x[to]);
+    std::copy_n(&py[from], mx_, &y[to]);
+  }
+  const auto [ux, uy] = displacement_.apply();
+  return {ux.subspan(first), uy.subspan(first)};
 }
 
 void RollingDifference::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
                               std::span<double> sy) {
-  const Complex* row = displace(px, py);
-  for (int j = 0; j < my_; ++j, row += displacement_.stride())
+  const auto [ux, uy] = displace(px, py);
+  const double *x = ux.data(), *y = uy.data();
+  for (int j = 0; j < my_; ++j, x += displacement_.mx(), y += displacement_.mx())
     for (int i = 0; i < mx_; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * mx_ + i;
-      const Complex slip = (row[i] - row[i + columns_]) / length_;
-      sx[k] = slip.real();
-      sy[k] = slip.imag();
+      sx[k] = (x[i] - x[i + columns_]) / length_;
+      sy[k] = (y[i] - y[i + columns_]) / length_;
     }
 }
 
 void RollingDifference::displacement(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                      std::span<double> uy) {
-  const Complex* row = displace(px, py);
-  for (int j = 0; j < my_; ++j, row += displacement_.stride())
-    for (int i = 0; i < mx_; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * mx_ + i;
-      ux[k] = row[i].real();
-      uy[k] = row[i].imag();
-    }
+  const auto [x, y] = displace(px, py);
+  for (int j = 0; j < my_; ++j) {
+    const std::size_t from = static_cast<std::size_t>(j) * displacement_.mx(), to = static_cast<std::size_t>(j) * mx_;
+    std::copy_n(&x[from], mx_, &ux[to]);
+    std::copy_n(&y[from], mx_, &uy[to]);
+  }
 }
 
 } // namespace microslip

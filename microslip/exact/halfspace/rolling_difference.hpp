@@ -27,10 +27,8 @@ public:
   long products() const override { return displacement_.products(); }
 
 private:
-  using Complex = SymmetricToeplitz<double>::Complex;
-
   RollingDifference(const DisplacementQuadrant& quadrant, const ElementGrid& grid, int columns);
-  const Complex* displace(std::span<const double> px, std::span<const double> py);
+  SymmetricToeplitz<double>::Field displace(std::span<const double> px, std::span<const double> py);
 
   int mx_, my_, columns_;
   double length_, diagonal_;

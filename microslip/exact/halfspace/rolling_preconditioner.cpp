@@ -1,12 +1,11 @@
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 
-#include "microslip/numerics/fftw.hpp"
 #include "microslip/numerics/threads.hpp"
+#include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <vector>
 
 #include <omp.h>
@@ -14,8 +13,6 @@
 namespace microslip {
 namespace {
 
-constexpr int block = 64;                          // waves along y that are filtered together
-constexpr int batch = 8;                           // columns that are transformed together
 constexpr std::size_t smallest_threaded = 1 << 14; // numbers in a grid that are worth several threads
 
 /// Found by trial on ellipses of all shapes with 12 to 300 elements across: the size of M^-1, and of h |ky| in it,
@@ -28,102 +25,91 @@ constexpr double zero = 0.75, pole = 0.25;
 } // namespace
 
 template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
-  using Complex = std::complex<Real>;
+  /// Of a column's waves in a block: real and imaginary parts for x, then for y.
+  static constexpr int lanes = block_lanes<Real>, column_size = 2 * line_size<Real>;
+  using Column = std::array<Real, column_size>;
+
   /// Of an element in contact: its numbers, and its index in the columns.
   struct ColumnEntry {
     std::size_t element, index;
     bool leads;
   };
-  /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for the waves along y; each number twice, for real
-  /// and imaginary parts, so that whole lanes are filtered.
+  /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for a column's waves in a block.
   struct Filters {
-    std::vector<Real> size, zero, pole;
-
-    void add(double s, double z, double p) {
-      size.insert(size.end(), 2, static_cast<Real>(s));
-      zero.insert(zero.end(), 2, static_cast<Real>(z));
-      pole.insert(pole.end(), 2, static_cast<Real>(p));
-    }
+    Column size, zero, pole;
   };
 
   int mx, my, ny;
   bool forward;
-  int threads;
   std::vector<ColumnEntry> entries; ///< row after row, in each from the trailing to the leading edge
-  Filters filters;
-  /// px + i py and its transforms along y; column after column, each of length ny, a multiple of `batch` of them.
-  fftw::Buffer<Complex> tractions, waves;
-  fftw::Transforms<Real> to_waves, from_waves;
+  std::vector<Filters> filters;     ///< for each block of waves
+  std::vector<Real> x, y;           ///< tractions, column after column
+  WaveBlocks<Real> waves;           ///< of the columns, of x and y by turns
 
   WaveFilter(const ElementGrid& grid, RollingDirection direction, const TransformPlans& plans)
-      : mx(grid.mx), my(grid.my), ny(fftw::quick_size(my)), forward(direction == RollingDirection::forward),
-        threads(count() >= smallest_threaded ? omp_get_max_threads() : 1), tractions(fftw::allocate<Complex>(count())),
-        waves(fftw::allocate<Complex>(count())), to_waves(ny, batch, FFTW_FORWARD, plans),
-        from_waves(ny, batch, FFTW_BACKWARD, plans) {
+      : mx(grid.mx), my(grid.my), ny(quick_size(my)), forward(direction == RollingDirection::forward),
+        x(static_cast<std::size_t>(mx) * my), y(x.size()),
+        waves(2 * mx, ny, static_cast<std::size_t>(mx) * ny >= smallest_threaded ? omp_get_max_threads() : 1, 0, plans) {
+    filters.resize(waves.count());
     const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
-    for (int j = 0; j < ny; ++j) {
-      const double c = 1 + ky_share * grid.dx * lowest * std::min(j, ny - j);
-      filters.add(size * c / ny, zero / c, pole / c); // 1/ny scales the transforms
+    for (int k = 0; k <= ny / 2; ++k) {
+      const double c = 1 + ky_share * grid.dx * lowest * k;
+      for (int part = 0; part < column_size; part += lanes) {
+        Filters& of = filters[k / lanes];
+        const int i = part + k % lanes;
+        of.size[i] = static_cast<Real>(size * c / ny); // 1/ny scales the transforms
+        of.zero[i] = static_cast<Real>(zero / c), of.pole[i] = static_cast<Real>(pole / c);
+      }
     }
   }
 
   void add(std::size_t element, std::size_t cell, bool leads) {
-    entries.push_back({element, cell % mx * ny + cell / mx, leads});
+    entries.push_back({element, cell % mx * my + cell / mx, leads});
   }
 
-  int batches() const { return (mx + batch - 1) / batch; }
-  std::size_t count() const { return static_cast<std::size_t>(batches()) * batch * ny; }
-  /// Real and imaginary parts of a column's waves from `begin` on.
-  Real* column(int i, int begin) {
-    return reinterpret_cast<Real*>(waves.get() + static_cast<std::size_t>(i) * ny + begin);
-  }
-
-  void transform(const fftw::Transforms<Real>& plan, Complex* in, Complex* out) {
-    const std::size_t step = static_cast<std::size_t>(batch) * ny;
-    share_out(batches(), threads, [&](int b, int) { plan.execute(in + b * step, out + b * step); });
-  }
-
-  /// (1 - zero z)/(1 - pole z) for the waves `begin` to `end`, where z takes what is in column i - step.
-  void filter(int begin, int end, int first, int step) {
-    const Real *zeros = &filters.zero[2 * begin], *poles = &filters.pole[2 * begin];
-    std::array<Real, static_cast<std::size_t>(2 * block)> before = {}; // what came into the last column
+  /// (1 - zero z)/(1 - pole z) for the waves of a block, where z takes what is in column i - step.
+  void filter(Real* block, const Filters& of, int first, int step) const {
+    Column before = {}, last = {}; // what came into the last column, and what became of it
     for (int i = first; i >= 0 && i < mx; i += step) {
-      Real* now = column(i, begin);
-      const Real* last = i == first ? before.data() : column(i - step, begin);
+      Real* now = block + static_cast<std::size_t>(i) * column_size;
 #pragma omp simd
-      for (int j = 0; j < 2 * (end - begin); ++j) {
+      for (int j = 0; j < column_size; ++j) {
         const Real came = now[j];
-        now[j] += poles[j] * last[j] - zeros[j] * before[j];
+        last[j] = came + (of.pole[j] * last[j] - of.zero[j] * before[j]);
+        now[j] = last[j];
         before[j] = came;
       }
     }
   }
 
   /// First what looks behind, then what looks ahead.
-  void filter_both_ways(int begin, int end) {
-    filter(begin, end, forward ? 0 : mx - 1, forward ? 1 : -1);
-    filter(begin, end, forward ? mx - 1 : 0, forward ? -1 : 1);
-    const Real* sizes = &filters.size[2 * begin];
-    for (int i = 0; i < mx; ++i) {
-      Real* waves_of_column = column(i, begin);
+  void filter_both_ways(Real* block, const Filters& of) const {
+    filter(block, of, forward ? 0 : mx - 1, forward ? 1 : -1);
+    filter(block, of, forward ? mx - 1 : 0, forward ? -1 : 1);
+    for (int i = 0; i < mx; ++i, block += column_size) {
 #pragma omp simd
-      for (int j = 0; j < 2 * (end - begin); ++j) waves_of_column[j] *= sizes[j];
+      for (int j = 0; j < column_size; ++j) block[j] *= of.size[j];
     }
   }
 
   void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy) {
-    std::fill_n(tractions.get(), count(), Complex(0));
-    for (const ColumnEntry& e : entries) tractions[e.index] = {px[e.element], py[e.element]};
-    transform(to_waves, tractions.get(), waves.get());
-    share_out((ny + block - 1) / block, threads,
-              [&](int b, int) { filter_both_ways(b * block, std::min((b + 1) * block, ny)); });
-    transform(from_waves, waves.get(), tractions.get());
-    Complex ahead = 0;
+    std::fill(x.begin(), x.end(), Real(0));
+    std::fill(y.begin(), y.end(), Real(0));
+    for (const ColumnEntry& e : entries) x[e.index] = px[e.element], y[e.index] = py[e.element];
+    const int threads = waves.threads();
+    const RowPairs<Real> columns = {x.data(), y.data(), static_cast<std::size_t>(my)};
+    share_out(waves.batches(), threads, [&](int b, int thread) {
+      waves.forward(b, {columns.even, columns.odd, columns.stride}, my, thread);
+    });
+    share_out(waves.count(), threads, [&](int b, int) { filter_both_ways(waves.block(b), filters[b]); });
+    share_out(waves.batches(), threads, [&](int b, int thread) { waves.backward(b, columns, my, thread); });
+    Real ahead_x = 0, ahead_y = 0;
     for (std::size_t k = entries.size(); k-- > 0;) { // each row from its leading element on
       const ColumnEntry& e = entries[k];
-      ahead = (e.leads ? Complex(0) : ahead) + tractions[e.index];
-      qx[e.element] = ahead.real() - px[e.element];
-      qy[e.element] = ahead.imag() - py[e.element];
+      ahead_x = (e.leads ? Real(0) : ahead_x) + x[e.index];
+      ahead_y = (e.leads ? Real(0) : ahead_y) + y[e.index];
+      qx[e.element] = ahead_x - px[e.element];
+      qy[e.element] = ahead_y - py[e.element];
     }
   }
 };

@@ -1,4 +1,4 @@
-// The marching kernels, compiled once for every instruction set: MICROSLIP_KERNEL_FUNCTION is the name it gets.
+// The marching kernels, compiled once for every instruction set.
 
 #include "microslip/simplified/kernel/fastsim2_step.hpp"
 #include "microslip/simplified/kernel/fastsim_step.hpp"
@@ -194,7 +194,9 @@ template <MarchingScheme scheme> MarchingKernels kernels() {
 
 } // namespace
 
-MarchingKernels MICROSLIP_KERNEL_FUNCTION(MarchingScheme scheme) {
+namespace MICROSLIP_INSTRUCTION_SET {
+
+MarchingKernels marching_kernels(MarchingScheme scheme) {
   switch (scheme) {
   case MarchingScheme::fastsim:
     return kernels<MarchingScheme::fastsim>();
@@ -206,4 +208,5 @@ MarchingKernels MICROSLIP_KERNEL_FUNCTION(MarchingScheme scheme) {
   return kernels<MarchingScheme::fastsim2>();
 }
 
+} // namespace MICROSLIP_INSTRUCTION_SET
 } // namespace microslip::detail

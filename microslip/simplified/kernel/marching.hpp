@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/simplified/instruction_set.hpp"
+#include "microslip/numerics/instruction_set.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 namespace microslip::detail {

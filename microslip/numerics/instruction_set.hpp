@@ -2,7 +2,7 @@
 
 namespace microslip {
 
-/// Vector instructions that the marching kernels are compiled for.
+/// Vector instructions that kernels, the loops where most time goes, are compiled for.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 /// The widest one that this processor has.

@@ -1,0 +1,66 @@
+// Products with waves, compiled once for every instruction set.
+
+#include "microslip/numerics/kernel/wave_products.hpp"
+
+#include "microslip/numerics/transforms.hpp"
+
+namespace microslip::detail {
+namespace {
+
+template <class Real> void multiply_even(const Real* table, int rows, Real* waves) {
+  constexpr int lanes = block_lanes<Real>;
+  for (int k = 0; k < rows; ++k, waves += line_size<Real>) {
+    const Real* t = table + (k <= rows / 2 ? k : rows - k) * lanes;
+#pragma omp simd
+    for (int i = 0; i < lanes; ++i) {
+      waves[i] *= t[i];
+      waves[lanes + i] *= t[i];
+    }
+  }
+}
+
+template <class Real> void multiply_symmetric(const Real* table, int rows, Real* x, Real* y) {
+  constexpr int lanes = block_lanes<Real>;
+  for (int k = 0; k < rows; ++k, x += line_size<Real>, y += line_size<Real>) {
+    const Real* t = table + (k <= rows / 2 ? k : rows - k) * 3 * lanes;
+    const Real sign = k <= rows / 2 ? Real(1) : Real(-1);
+#pragma omp simd
+    for (int i = 0; i < lanes; ++i) {
+      const Real xx = t[i], xy = sign * t[lanes + i], yy = t[2 * lanes + i];
+      const Real x_re = x[i], x_im = x[lanes + i], y_re = y[i], y_im = y[lanes + i];
+      x[i] = xx * x_re + xy * y_re;
+      x[lanes + i] = xx * x_im + xy * y_im;
+      y[i] = xy * x_re + yy * y_re;
+      y[lanes + i] = xy * x_im + yy * y_im;
+    }
+  }
+}
+
+template <class Real> void add_general(const Real* table, int rows, const Real* waves, Real* to) {
+  constexpr int lanes = block_lanes<Real>, line = line_size<Real>;
+  for (int k = 0; k < rows; ++k, table += line, waves += line, to += line)
+#pragma omp simd
+    for (int i = 0; i < lanes; ++i) {
+      const Real re = table[i] * waves[i] - table[lanes + i] * waves[lanes + i];
+      const Real im = table[i] * waves[lanes + i] + table[lanes + i] * waves[i];
+      to[i] += re;
+      to[lanes + i] += im;
+    }
+}
+
+template <class Real>
+constexpr WaveProducts<Real> products = {multiply_even<Real>, multiply_symmetric<Real>, add_general<Real>};
+
+} // namespace
+
+namespace MICROSLIP_INSTRUCTION_SET {
+
+void set_products(WaveProducts<double>& to) {
+  to = products<double>;
+}
+void set_products(WaveProducts<float>& to) {
+  to = products<float>;
+}
+
+} // namespace MICROSLIP_INSTRUCTION_SET
+} // namespace microslip::detail
