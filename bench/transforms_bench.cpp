@@ -180,10 +180,9 @@ private:
   /// The kernel's transform, scaled, by one that is not measured.
   void find_table() {
     const Buffer<double> field = allocate<double>(static_cast<std::size_t>(n_) * n_);
-    const Buffer<std::complex<double>> spectrum =
-        allocate<std::complex<double>>(static_cast<std::size_t>(n_) * waves_);
-    const auto plan = fftw_plan_dft_r2c_2d(n_, n_, field.get(), reinterpret_cast<fftw_complex*>(spectrum.get()),
-                                           FFTW_ESTIMATE);
+    const Buffer<std::complex<double>> spectrum = allocate<std::complex<double>>(static_cast<std::size_t>(n_) * waves_);
+    const auto plan =
+        fftw_plan_dft_r2c_2d(n_, n_, field.get(), reinterpret_cast<fftw_complex*>(spectrum.get()), FFTW_ESTIMATE);
     for (int j = 0; j < n_; ++j)
       for (int i = 0; i < n_; ++i)
         field[static_cast<std::size_t>(j) * n_ + i] = kernel(std::min(i, n_ - i), std::min(j, n_ - j));

@@ -1,7 +1,7 @@
 #include "microslip/numerics/even_toeplitz.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/kernel/wave_products.hpp"
+#include "microslip/numerics/kernel/wave_loops.hpp"
 #include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
@@ -34,6 +34,7 @@ struct EvenToeplitz::Plans {
   ColumnTransforms<double> columns;
   int lines;                             ///< of a block in a kernel's transform: ky = 0 .. ny/2
   std::vector<double> spectrum, inverse; ///< with the scaling of the transforms: block after block
+  detail::WaveLoops<double> wave_loops = detail::wave_loops<double>();
   long products = 0;
 
   Plans(int x, int y, const KernelRow& kernel, const TransformPlans& plans)
@@ -106,7 +107,7 @@ struct EvenToeplitz::Plans {
   void convolve_columns(const std::vector<double>& kernel, int b, int thread) {
     double *transformed = waves.work(thread), *work = transformed + columns.work_size();
     columns.forward({waves.block(b), line_size<double>, my}, waves.lanes_of(b), transformed, work);
-    multiply(&kernel[b * table_size()], ny, transformed);
+    wave_loops.multiply_even(&kernel[b * table_size()], ny, transformed);
     columns.backward(transformed, {waves.block(b), line_size<double>, my}, waves.lanes_of(b), work);
   }
 
@@ -119,8 +120,6 @@ struct EvenToeplitz::Plans {
     share_out(waves.count(), waves.threads(), [&](int b, int thread) { convolve_columns(kernel, b, thread); });
     share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.backward(b, to, mx, thread); });
   }
-
-  void (*multiply)(const double*, int, double*) = detail::wave_products<double>().even;
 };
 
 EvenToeplitz::EvenToeplitz(int mx, int my, const KernelRow& kernel, const TransformPlans& plans) {

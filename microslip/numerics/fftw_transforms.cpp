@@ -31,7 +31,7 @@ template <class Real> using PlanOf = std::conditional_t<std::is_same_v<Real, flo
 template <class Real> using ComplexOf = std::conditional_t<std::is_same_v<Real, float>, fftwf_complex, fftw_complex>;
 template <class Real> using Plan = std::shared_ptr<PlanOf<Real>>;
 
-/// FFTW's functions for rows one after another, and for the lanes of a block's lines.
+/// FFTW's functions for sequences one after another.
 template <class Real> struct Planner;
 template <> struct Planner<double> {
   static auto rows(int n, int count, double* real, fftw_complex* waves) {
@@ -40,13 +40,12 @@ template <> struct Planner<double> {
   static auto rows_back(int n, int count, double* real, fftw_complex* waves) {
     return fftw_plan_many_dft_c2r(1, &n, count, waves, nullptr, 1, n / 2 + 1, real, nullptr, 1, n, FFTW_ESTIMATE);
   }
-  static auto columns(fftw_iodim lines, fftw_iodim lanes, double* in, double* in_other, double* out,
-                      double* out_other) {
-    return fftw_plan_guru_split_dft(1, &lines, 1, &lanes, in, in_other, out, out_other, FFTW_ESTIMATE);
+  static auto columns(int n, int count, fftw_complex* in, fftw_complex* out, int sign) {
+    return fftw_plan_many_dft(1, &n, count, in, nullptr, 1, n, out, nullptr, 1, n, sign, FFTW_ESTIMATE);
   }
   static constexpr auto execute_rows = fftw_execute_dft_r2c;
   static constexpr auto execute_rows_back = fftw_execute_dft_c2r;
-  static constexpr auto execute_columns = fftw_execute_split_dft;
+  static constexpr auto execute_columns = fftw_execute_dft;
 };
 template <> struct Planner<float> {
   static auto rows(int n, int count, float* real, fftwf_complex* waves) {
@@ -55,23 +54,46 @@ template <> struct Planner<float> {
   static auto rows_back(int n, int count, float* real, fftwf_complex* waves) {
     return fftwf_plan_many_dft_c2r(1, &n, count, waves, nullptr, 1, n / 2 + 1, real, nullptr, 1, n, FFTW_ESTIMATE);
   }
-  static auto columns(fftwf_iodim lines, fftwf_iodim lanes, float* in, float* in_other, float* out, float* out_other) {
-    return fftwf_plan_guru_split_dft(1, &lines, 1, &lanes, in, in_other, out, out_other, FFTW_ESTIMATE);
+  static auto columns(int n, int count, fftwf_complex* in, fftwf_complex* out, int sign) {
+    return fftwf_plan_many_dft(1, &n, count, in, nullptr, 1, n, out, nullptr, 1, n, sign, FFTW_ESTIMATE);
   }
   static constexpr auto execute_rows = fftwf_execute_dft_r2c;
   static constexpr auto execute_rows_back = fftwf_execute_dft_c2r;
-  static constexpr auto execute_columns = fftwf_execute_split_dft;
+  static constexpr auto execute_columns = fftwf_execute_dft;
 };
 
 /// The plans for one length, which are made for any memory of the same alignment.
-template <class Real> struct Plans {
-  Plan<Real> forward, backward;
-};
+template <class Real> struct Plans { Plan<Real> forward, backward; };
 template <class Real> using KeptPlans = std::map<int, Plans<Real>>;
 
 template <class Real> Plan<Real> owned(PlanOf<Real>* plan) {
   if (plan == nullptr) throw Error("transform: FFTW cannot plan it");
   return {plan, [](PlanOf<Real>* p) { destroy(p); }};
+}
+
+template <class Real> ComplexOf<Real>* as_complex(Real* z) {
+  return reinterpret_cast<ComplexOf<Real>*>(z);
+}
+
+/// A block's lanes one after another, each as n complex numbers; lanes that are not used are zero.
+template <class Real> void to_columns(const BlockLines<const Real>& from, int n, int lanes, Real* to) {
+  std::fill_n(to, static_cast<std::size_t>(n) * line_size<Real>, Real(0));
+  for (int k = 0; k < from.count; ++k) {
+    const Real* line = from.first + k * from.stride;
+    for (int lane = 0; lane < lanes; ++lane) {
+      Real* z = to + 2 * (static_cast<std::size_t>(lane) * n + k);
+      z[0] = line[lane], z[1] = line[block_lanes<Real> + lane];
+    }
+  }
+}
+template <class Real> void from_columns(const Real* from, int n, int lanes, const BlockLines<Real>& to) {
+  for (int k = 0; k < to.count; ++k) {
+    Real* line = to.first + k * to.stride;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Real* z = from + 2 * (static_cast<std::size_t>(lane) * n + k);
+      line[lane] = z[0], line[block_lanes<Real> + lane] = z[1];
+    }
+  }
 }
 
 /// Rows one after another, then their waves.
@@ -80,7 +102,7 @@ template <class Real> std::size_t rows_size(int n) {
   return (rows + line_size<Real> - 1) / line_size<Real> * line_size<Real>;
 }
 template <class Real> ComplexOf<Real>* waves_in(Real* work, int n) {
-  return reinterpret_cast<ComplexOf<Real>*>(work + rows_size<Real>(n));
+  return as_complex(work + rows_size<Real>(n));
 }
 
 } // namespace
@@ -121,7 +143,8 @@ RowTransforms<Real>::RowTransforms(int n, const TransformPlans& plans, Instructi
   const std::lock_guard keep(plans.kept().mutex);
   Plans<Real>& kept = plans.kept().rows_of(Real())[n];
   if (!kept.forward) {
-    const Buffer<Real> work = allocate<Real>(rows_size<Real>(n) + 2 * static_cast<std::size_t>(most_rows) * (n / 2 + 1));
+    const Buffer<Real> work =
+        allocate<Real>(rows_size<Real>(n) + 2 * static_cast<std::size_t>(most_rows) * (n / 2 + 1));
     const std::lock_guard lock(planner_lock());
     kept = {owned<Real>(Planner<Real>::rows(n, most_rows, work.get(), waves_in(work.get(), n))),
             owned<Real>(Planner<Real>::rows_back(n, most_rows, work.get(), waves_in(work.get(), n)))};
@@ -137,12 +160,12 @@ ColumnTransforms<Real>::ColumnTransforms(int n, const TransformPlans& plans, Ins
   if (!kept.forward) {
     const std::size_t size = static_cast<std::size_t>(n) * line_size<Real>;
     const Buffer<Real> in = allocate<Real>(size), out = allocate<Real>(size);
-    constexpr int lanes = block_lanes<Real>;
     const std::lock_guard lock(planner_lock());
-    kept = {owned<Real>(Planner<Real>::columns({n, line_size<Real>, line_size<Real>}, {lanes, 1, 1}, in.get(),
-                                               in.get() + lanes, out.get(), out.get() + lanes)),
-            owned<Real>(Planner<Real>::columns({n, line_size<Real>, line_size<Real>}, {lanes, 1, 1}, in.get() + lanes,
-                                               in.get(), out.get() + lanes, out.get()))};
+    const auto plan = [&](int sign) {
+      return owned<Real>(
+          Planner<Real>::columns(n, block_lanes<Real>, as_complex(in.get()), as_complex(out.get()), sign));
+    };
+    kept = {plan(FFTW_FORWARD), plan(FFTW_BACKWARD)};
   }
   implementation_ = std::make_shared<const Implementation>(Implementation{n, kept});
 }
@@ -187,21 +210,18 @@ void RowTransforms<Real>::backward(const Real* waves, std::size_t block_stride, 
 }
 
 template <class Real>
-void ColumnTransforms<Real>::forward(const BlockLines<const Real>& in, int /*all of them*/, Real* out,
-                                     Real* work) const {
-  constexpr int lanes = block_lanes<Real>;
-  for (int k = 0; k < in.count; ++k)
-    std::copy_n(in.first + k * in.stride, line_size<Real>, work + static_cast<std::size_t>(k) * line_size<Real>);
-  std::fill(work + static_cast<std::size_t>(in.count) * line_size<Real>, work + work_size(), Real(0));
-  Planner<Real>::execute_columns(implementation_->plans.forward.get(), work, work + lanes, out, out + lanes);
+void ColumnTransforms<Real>::forward(const BlockLines<const Real>& in, int lanes, Real* out, Real* work) const {
+  const int n = implementation_->n;
+  to_columns(in, n, lanes, out);
+  Planner<Real>::execute_columns(implementation_->plans.forward.get(), as_complex(out), as_complex(work));
+  from_columns(work, n, lanes, BlockLines<Real>{out, line_size<Real>, n});
 }
-
 template <class Real>
-void ColumnTransforms<Real>::backward(Real* in, const BlockLines<Real>& out, int /*all of them*/, Real* work) const {
-  constexpr int lanes = block_lanes<Real>;
-  Planner<Real>::execute_columns(implementation_->plans.backward.get(), in + lanes, in, work + lanes, work);
-  for (int k = 0; k < out.count; ++k)
-    std::copy_n(work + static_cast<std::size_t>(k) * line_size<Real>, line_size<Real>, out.first + k * out.stride);
+void ColumnTransforms<Real>::backward(Real* in, const BlockLines<Real>& out, int lanes, Real* work) const {
+  const int n = implementation_->n;
+  to_columns(BlockLines<const Real>{in, line_size<Real>, n}, n, lanes, work);
+  Planner<Real>::execute_columns(implementation_->plans.backward.get(), as_complex(work), as_complex(in));
+  from_columns(in, n, lanes, out);
 }
 
 template class RowTransforms<double>;

@@ -6,6 +6,15 @@
 
 namespace microslip {
 
+/// Bytes of the widest registers of the instruction set that this is compiled for.
+#if defined(__AVX512F__)
+constexpr int register_size = 64;
+#elif defined(__AVX2__)
+constexpr int register_size = 32;
+#else
+constexpr int register_size = 16;
+#endif
+
 template <class Real, int width> struct LaneVectorType {
   typedef Real type __attribute__((vector_size(width * sizeof(Real)))); // NOLINT(modernize-use-using)
 };
@@ -28,7 +37,8 @@ namespace detail {
 template <class Real, int width, int apart, int... lane>
 MICROSLIP_INLINE void exchange_lanes(LaneVector<Real, width>& a, LaneVector<Real, width>& b,
                                      std::integer_sequence<int, lane...>) {
-  const LaneVector<Real, width> low = __builtin_shufflevector(a, b, ((lane & apart) != 0 ? width + lane - apart : lane)...);
+  const LaneVector<Real, width> low =
+      __builtin_shufflevector(a, b, ((lane & apart) != 0 ? width + lane - apart : lane)...);
   b = __builtin_shufflevector(a, b, ((lane & apart) != 0 ? width + lane : lane + apart)...);
   a = low;
 }

@@ -1,6 +1,6 @@
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 
-#include "microslip/numerics/kernel/wave_products.hpp"
+#include "microslip/numerics/kernel/wave_loops.hpp"
 #include "microslip/numerics/precision.hpp"
 #include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
@@ -45,7 +45,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   WaveBlocks<Real> waves;    ///< of x and y by turns, row after row
   std::vector<Real> kernels; ///< xx, xy, yy of a block's waves, for ky = 0 .. ny/2; block after block
   ColumnTransforms<Real> columns;
-  detail::WaveProducts<Real> wave_products = detail::wave_products<Real>();
+  detail::WaveLoops<Real> wave_loops = detail::wave_loops<Real>();
   long products = 0;
 
   Plans(int x_count, int y_count, int period_x, int period_y, const TransformPlans& plans)
@@ -115,8 +115,8 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     const double points = double(nx) * ny; // scales the transforms
     for (int ky = 0; ky <= ny / 2; ++ky)
       for (int i = 0; i < waves.lanes_of(b); ++i) {
-        const Real *here = out + static_cast<std::size_t>(ky) * line + i;
-        const Real *image = out + static_cast<std::size_t>((ny - ky) % ny) * line + i;
+        const Real* here = out + static_cast<std::size_t>(ky) * line + i;
+        const Real* image = out + static_cast<std::size_t>((ny - ky) % ny) * line + i;
         const double xx = (double(here[0]) + image[0]) / 2, xy = (double(here[0]) - image[0]) / 2;
         const double yy = (double(here[lanes]) + image[lanes]) / 2;
         const SymmetricPair pair = use(SymmetricPair{(xx + yy) / 2, (xx - yy) / 2, xy});
@@ -134,7 +134,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     const int used = waves.lanes_of(b);
     columns.forward({x_lines.first, x_lines.stride, my}, used, x_waves, work);
     columns.forward({y_lines.first, y_lines.stride, my}, used, y_waves, work);
-    wave_products.symmetric(&kernels[b * table_size()], ny, x_waves, y_waves);
+    wave_loops.multiply_symmetric(&kernels[b * table_size()], ny, x_waves, y_waves);
     columns.backward(x_waves, x_lines, used, work);
     columns.backward(y_waves, y_lines, used, work);
   }

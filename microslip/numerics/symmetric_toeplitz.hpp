@@ -11,11 +11,11 @@ namespace microslip {
 /// Products with a matrix of blocks [xx, xy; xy, yy] on an mx x my grid, ux(I) = sum_J xx(I - J) px(J) + xy(I - J)
 /// py(J) and so on, where xx and yy are even and xy is odd in both components of the offset, as is so for half-spaces.
 /// Both components go through real transforms on a grid padded to at least 2 mx x 2 my, where the kernels' transforms
-/// are real and known on a quarter of the plane. Rows that are zero are skipped, and columns are transformed, multiplied
-/// and transformed back while they are in the cache. Cost: 8 mx my real numbers transformed there and back, O(N log N);
-/// memory: 2 mx my complex and 3 mx my real numbers, and 2 mx my more for a field. Results do not depend on the number
-/// of OpenMP threads, which large grids use. Distinct objects may be used from distinct threads. In double or in single
-/// precision.
+/// are real and known on a quarter of the plane. Rows that are zero are skipped, and columns are transformed,
+/// multiplied and transformed back while they are in the cache. Cost: 8 mx my real numbers transformed there and back,
+/// O(N log N); memory: 2 mx my complex and 3 mx my real numbers, and 2 mx my more for a field. Results do not depend on
+/// the number of OpenMP threads, which large grids use. Distinct objects may be used from distinct threads. In double
+/// or in single precision.
 template <class Real> class SymmetricToeplitz {
 public:
   /// Kernels at the offsets 0 .. mx - 1, 0 .. my - 1, index j mx + i.

@@ -1,7 +1,7 @@
 #include "microslip/numerics/toeplitz.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/kernel/wave_products.hpp"
+#include "microslip/numerics/kernel/wave_loops.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct ToeplitzTransform::Plans {
   Buffer<double> loaded; ///< transforms of the components
   int loaded_components = 0;
   long products = 0;
-  detail::WaveProducts<double> wave_products = detail::wave_products<double>();
+  detail::WaveLoops<double> wave_loops = detail::wave_loops<double>();
 
   Plans(int x, int y, int n)
       : mx(x), my(y), components(n), nx(quick_size(2 * x - 1)), ny(padded_rows(y)),
@@ -119,8 +119,7 @@ void ToeplitzTransform::apply(std::span<const Spectrum* const> kernels, std::spa
   for (std::size_t r = 0; r < out.size(); ++r)
     p.backward(out[r], [&](std::size_t offset, double* z) {
       for (int c = 0; c < n; ++c)
-        p.wave_products.add_general(kernels[r * n + c]->data() + offset, p.ny, p.loaded.get() + c * p.size() + offset,
-                                    z);
+        p.wave_loops.add_product(kernels[r * n + c]->data() + offset, p.ny, p.loaded.get() + c * p.size() + offset, z);
     });
 }
 

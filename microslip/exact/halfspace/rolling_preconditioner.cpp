@@ -1,5 +1,6 @@
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 
+#include "microslip/numerics/kernel/wave_loops.hpp"
 #include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
@@ -25,18 +26,17 @@ constexpr double zero = 0.75, pole = 0.25;
 } // namespace
 
 template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
-  /// Of a column's waves in a block: real and imaginary parts for x, then for y.
-  static constexpr int lanes = block_lanes<Real>, column_size = 2 * line_size<Real>;
-  using Column = std::array<Real, column_size>;
+  static constexpr int lanes = block_lanes<Real>;
+  static constexpr std::ptrdiff_t column_size = 2 * line_size<Real>; ///< of a block's waves, for x and for y
 
   /// Of an element in contact: its numbers, and its index in the columns.
   struct ColumnEntry {
     std::size_t element, index;
     bool leads;
   };
-  /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for a column's waves in a block.
+  /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for a block's waves.
   struct Filters {
-    Column size, zero, pole;
+    std::array<Real, lanes> size, zero, pole, one;
   };
 
   int mx, my, ny;
@@ -45,21 +45,22 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   std::vector<Filters> filters;     ///< for each block of waves
   std::vector<Real> x, y;           ///< tractions, column after column
   WaveBlocks<Real> waves;           ///< of the columns, of x and y by turns
+  decltype(detail::WaveLoops<Real>::filter) filter = detail::wave_loops<Real>().filter;
 
   WaveFilter(const ElementGrid& grid, RollingDirection direction, const TransformPlans& plans)
       : mx(grid.mx), my(grid.my), ny(quick_size(my)), forward(direction == RollingDirection::forward),
         x(static_cast<std::size_t>(mx) * my), y(x.size()),
-        waves(2 * mx, ny, static_cast<std::size_t>(mx) * ny >= smallest_threaded ? omp_get_max_threads() : 1, 0, plans) {
+        waves(2 * mx, ny, static_cast<std::size_t>(mx) * ny >= smallest_threaded ? omp_get_max_threads() : 1, 0,
+              plans) {
     filters.resize(waves.count());
     const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
     for (int k = 0; k <= ny / 2; ++k) {
       const double c = 1 + ky_share * grid.dx * lowest * k;
-      for (int part = 0; part < column_size; part += lanes) {
-        Filters& of = filters[k / lanes];
-        const int i = part + k % lanes;
-        of.size[i] = static_cast<Real>(size * c / ny); // 1/ny scales the transforms
-        of.zero[i] = static_cast<Real>(zero / c), of.pole[i] = static_cast<Real>(pole / c);
-      }
+      Filters& of = filters[k / lanes];
+      const int i = k % lanes;
+      of.size[i] = static_cast<Real>(size * c / ny); // 1/ny scales the transforms
+      of.zero[i] = static_cast<Real>(zero / c), of.pole[i] = static_cast<Real>(pole / c);
+      of.one[i] = 1;
     }
   }
 
@@ -67,29 +68,13 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
     entries.push_back({element, cell % mx * my + cell / mx, leads});
   }
 
-  /// (1 - zero z)/(1 - pole z) for the waves of a block, where z takes what is in column i - step.
-  void filter(Real* block, const Filters& of, int first, int step) const {
-    Column before = {}, last = {}; // what came into the last column, and what became of it
-    for (int i = first; i >= 0 && i < mx; i += step) {
-      Real* now = block + static_cast<std::size_t>(i) * column_size;
-#pragma omp simd
-      for (int j = 0; j < column_size; ++j) {
-        const Real came = now[j];
-        last[j] = came + (of.pole[j] * last[j] - of.zero[j] * before[j]);
-        now[j] = last[j];
-        before[j] = came;
-      }
-    }
-  }
-
   /// First what looks behind, then what looks ahead.
   void filter_both_ways(Real* block, const Filters& of) const {
-    filter(block, of, forward ? 0 : mx - 1, forward ? 1 : -1);
-    filter(block, of, forward ? mx - 1 : 0, forward ? -1 : 1);
-    for (int i = 0; i < mx; ++i, block += column_size) {
-#pragma omp simd
-      for (int j = 0; j < column_size; ++j) block[j] *= of.size[j];
-    }
+    Real *first = forward ? block : block + (mx - 1) * column_size,
+         *last = forward ? block + (mx - 1) * column_size : block;
+    const std::ptrdiff_t step = forward ? column_size : -column_size;
+    filter(of.one.data(), of.zero.data(), of.pole.data(), first, step, mx);
+    filter(of.size.data(), of.zero.data(), of.pole.data(), last, -step, mx);
   }
 
   void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy) {

@@ -8,14 +8,6 @@
 namespace microslip::detail {
 namespace {
 
-#if defined(__AVX512F__)
-constexpr int register_size = 64; // bytes
-#elif defined(__AVX2__)
-constexpr int register_size = 32;
-#else
-constexpr int register_size = 16;
-#endif
-
 /// A complex number in each lane.
 template <class RealType, int lanes> struct Complexes {
   using Real = RealType;
@@ -164,19 +156,21 @@ private:
   int vectors_;
 };
 
-/// In products with Toeplitz matrices half of the numbers are zero, and half are not wanted.
+/// In products with Toeplitz matrices half of the numbers are zero, and half are not wanted. Even radices come first.
 template <class Z, int radix, class Real = typename Z::Real>
 void run_pass(const TransformPass<Real>& pass, const Lines<const Real>& in, const Lines<Real>& out, int vectors) {
   constexpr int half = (radix + 1) / 2;
   const int n = radix * pass.groups * pass.together, part = half * pass.groups * pass.together;
-  const bool few_in = in.count <= part, few_out = out.count <= part && pass.groups == 1;
-  if (in.count == n && out.count == n)
+  if (in.count == n && out.count == n) {
     Pass<Z, radix, radix, radix, false>(pass, in, out, vectors);
-  else if (few_in && few_out)
-    Pass<Z, radix, half, half, true>(pass, in, out, vectors);
-  else if (few_in)
-    Pass<Z, radix, half, radix, true>(pass, in, out, vectors);
-  else if (few_out)
+    return;
+  }
+  if constexpr (radix % 2 == 0)
+    if (in.count <= part) {
+      Pass<Z, radix, half, radix, true>(pass, in, out, vectors);
+      return;
+    }
+  if (out.count <= part && pass.groups == 1)
     Pass<Z, radix, radix, half, true>(pass, in, out, vectors);
   else
     Pass<Z, radix, radix, radix, true>(pass, in, out, vectors);
@@ -213,13 +207,12 @@ void transform(const TransformPasses<Real>& passes, bool backward, const BlockLi
   }
 }
 
-/// Calls work with the type of the narrowest registers that hold so many lanes and how many registers that takes.
+/// Calls work with the type of the registers for so many lanes, the widest or the narrowest ones, and how many of them
+/// that takes.
 template <class Real, class Work> void with_registers(int lanes, Work work) {
   constexpr int widest = register_size / static_cast<int>(sizeof(Real)), least = 16 / static_cast<int>(sizeof(Real));
-  if constexpr (widest / 4 >= least)
-    if (lanes <= widest / 4) return work(Complexes<Real, widest / 4>(), 1);
-  if constexpr (widest / 2 >= least)
-    if (lanes <= widest / 2) return work(Complexes<Real, widest / 2>(), 1);
+  if constexpr (widest > least)
+    if (lanes <= least) return work(Complexes<Real, least>(), 1);
   work(Complexes<Real, widest>(), (lanes + widest - 1) / widest);
 }
 
@@ -333,7 +326,9 @@ private:
     }
   };
 
-  MICROSLIP_INLINE std::size_t mirror(int wave) const { return static_cast<std::size_t>(wave == 0 ? 0 : n_ - wave); }
+  MICROSLIP_INLINE std::size_t mirror(int wave) const {
+    return static_cast<std::size_t>(wave == 0 ? 0 : n_ - wave);
+  }
 
   /// Waves from k on of z to those of the rows.
   MICROSLIP_INLINE void split(const Real* z, int k, int rows, Real* to) const {

@@ -1,7 +1,8 @@
-// Products with waves, compiled once for every instruction set.
+// Loops over blocks of waves, compiled once for every instruction set.
 
-#include "microslip/numerics/kernel/wave_products.hpp"
+#include "microslip/numerics/kernel/wave_loops.hpp"
 
+#include "microslip/numerics/lane_vector.hpp"
 #include "microslip/numerics/transforms.hpp"
 
 namespace microslip::detail {
@@ -36,7 +37,7 @@ template <class Real> void multiply_symmetric(const Real* table, int rows, Real*
   }
 }
 
-template <class Real> void add_general(const Real* table, int rows, const Real* waves, Real* to) {
+template <class Real> void add_product(const Real* table, int rows, const Real* waves, Real* to) {
   constexpr int lanes = block_lanes<Real>, line = line_size<Real>;
   for (int k = 0; k < rows; ++k, table += line, waves += line, to += line)
 #pragma omp simd
@@ -49,17 +50,37 @@ template <class Real> void add_general(const Real* table, int rows, const Real* 
 }
 
 template <class Real>
-constexpr WaveProducts<Real> products = {multiply_even<Real>, multiply_symmetric<Real>, add_general<Real>};
+void filter(const Real* gain, const Real* zero, const Real* pole, Real* first, std::ptrdiff_t step, int pairs) {
+  constexpr int lanes = block_lanes<Real>, width = register_size / static_cast<int>(sizeof(Real)), parts = 4;
+  using Vector = LaneVector<Real, width>;
+  for (int v = 0; v < lanes; v += width) {
+    const auto g = load_lanes<Real, width>(gain + v), z = load_lanes<Real, width>(zero + v);
+    const auto p = load_lanes<Real, width>(pole + v);
+    Vector before[parts] = {}, last[parts] = {}; // v_(i-1) and w_(i-1): real and imaginary parts of both lines
+    Real* at = first + v;
+    for (int i = 0; i < pairs; ++i, at += step)
+#pragma GCC unroll 4
+      for (int part = 0; part < parts; ++part) {
+        const auto now = load_lanes<Real, width>(at + part * lanes);
+        last[part] = now + (p * last[part] - z * before[part]);
+        before[part] = now;
+        store_lanes<Real, width>(g * last[part], at + part * lanes);
+      }
+  }
+}
+
+template <class Real>
+constexpr WaveLoops<Real> loops = {multiply_even<Real>, multiply_symmetric<Real>, add_product<Real>, filter<Real>};
 
 } // namespace
 
 namespace MICROSLIP_INSTRUCTION_SET {
 
-void set_products(WaveProducts<double>& to) {
-  to = products<double>;
+void set_loops(WaveLoops<double>& to) {
+  to = loops<double>;
 }
-void set_products(WaveProducts<float>& to) {
-  to = products<float>;
+void set_loops(WaveLoops<float>& to) {
+  to = loops<float>;
 }
 
 } // namespace MICROSLIP_INSTRUCTION_SET
