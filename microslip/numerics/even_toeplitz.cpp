@@ -9,8 +9,6 @@
 #include <cstddef>
 #include <vector>
 
-#include <omp.h>
-
 namespace microslip {
 namespace {
 
@@ -20,10 +18,6 @@ constexpr double smallest_share = 1e-2;            // of the kernel at 0, in its
 
 int padded(int m) {
   return m == 1 ? 1 : quick_size(2 * m);
-}
-
-int threads_for(int nx, int ny) {
-  return static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1;
 }
 
 } // namespace
@@ -39,8 +33,9 @@ struct EvenToeplitz::Plans {
 
   Plans(int x, int y, const KernelRow& kernel, const TransformPlans& plans)
       : mx(x), my(y), nx(padded(x)), ny(padded(y)),
-        waves(my, nx, threads_for(nx, ny), 2 * static_cast<std::size_t>(ny), plans), columns(ny, plans),
-        lines(ny / 2 + 1) {
+        waves(my, nx, threads_for(static_cast<std::size_t>(nx) * ny, smallest_threaded),
+              2 * static_cast<std::size_t>(ny), plans),
+        columns(ny, plans), lines(ny / 2 + 1) {
     spectrum.resize(waves.count() * table_size());
     inverse.resize(spectrum.size());
     const double least = smallest_share * transform_kernel_rows(kernel, plans), points = static_cast<double>(nx) * ny;

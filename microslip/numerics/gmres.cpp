@@ -9,8 +9,6 @@
 #include <numeric>
 #include <utility>
 
-#include <omp.h>
-
 namespace microslip {
 namespace {
 
@@ -44,7 +42,7 @@ constexpr std::size_t smallest_threaded = 1 << 15; // numbers in a vector that a
 struct Blocks {
   explicit Blocks(std::size_t vector_size)
       : size(vector_size), count(static_cast<int>((size + block - 1) / block)),
-        threads(size >= smallest_threaded ? omp_get_max_threads() : 1) {}
+        threads(threads_for(size, smallest_threaded)) {}
 
   template <class Real> std::span<Real> part(int b, std::span<Real> v) const {
     const std::size_t begin = b * block;

@@ -56,7 +56,7 @@ std::vector<int> radices(int n) {
 /// The passes for one length.
 template <class Real> class Table {
 public:
-  explicit Table(int n) {
+  explicit Table(int n) : n_(n) {
     if (n < 1) throw Error("transform: n is " + std::to_string(n) + ", not a positive number");
     const auto roots = roots_of_unity(n);
     std::vector<std::size_t> begin;
@@ -74,7 +74,6 @@ public:
       length = groups, together *= radix;
     }
     for (std::size_t i = 0; i < passes_.size(); ++i) passes_[i].factors = factors_.data() + begin[i];
-    n_ = n;
   }
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;

@@ -1,8 +1,15 @@
 #pragma once
 
+#include <cstddef>
+
 #include <omp.h>
 
 namespace microslip {
+
+/// OpenMP's threads for work on so many numbers; a single one below `least`.
+inline int threads_for(std::size_t numbers, std::size_t least) {
+  return numbers >= least ? omp_get_max_threads() : 1;
+}
 
 /// Calls work(i, thread) for i = 0 .. count - 1, with `threads` of OpenMP's, thread = 0 .. threads - 1. One thread does
 /// it without OpenMP, whose barriers cost system calls even with a single thread.

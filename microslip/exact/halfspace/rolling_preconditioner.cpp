@@ -9,8 +9,6 @@
 #include <cmath>
 #include <vector>
 
-#include <omp.h>
-
 namespace microslip {
 namespace {
 
@@ -50,8 +48,7 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   WaveFilter(const ElementGrid& grid, RollingDirection direction, const TransformPlans& plans)
       : mx(grid.mx), my(grid.my), ny(quick_size(my)), forward(direction == RollingDirection::forward),
         x(static_cast<std::size_t>(mx) * my), y(x.size()),
-        waves(2 * mx, ny, static_cast<std::size_t>(mx) * ny >= smallest_threaded ? omp_get_max_threads() : 1, 0,
-              plans) {
+        waves(2 * mx, ny, threads_for(static_cast<std::size_t>(mx) * ny, smallest_threaded), 0, plans) {
     filters.resize(waves.count());
     const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
     for (int k = 0; k <= ny / 2; ++k) {
