@@ -107,6 +107,41 @@ TEST(InteriorField, LayersAreTheSumsAtTheCentres) {
       }
 }
 
+/// Other tractions, of which some vanish and some come again, as if there had been none before.
+TEST(InteriorField, LayersOfOtherTractionsAreThoseOfNewLayers) {
+  for (const ElementGrid& grid : {rectangles(9, 7), strips(6)})
+    for (const Retardation& retardation : {Retardation{}, Retardation{0.7, 4e-4}}) {
+      const Load first = random_load(grid, 21), second = random_load(grid, 22);
+      InteriorLayers kept(InteriorField(steel, Body::second, grid, {{}, {}, first.pn}, retardation));
+      kept.at_depth(1e-4);
+      for (const SurfaceTractions& t :
+           {SurfaceTractions{first.px, {}, first.pn}, {{}, second.py, {}}, {}, second.tractions()}) {
+        kept.set_tractions(t);
+        const InteriorField field(steel, Body::second, grid, t, retardation);
+        for (const double depth : {1e-4, 3e-4}) {
+          const auto states = kept.at_depth(depth), expected = InteriorLayers(field).at_depth(depth);
+          for (std::size_t k = 0; k < states.size(); ++k) EXPECT_EQ(nine(states[k]), nine(expected[k]));
+        }
+      }
+    }
+}
+
+TEST(InteriorField, LayersAtChosenColumnsAndRows) {
+  const ElementGrid grid = rectangles(9, 12);
+  const Load load = random_load(grid, 23);
+  InteriorLayers layers(InteriorField(steel, Body::first, grid, load.tractions()));
+  const auto all = layers.at_depth(2e-4);
+  for (const std::vector<int>& rows : {std::vector<int>{5}, {11, 0}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+    const std::vector<int> columns = {8, 3};
+    const auto some = layers.at_depth(2e-4, columns, rows);
+    ASSERT_EQ(some.size(), 2 * rows.size());
+    for (std::size_t k = 0; k < some.size(); ++k)
+      EXPECT_LT(difference(nine(some[k]), nine(all[static_cast<std::size_t>(rows[k / 2]) * 9 + columns[k % 2]]),
+                           1e6 * 9 * 3e-4 / 82e9, 1e6),
+                1e-13);
+  }
+}
+
 /// What is not given counts as zero, and nothing at all gives nothing.
 TEST(InteriorField, TractionsThatAreNotGiven) {
   const ElementGrid grid = rectangles(5, 4);

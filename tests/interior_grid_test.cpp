@@ -71,6 +71,58 @@ TEST(InteriorGrid, TransformsAndSumsAgree) {
     expect_near(states[k], (k < 40 ? first : second).at({points.x_of(k), points.y_of(k), std::abs(points.z_of(k))}));
 }
 
+/// Whatever came before: other tractions, points, bodies, elements.
+TEST(InteriorGrid, SequencesAreAsOneByOne) {
+  Loaded load;
+  InteriorGrid row = {{}, {load.grid.y(3)}, {1.5e-4, -1e-4}}, point = {{1e-5}, {2e-5}, {1e-4, -1e-4}};
+  for (int i = 0; i < 9; ++i) row.x.push_back(load.grid.x(i));
+  InteriorSequence sequence;
+  const auto expect_same = [&](const InteriorBody& body1, const InteriorBody& body2, const InteriorGrid& points) {
+    const auto kept = sequence.states(body1, body2, load.grid, load.tractions(), points);
+    const auto alone = interior_states(body1, body2, load.grid, load.tractions(), points);
+    ASSERT_EQ(kept.size(), points.count());
+    for (std::size_t k = 0; k < kept.size(); ++k) expect_near(kept[k], alone[k]);
+  };
+  expect_same(steel, brass, row);
+  expect_same(steel, brass, point);
+  for (double& p : load.px) p *= -2;
+  expect_same(steel, brass, row);
+  expect_same(brass, steel, row);
+  expect_same(brass, {steel, {0.5, 2e-4}}, row);
+  load.grid.dx *= 1.01;
+  for (int i = 0; i < 9; ++i) row.x[static_cast<std::size_t>(i)] = load.grid.x(i);
+  expect_same(brass, {steel, {0.5, 2e-4}}, row);
+}
+
+/// Extremes among many random stresses are those found one by one.
+TEST(InteriorGrid, ExtremesAreThoseOfAllPoints) {
+  RandomContacts random(5);
+  std::vector<InteriorState> states(500);
+  for (InteriorState& s : states)
+    for (double* component : {&s.stress.xx, &s.stress.yy, &s.stress.zz, &s.stress.xy, &s.stress.xz, &s.stress.yz})
+      *component = random.between(-1, 1);
+  for (std::size_t k = 0; k < 100; ++k) states[400 + k] = states[k]; // of equal ones the first counts
+  const std::size_t same = 250;
+  states[same].stress = {-9, -9, -9, 0, 0, 0}; // all principal stresses equal
+  const auto extremes = interior_extremes(states);
+  ASSERT_EQ(extremes.size(), 8U);
+  const auto find = [&](const char* name, auto size) {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < states.size(); ++k)
+      if (size(states[k].stress) > size(states[best].stress)) best = k;
+    for (const InteriorExtreme& e : extremes)
+      if (e.name == name) {
+        EXPECT_EQ(e.point, best) << name;
+        EXPECT_EQ(std::abs(e.value), std::abs(size(states[best].stress))) << name;
+      }
+  };
+  find("tresca", tresca);
+  find("sigma_1", [](const Stress& s) { return principal_stresses(s)[0]; });
+  find("sigma_3", [](const Stress& s) { return -principal_stresses(s)[2]; });
+  find("von_mises", von_mises);
+  find("sigma_hyd", [](const Stress& s) { return std::abs(hydrostatic(s)); });
+}
+
 EllipticContact rolling() {
   return {.a = 6e-3,
           .b = 4e-3,

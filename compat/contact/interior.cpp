@@ -75,14 +75,14 @@ std::string row(const std::vector<double>& values) {
 
 } // namespace
 
-std::vector<InteriorBlock> interior_blocks(const Case& c, const ContactStep& step,
-                                           const ContactStepSolution& solution) {
+std::vector<InteriorBlock> interior_blocks(const Case& c, const ContactStep& step, const ContactStepSolution& solution,
+                                           InteriorSequence& sequence) {
   std::vector<InteriorBlock> fields;
   if (c.digits.stress == InteriorPoints::none) return fields;
   const TangentialState& tractions = solution.tangential.tractions;
   for (const PointBlock& block : c.points) {
     const InteriorGrid points = points_of(block, step.grid);
-    auto states = interior_states(body_of(c, 0), body_of(c, 1), step.grid,
+    auto states = sequence.states(body_of(c, 0), body_of(c, 1), step.grid,
                                   {tractions.px, tractions.py, solution.normal.pressure}, points);
     fields.push_back({points, std::move(states)});
   }

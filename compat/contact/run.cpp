@@ -41,7 +41,7 @@ Outcome Run::solve(const Case& c, Sequence& sequence) {
   outcome.totals = printed_totals(c, outcome.step, outcome.solution);
   outcome.temperature = temperatures_of(outcome.step, outcome.solution);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
-  outcome.interior = interior_blocks(c, outcome.step, outcome.solution);
+  outcome.interior = interior_blocks(c, outcome.step, outcome.solution, sequence.interior);
   outcome.notes = left_out(c, outcome.step);
   if (outcome.solution.normal.touches_border)
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");

@@ -41,6 +41,7 @@ public:
 private:
   struct Sequence {
     ContactSequence steps;
+    InteriorSequence interior;
     int lost = 0; ///< number of the case that could not be run after the last one that was solved
     std::optional<CarriedSprings> springs =
         CarriedSprings(); ///< of the last case if it was FASTSIM's, or without friction

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace microslip {
@@ -25,20 +25,24 @@ template <class State> auto& component_of(State& s, int component) {
   return *all[component];
 }
 
-/// Whether a load or a component changes its sign when x (y) does.
-struct Odd {
-  bool x, y;
-};
-constexpr std::array<Odd, 3> odd_load = {{{true, false}, {false, true}, {false, false}}};
-constexpr std::array<Odd, components> odd_component = {{{true, false},
-                                                        {false, true},
-                                                        {false, false},
-                                                        {false, false},
-                                                        {false, false},
-                                                        {false, false},
-                                                        {true, true},
-                                                        {true, false},
-                                                        {false, true}}};
+// How they change their signs with x and y.
+constexpr std::array<Parity, 3> load_parity = {{{true, false}, {false, true}, {false, false}}};
+constexpr std::array<Parity, components> component_parity = {{{true, false},
+                                                              {false, true},
+                                                              {false, false},
+                                                              {false, false},
+                                                              {false, false},
+                                                              {false, false},
+                                                              {true, true},
+                                                              {true, false},
+                                                              {false, true}}};
+constexpr int retarded_components = 3; // the displacements, which come first
+
+/// Of what a load does to a component: it is odd where only one of them is.
+Parity influence_parity(int load, int component) {
+  const Parity a = load_parity[load], b = component_parity[component];
+  return {a.odd_x != b.odd_x, a.odd_y != b.odd_y};
+}
 
 void add(InteriorState& sum, double p, const InteriorState& s) {
   sum.ux += p * s.ux;
@@ -65,8 +69,9 @@ std::vector<double> copy_of(const char* name, std::span<const double> p, std::si
   return {p.begin(), p.end()};
 }
 
-/// What InteriorLayers needs for a point, at most [bytes].
-constexpr double memory_for_point = 700, memory_for_retarded_point = 1200;
+/// What InteriorLayers needs for a point, at most [bytes], and what it may keep of the kernels of several depths.
+constexpr double memory_for_point = 900, memory_for_retarded_point = 1400;
+constexpr std::size_t most_kept = std::size_t(256) << 20;
 
 ElementGrid with_margin(const InteriorField& field, int margin) {
   ElementGrid grid = field.grid();
@@ -108,19 +113,9 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
   if (!(material.shear_modulus > 0))
     throw Error("shear_modulus", material.shear_modulus, "Pa", "positive, or infinite for a rigid body");
   require_between("poisson_ratio", material.poisson_ratio, "-", 0, 0.5);
-  px_ = copy_of("px", tractions.px, grid.count());
-  py_ = copy_of("py", tractions.py, grid.count());
-  pn_ = copy_of("pn", tractions.pn, grid.count());
   require_between("retardation.ratio", retardation.ratio, "-", 0, 1e6);
   require_finite("retardation.distance", retardation.distance, "m");
-  for (int j = 0; j < grid.my; ++j) {
-    const std::size_t begin = loaded_.size();
-    for (int i = 0; i < grid.mx; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
-      if (px_[k] != 0 || py_[k] != 0 || pn_[k] != 0) loaded_.push_back({i, j, px_[k], py_[k], pn_[k]});
-    }
-    if (loaded_.size() > begin) loaded_rows_.push_back({begin, loaded_.size()});
-  }
+  set_tractions(tractions);
   if (!grid.line || !has_retardation()) return;
   // As in the contact problem: on the average 0 where the elastic displacements are.
   const double far = grid.mx * grid.dx;
@@ -128,6 +123,22 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
   retarded_far_away_.px.ux = (behind.px.ux + ahead.px.ux) / 2;
   retarded_far_away_.py.uy = (behind.py.uy + ahead.py.uy) / 2;
   retarded_far_away_.pn.uz = (behind.pn.uz + ahead.pn.uz) / 2;
+}
+
+void InteriorField::set_tractions(const SurfaceTractions& tractions) {
+  px_ = copy_of("px", tractions.px, grid_.count());
+  py_ = copy_of("py", tractions.py, grid_.count());
+  pn_ = copy_of("pn", tractions.pn, grid_.count());
+  loaded_.clear();
+  loaded_rows_.clear();
+  for (int j = 0; j < grid_.my; ++j) {
+    const std::size_t begin = loaded_.size();
+    for (int i = 0; i < grid_.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * grid_.mx + i;
+      if (px_[k] != 0 || py_[k] != 0 || pn_[k] != 0) loaded_.push_back({i, j, px_[k], py_[k], pn_[k]});
+    }
+    if (loaded_.size() > begin) loaded_rows_.push_back({begin, loaded_.size()});
+  }
 }
 
 InteriorInfluence InteriorField::influence(double x, double y, double depth) const {
@@ -195,10 +206,20 @@ std::vector<InteriorState> InteriorField::at(std::span<const InteriorPoint> poin
 }
 
 InteriorLayers::InteriorLayers(InteriorField field, int margin)
-    : field_(std::move(field)), grid_(with_margin(field_, margin)), transform_(grid_.mx, grid_.my, 3) {
+    : field_(std::move(field)), grid_(with_margin(field_, margin)), transform_(grid_.mx, grid_.my) {
+  load();
+}
+
+void InteriorLayers::set_tractions(const SurfaceTractions& tractions) {
+  field_.set_tractions(tractions);
+  load();
+}
+
+void InteriorLayers::load() {
   const std::array all = {&field_.px(), &field_.py(), &field_.pn()};
   std::vector<std::vector<double>> padded;
-  for (int load = 0; load < 3; ++load)
+  loads_.clear();
+  for (int load = 0; load < static_cast<int>(all.size()); ++load)
     if (any(*all[load])) {
       loads_.push_back(load);
       padded.push_back(embedded(*all[load], field_.grid(), grid_));
@@ -224,43 +245,84 @@ InteriorLayers::Influences InteriorLayers::influences(double depth) const {
   return found;
 }
 
-std::vector<double> InteriorLayers::kernel(int load, int component, const Influences& influences) const {
-  const bool odd_x = odd_load[load].x != odd_component[component].x;
-  const bool odd_y = odd_load[load].y != odd_component[component].y;
-  const int width = 2 * grid_.mx - 1;
-  std::vector<double> table(static_cast<std::size_t>(width) * (2 * grid_.my - 1));
-  for (int j = 1 - grid_.my; j < grid_.my; ++j) {
-    double* row = table.data() + static_cast<std::size_t>(j + grid_.my - 1) * width;
-    const auto from = static_cast<std::size_t>(std::abs(j));
-    const double sign = odd_y && j < 0 ? -1 : 1;
-    const auto value = [&](const InteriorInfluence& a) { return sign * component_of(a.*loads[load], component); };
-    for (int i = 0; i < grid_.mx; ++i) {
-      const double here = value(influences.quadrant[from * grid_.mx + i]);
-      row[grid_.mx - 1 - i] = odd_x ? -here : here;
-      row[grid_.mx - 1 + i] = here;
-    }
-    if (influences.retarded.empty()) continue;
-    for (int i = 0; i < width; ++i) row[i] += value(influences.retarded[from * width + i]);
+/// A retarded influence is neither even nor odd in x: the part with the elastic one's parity is added to that, the
+/// other one is a kernel of its own.
+void InteriorLayers::find_kernels(int load, const Influences& influences, LoadKernels& kernels) {
+  const int middle = grid_.mx - 1, width = 2 * grid_.mx - 1;
+  for (int component = 0; component < components; ++component) {
+    const auto value = [&](const InteriorInfluence& a) { return component_of(a.*loads[load], component); };
+    const Parity parity = influence_parity(load, component);
+    const bool retarded = component < retarded_components && !influences.retarded.empty();
+    // Half of what is retarded at offsets i and -i of a row, the latter with a sign.
+    const auto half = [&](int j, int i, double sign) {
+      const InteriorInfluence* row = &influences.retarded[static_cast<std::size_t>(j) * width + middle];
+      return (value(row[i]) + sign * value(row[-i])) / 2;
+    };
+    const double sign = parity.odd_x ? -1 : 1;
+    kernels.push_back(transform_.spectrum(parity, [&](int j, std::span<double> entries) {
+      for (int i = 0; i < grid_.mx; ++i) {
+        entries[i] = value(influences.quadrant[static_cast<std::size_t>(j) * grid_.mx + i]);
+        if (retarded) entries[i] += half(j, i, sign);
+      }
+    }));
+    if (!retarded) continue;
+    kernels.push_back(transform_.spectrum({!parity.odd_x, parity.odd_y}, [&](int j, std::span<double> entries) {
+      for (int i = 0; i < grid_.mx; ++i) entries[i] = half(j, i, -sign);
+    }));
   }
-  return table;
+}
+
+/// Those of the loads that there are, at least.
+const InteriorLayers::Kernels& InteriorLayers::kernels(double depth) {
+  Kernels& kernels = kept_[depth];
+  const bool complete = std::all_of(loads_.begin(), loads_.end(), [&](int load) { return !kernels[load].empty(); });
+  if (complete) return kernels;
+  const Influences found = influences(depth);
+  for (const int load : loads_)
+    if (kernels[load].empty()) find_kernels(load, found, kernels[load]);
+  return kernels;
+}
+
+/// Forgets what was kept of a depth if it is too much together with the rest.
+void InteriorLayers::limit_memory(double depth) {
+  std::size_t bytes = 0;
+  for (const auto& [_, kernels] : kept_)
+    for (const LoadKernels& of_load : kernels)
+      for (const auto& spectrum : of_load) bytes += spectrum.size() * sizeof(double);
+  if (bytes > most_kept) kept_.erase(depth);
 }
 
 std::vector<InteriorState> InteriorLayers::at_depth(double depth) {
-  require_depth(depth);
-  std::vector<InteriorState> states(grid_.count());
-  if (loads_.empty()) return states;
-  const Influences found = influences(depth);
+  std::vector<int> columns(grid_.mx), rows(grid_.my);
+  std::iota(columns.begin(), columns.end(), 0);
+  std::iota(rows.begin(), rows.end(), 0);
+  return at_depth(depth, columns, rows);
+}
 
-  std::vector<double> values(grid_.count());
-  std::vector<ToeplitzTransform::Spectrum> spectra(loads_.size());
-  std::vector<const ToeplitzTransform::Spectrum*> pointers;
-  for (const auto& spectrum : spectra) pointers.push_back(&spectrum);
+std::vector<InteriorState> InteriorLayers::at_depth(double depth, std::span<const int> columns,
+                                                    std::span<const int> rows) {
+  require_depth(depth);
+  std::vector<InteriorState> states(columns.size() * rows.size());
+  if (loads_.empty()) return states;
+  const Kernels& of_depth = kernels(depth);
+
+  std::vector<double> values(rows.size() * grid_.mx);
+  std::array<std::size_t, loads.size()> next{}; // kernel of each load
   for (int component = 0; component < components; ++component) {
-    for (std::size_t l = 0; l < loads_.size(); ++l)
-      spectra[l] = transform_.kernel_spectrum(kernel(loads_[l], component, found));
-    transform_.apply(pointers, std::array{std::span<double>(values)});
-    for (std::size_t k = 0; k < states.size(); ++k) component_of(states[k], component) = values[k];
+    std::vector<ParityToeplitz::Term> terms;
+    for (std::size_t in = 0; in < loads_.size(); ++in) {
+      const int load = loads_[in];
+      Parity parity = influence_parity(load, component);
+      terms.push_back({in, &of_depth[load][next[in]++], parity});
+      if (!field_.has_retardation() || component >= retarded_components) continue;
+      parity.odd_x = !parity.odd_x;
+      terms.push_back({in, &of_depth[load][next[in]++], parity});
+    }
+    transform_.apply(terms, rows, values);
+    for (std::size_t r = 0, k = 0; r < rows.size(); ++r)
+      for (const int column : columns) component_of(states[k++], component) = values[r * grid_.mx + column];
   }
+  limit_memory(depth);
   return states;
 }
 

@@ -3,8 +3,10 @@
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/interior_influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
-#include "microslip/numerics/toeplitz.hpp"
+#include "microslip/numerics/parity_toeplitz.hpp"
 
+#include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,8 @@ public:
   /// of the elements or which are not finite.
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions,
                 const Retardation& retardation = {});
+  /// Other tractions in the place of these, copied. Throws Error as the constructor does.
+  void set_tractions(const SurfaceTractions& tractions);
 
   /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
   /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
@@ -80,18 +84,22 @@ private:
       retarded_far_away_; ///< of a line contact: subtracted from retarded displacements along the tractions
 };
 
-/// The same at the centres of all elements in planes of constant depth, by fast transforms. It agrees with the sum to
-/// about 1e-15 of the plane's largest values.
+/// The same at the centres of elements in planes of constant depth, by fast transforms. It agrees with the sum to about
+/// 1e-15 of the plane's largest values.
 ///
-/// Cost for a plane of N points: N influences (the rest follow by symmetry), 9 transforms of kernels for each of px,
-/// py, pn that is not zero, 9 back, each on a grid padded to 4N: 4 to 8 us a point, where the sum takes .3 us for every
-/// pair. With a retardation 120 more influences for each. Memory: some 700 bytes for a point, 1200 with a retardation.
+/// Cost for a plane of N points: N influences and 9 transforms of kernels for each of px, py, pn that is not zero, on a
+/// quarter of a grid padded to 4N, and 9 transforms back; a few rows of the plane cost a fifth of the latter. Kernels
+/// depend on the depth only and are kept, up to 256 MB, for other tractions. With a retardation 120 more influences for
+/// each point. Memory: some 900 bytes for a point, 1400 with a retardation, besides the kernels that are kept, 300
+/// bytes for a point of each depth.
 class InteriorLayers {
 public:
   /// Points at the elements' centres and, beyond the grid, `margin` more columns and rows on each side (rows not for a
   /// line contact).
   /// Throws Error for a plane that needs more memory than the machine has.
   explicit InteriorLayers(InteriorField field, int margin = 0);
+  /// Other tractions in the place of the field's. Throws Error as InteriorField does.
+  void set_tractions(const SurfaceTractions& tractions);
 
   /// Where the points are.
   const ElementGrid& grid() const { return grid_; }
@@ -99,20 +107,29 @@ public:
 
   /// States at the points, index j mx + i. Throws Error unless depth >= 0 and finite.
   std::vector<InteriorState> at_depth(double depth);
+  /// At the points of some columns, i, and rows, j, of the grid only: row by row.
+  std::vector<InteriorState> at_depth(double depth, std::span<const int> columns, std::span<const int> rows);
 
 private:
   /// Influences at a depth: of offsets x, y >= 0, and retarded ones of all x and y >= 0.
   struct Influences {
     std::vector<InteriorInfluence> quadrant, retarded;
   };
+  /// One for each component, and after it one for what is retarded.
+  using LoadKernels = std::vector<ParityToeplitz::Spectrum>;
+  using Kernels = std::array<LoadKernels, 3>; ///< of px, py, pn; empty ones have not been needed
 
+  void load();
   Influences influences(double depth) const;
-  std::vector<double> kernel(int load, int component, const Influences& influences) const;
+  void find_kernels(int load, const Influences& influences, LoadKernels& kernels);
+  const Kernels& kernels(double depth);
+  void limit_memory(double depth);
 
   InteriorField field_;
   ElementGrid grid_;
   std::vector<int> loads_; ///< those of px, py, pn that are not zero
-  ToeplitzTransform transform_;
+  ParityToeplitz transform_;
+  std::map<double, Kernels> kept_; ///< by depth
 };
 
 } // namespace microslip

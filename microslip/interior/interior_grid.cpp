@@ -2,14 +2,16 @@
 
 #include "microslip/error.hpp"
 
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace microslip {
 namespace {
 
 /// From so many points in a plane on transforms cost less than sums.
-constexpr std::size_t many = 32;
+constexpr std::size_t several = 8;
 
 /// The numbers of the elements whose centres these coordinates are; none if one is not.
 std::optional<std::vector<int>> centres(const std::vector<double>& coordinates, double first, double size, int count) {
@@ -22,48 +24,24 @@ std::optional<std::vector<int>> centres(const std::vector<double>& coordinates, 
   return indices;
 }
 
-using States = std::vector<InteriorState>;
+std::vector<InteriorPoint> plane_of(const InteriorGrid& points, double depth) {
+  std::vector<InteriorPoint> plane;
+  for (const double y : points.y)
+    for (const double x : points.x) plane.push_back({x, y, depth});
+  return plane;
+}
 
-/// The planes z of one body.
-class BodyStates {
-public:
-  BodyStates(const InteriorBody& of, Body body, const ElementGrid& elements, const SurfaceTractions& tractions,
-             const InteriorGrid& points)
-      : points_(points), field_(of.material, body, elements, tractions, of.retardation),
-        columns_(centres(points.x, elements.x0, elements.dx, elements.mx)),
-        rows_(centres(points.y, elements.y0, elements.dy, elements.my)) {
-    if (columns_ && rows_ && points.x.size() * points.y.size() >= many) layers_.emplace(field_);
-  }
+bool are_same(const InteriorBody& a, const InteriorBody& b) {
+  return a.material.shear_modulus == b.material.shear_modulus && a.material.poisson_ratio == b.material.poisson_ratio &&
+         a.retardation == b.retardation;
+}
 
-  States at_depth(double depth) { return layers_ ? from_layer(depth) : from_sums(depth); }
-
-private:
-  States from_layer(double depth) {
-    const States all = layers_->at_depth(depth);
-    States chosen;
-    for (const int j : *rows_)
-      for (const int i : *columns_) chosen.push_back(all[static_cast<std::size_t>(j) * layers_->grid().mx + i]);
-    return chosen;
-  }
-
-  States from_sums(double depth) const {
-    std::vector<InteriorPoint> plane;
-    for (const double y : points_.y)
-      for (const double x : points_.x) plane.push_back({x, y, depth});
-    return field_.at(plane);
-  }
-
-  const InteriorGrid& points_;
-  InteriorField field_;
-  std::optional<std::vector<int>> columns_, rows_;
-  std::optional<InteriorLayers> layers_;
-};
-
-/// A measure of stress, and what counts as extreme.
+/// A measure of stress, what counts as extreme, and, where the measure costs more than it, a bound of that.
 struct Measure {
   const char* name;
   double (*value)(const Stress& stress);
   double (*size)(double value);
+  double (*bound)(const Stress& stress, double von_mises) = nullptr;
 };
 
 double magnitude(double value) {
@@ -76,12 +54,27 @@ double smallest(double value) {
   return -value;
 }
 
+/// For rounding in what follows.
+constexpr double slack = 1e-12;
+
+// Principal stresses differ from the mean of all three by at most 2/3 of von Mises' stress, and from one another by at
+// most 2/sqrt(3) of it: they are 2/3 cos(t), 2/3 cos(t + 2 pi/3), 2/3 cos(t + 4 pi/3) of it.
+double bound_of_difference(const Stress&, double von_mises) {
+  return 2 / std::numbers::sqrt3 * von_mises * (1 + slack);
+}
+double bound_of_tension(const Stress& s, double von_mises) {
+  return hydrostatic(s) + 2.0 / 3 * von_mises + slack * (std::abs(hydrostatic(s)) + von_mises);
+}
+double bound_of_compression(const Stress& s, double von_mises) {
+  return -hydrostatic(s) + 2.0 / 3 * von_mises + slack * (std::abs(hydrostatic(s)) + von_mises);
+}
+
 constexpr Measure measures[] = {
     {"sigma_hyd", hydrostatic, magnitude},
     {"von_mises", von_mises, largest},
-    {"tresca", tresca, largest},
-    {"sigma_1", [](const Stress& s) { return principal_stresses(s)[0]; }, largest},
-    {"sigma_3", [](const Stress& s) { return principal_stresses(s)[2]; }, smallest},
+    {"tresca", tresca, largest, bound_of_difference},
+    {"sigma_1", [](const Stress& s) { return principal_stresses(s)[0]; }, largest, bound_of_tension},
+    {"sigma_3", [](const Stress& s) { return principal_stresses(s)[2]; }, smallest, bound_of_compression},
     {"sigma_xx", [](const Stress& s) { return s.xx; }, magnitude},
     {"sigma_yy", [](const Stress& s) { return s.yy; }, magnitude},
     {"sigma_zz", [](const Stress& s) { return s.zz; }, magnitude},
@@ -89,18 +82,47 @@ constexpr Measure measures[] = {
 
 } // namespace
 
-std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
-                                           const ElementGrid& elements, const SurfaceTractions& tractions,
-                                           const InteriorGrid& points) {
-  std::optional<BodyStates> first, second;
-  States all;
+InteriorLayers& InteriorSequence::layers_of(const InteriorBody& body, Body number, const ElementGrid& elements,
+                                            const SurfaceTractions& tractions) {
+  auto& known = bodies_[number == Body::first ? 0 : 1];
+  if (known && are_same(known->body, body) && known->layers.grid() == elements)
+    known->layers.set_tractions(tractions);
+  else
+    known.emplace(
+        OfBody{body, InteriorLayers(InteriorField(body.material, number, elements, tractions, body.retardation))});
+  return known->layers;
+}
+
+std::vector<InteriorState> InteriorSequence::states(const InteriorBody& body1, const InteriorBody& body2,
+                                                    const ElementGrid& elements, const SurfaceTractions& tractions,
+                                                    const InteriorGrid& points) {
+  const auto columns = centres(points.x, elements.x0, elements.dx, elements.mx);
+  const auto rows = centres(points.y, elements.y0, elements.dy, elements.my);
+  const bool transforms = columns && rows && points.x.size() * points.y.size() >= several;
+  std::array<InteriorLayers*, 2> layers{};
+  std::array<std::optional<InteriorField>, 2> fields;
+  std::vector<InteriorState> all;
   for (const double z : points.z) {
-    auto& body = z < 0 ? second : first;
-    if (!body) body.emplace(z < 0 ? body2 : body1, z < 0 ? Body::second : Body::first, elements, tractions, points);
-    const States plane = body->at_depth(std::abs(z));
+    const std::size_t n = z < 0 ? 1 : 0;
+    const InteriorBody& body = z < 0 ? body2 : body1;
+    const Body number = z < 0 ? Body::second : Body::first;
+    std::vector<InteriorState> plane;
+    if (transforms) {
+      if (layers[n] == nullptr) layers[n] = &layers_of(body, number, elements, tractions);
+      plane = layers[n]->at_depth(std::abs(z), *columns, *rows);
+    } else {
+      if (!fields[n]) fields[n].emplace(body.material, number, elements, tractions, body.retardation);
+      plane = fields[n]->at(plane_of(points, std::abs(z)));
+    }
     all.insert(all.end(), plane.begin(), plane.end());
   }
   return all;
+}
+
+std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
+                                           const ElementGrid& elements, const SurfaceTractions& tractions,
+                                           const InteriorGrid& points) {
+  return InteriorSequence().states(body1, body2, elements, tractions, points);
 }
 
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
@@ -122,13 +144,17 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
 std::vector<InteriorExtreme> interior_extremes(const std::vector<InteriorState>& states) {
   std::vector<InteriorExtreme> extremes;
   if (states.empty()) return extremes;
-  for (const Measure& measure : measures) {
-    InteriorExtreme found{measure.name, measure.value(states[0].stress), 0};
-    for (std::size_t k = 1; k < states.size(); ++k) {
-      const double value = measure.value(states[k].stress);
-      if (measure.size(value) > measure.size(found.value)) found = {measure.name, value, k};
+  for (const Measure& measure : measures) extremes.push_back({measure.name, measure.value(states[0].stress), 0});
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const Stress& stress = states[k].stress;
+    const double equivalent = von_mises(stress);
+    for (std::size_t m = 0; m < extremes.size(); ++m) {
+      const Measure& measure = measures[m];
+      const double extreme = measure.size(extremes[m].value);
+      if (measure.bound != nullptr && measure.bound(stress, equivalent) <= extreme) continue;
+      const double value = measure.value(stress);
+      if (measure.size(value) > extreme) extremes[m] = {measure.name, value, k};
     }
-    extremes.push_back(found);
   }
   return extremes;
 }

@@ -3,6 +3,8 @@
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/interior/interior_field.hpp"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,27 @@ struct InteriorBody {
 };
 
 /// Displacements and stresses at the points of a grid, x fastest, then y, then z: by InteriorLayers where there are
-/// many points below elements' centres, else by InteriorField. Errors as theirs.
+/// several points below elements' centres, else by InteriorField. Errors as theirs.
+///
+/// Keeps what InteriorLayers keeps: where bodies and elements are those of the call before, depths that have occurred
+/// cost transforms of the tractions only.
+class InteriorSequence {
+public:
+  std::vector<InteriorState> states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
+                                    const SurfaceTractions& tractions, const InteriorGrid& points);
+
+private:
+  struct OfBody {
+    InteriorBody body;
+    InteriorLayers layers;
+  };
+  InteriorLayers& layers_of(const InteriorBody& body, Body number, const ElementGrid& elements,
+                            const SurfaceTractions& tractions);
+
+  std::array<std::optional<OfBody>, 2> bodies_;
+};
+
+/// The same once.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
                                            const ElementGrid& elements, const SurfaceTractions& tractions,
                                            const InteriorGrid& points);
