@@ -7,6 +7,7 @@
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/interior/interior_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -294,6 +295,34 @@ Figures compression(int n) {
   });
 }
 
+/// Stresses below n x n loaded elements at so many depths, in all rows of elements or in one, for one set of tractions
+/// after another: set-up is what the first one takes more than the next.
+Figures stresses_inside(int n, int depths, bool all_rows) {
+  const ElementGrid grid = ElementGrid::across_ellipse(semi_axis_x, semi_axis_y, n);
+  InteriorGrid points;
+  for (int i = 0; i < n; ++i) points.x.push_back(grid.x(i));
+  for (int j = 0; j < n; ++j)
+    if (all_rows || j == n / 2) points.y.push_back(grid.y(j));
+  for (int k = 0; k < depths; ++k) points.z.push_back((0.5 + k) * grid.dx);
+  std::vector<double> pressure(grid.count(), 1e9), traction(grid.count(), 2e8);
+  const auto states = [&](InteriorSequence& sequence) {
+    sequence.states(Material{82e9, 0.28}, Material{82e9, 0.28}, grid, {traction, traction, pressure}, points);
+  };
+  Figures figures;
+  measure(
+      figures,
+      [&] {
+        InteriorSequence sequence;
+        states(sequence);
+        return sequence;
+      },
+      states);
+  figures.set_up -= figures.solve;
+  figures.elements = grid.count();
+  figures.solved = true;
+  return figures;
+}
+
 /// The ellipse with a layer that hardens, from a tenth of the friction's peak on.
 ContactStep on_a_layer(int n) {
   ContactStep step;
@@ -361,6 +390,8 @@ const std::vector<Problem>& problems() {
       {"layer that yields, each of 24 steady contacts", {24, 48, 96}, yielding_steady},
       {"cylinder with falling friction, each of 51 transient steps", {82}, falling_transient},
       {"Spence's compression, each of as many steps as elements across", {35, 69}, compression},
+      {"stresses inside at 3 depths, a row of points", {91}, [](int n) { return stresses_inside(n, 3, false); }},
+      {"stresses inside at 11 depths, all points", {45, 91, 181}, [](int n) { return stresses_inside(n, 11, true); }},
   };
   return all;
 }
