@@ -23,11 +23,11 @@ inline const std::string first_shift = R"( 3 MODULE
  .01 0 .01 0 0 0
 )";
 
-/// A text with C = 2 made one with C = 9, which is refused.
-inline std::string with_coefficients_from_a_file(std::string text) {
+/// A text with C = 2 made one with C = 4, which is refused.
+inline std::string with_corrected_coefficients(std::string text) {
   const std::string digits = "022020", material = ".42 .42 200. 200.";
-  text.replace(text.find(digits), digits.size(), "029020");
-  return text.insert(text.find(material), "'a.coefficients'\n ");
+  text.replace(text.find(digits), digits.size(), "024020");
+  return text.insert(text.find(material), "0 1 2\n 0. 0. 1. .1\n ");
 }
 
 /// Rolling of a Hertzian contact with 12 elements across: FN, CKSI, CETA, CPHI; CHI, DQ, VELOC; the first control

@@ -117,21 +117,22 @@ TEST(ContactRun, BilinearElements) {
 TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string approximate = with(steady_rolling("100. 1d-3 0 0"), "203100", "253100");
-  const std::string from_file = with_coefficients_from_a_file(first_shift);
-  const auto cases = run_cases(first_shift + from_file + next + approximate + first_shift + next);
+  const std::string corrected = with_corrected_coefficients(first_shift);
+  const auto cases = run_cases(first_shift + corrected + next + approximate + first_shift + next);
   ASSERT_EQ(cases.size(), 6u);
   const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
-  EXPECT_EQ(cases[1].outcome.reasons, std::vector<std::string>{"C = 9 (influence coefficients from a file)"});
+  EXPECT_EQ(cases[1].outcome.reasons,
+            std::vector<std::string>{"C = 4 (half-space coefficients corrected for conformal contact)"});
   EXPECT_EQ(
       cases[3].outcome.reasons,
       std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
 }
 
 TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
-  const std::string from_file = with_coefficients_from_a_file(first_shift);
+  const std::string corrected = with_corrected_coefficients(first_shift);
   const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";
-  const auto cases = run_cases(from_file + next + with(next, "001110", "000100") + next);
+  const auto cases = run_cases(corrected + next + with(next, "001110", "000100") + next);
   ASSERT_EQ(cases.size(), 4u);
   EXPECT_EQ(cases[1].outcome.reasons,
             std::vector<std::string>{"P = 0 (it goes on from case 1, which has left no tractions)"});

@@ -83,6 +83,10 @@ std::vector<double> read_sub_patches(Words& words) {
   for (const auto& [field, number] : {std::pair{"YSEP", patches - 1}, {"FAC", patches * (patches - 1) / 2}}) {
     if (number == 0) continue;
     const auto part = words.reals(field, number);
+    const bool separates = values.size() == 1;
+    for (std::size_t k = 1; separates && k < part.size(); ++k)
+      if (!(part[k] > part[k - 1]))
+        words.fail("YSEP(" + std::to_string(k + 1) + ")", part[k], "must be above YSEP(" + std::to_string(k) + ")");
     values.insert(values.end(), part.begin(), part.end());
   }
   return values;

@@ -1,6 +1,9 @@
 #include "compat/contact/input.hpp"
 
+#include "microslip/elasticity/material.hpp"
+
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <string>
 
@@ -35,7 +38,8 @@ std::size_t numbers_of(Bulk model) {
 
 } // namespace
 
-InputReader::InputReader(std::istream& stream, std::string name) : words_(stream, std::move(name)) {}
+InputReader::InputReader(std::istream& stream, std::string name)
+    : words_(stream, name), folder_(std::filesystem::path(name).parent_path()) {}
 
 const Case* InputReader::next() {
   const int module = ended_ ? 0 : in_module_ ? 3 : read_module();
@@ -250,8 +254,9 @@ void InputReader::read_material(Case& c) {
     }
     words_.end_record();
   }
+  std::string coefficients;
   if (d.inflcf == Coefficients::from_file) {
-    words_.text("CFNAME");
+    coefficients = words_.text("CFNAME");
     words_.end_record();
   }
   m.poisson1 = words_.between("POISS1", 0, 0.5);
@@ -259,6 +264,7 @@ void InputReader::read_material(Case& c) {
   m.shear1 = words_.positive("GG1");
   m.shear2 = words_.positive("GG2");
   words_.end_record();
+  if (d.inflcf == Coefficients::from_file) m.table = coefficients_from(coefficients, m);
   if (d.bound == PressureModel::thin_sheet) {
     m.sheet_flexibility = words_.positive("FLXZ");
     words_.end_record();
@@ -266,6 +272,19 @@ void InputReader::read_material(Case& c) {
   m.model = d.mater;
   if (const auto count = numbers_of(d.mater)) m.model_data = words_.reals("material", count);
   c.material = m;
+}
+
+/// Read once for all cases.
+std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::string& file, const MaterialData& m) {
+  constexpr double newton_per_mm2 = 1e6;
+  const double shear_modulus =
+      combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2}).shear_modulus;
+  auto& table = tables_[{file, shear_modulus}];
+  if (table) return table;
+  const std::string path = (folder_ / file).string();
+  std::ifstream stream(path);
+  if (!stream) words_.fail("CFNAME = '" + file + "': cannot be read");
+  return table = read_influence_file(stream, path).in_si(shear_modulus);
 }
 
 /// What C = 0 or 1 has not read must be there from before.

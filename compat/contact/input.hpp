@@ -2,11 +2,14 @@
 
 #include "compat/contact/digits.hpp"
 #include "compat/contact/geometry.hpp"
+#include "compat/contact/influence_file.hpp"
 #include "compat/contact/words.hpp"
 
 #include <array>
+#include <filesystem>
 #include <istream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,6 +34,7 @@ struct RollingData {
 /// K0_MF ALFAMF BETAMF; 4: GG3 LAYTHK TAU_C0 K_TAU). [-], [N/mm2]
 struct MaterialData {
   Coefficients coefficients = Coefficients::constant; ///< never keep or form
+  std::shared_ptr<const InfluenceTable> table = {};   ///< of C = 9, SI
   double poisson1 = 0, poisson2 = 0, shear1 = 0, shear2 = 0;
   double sheet_flexibility = 0; ///< FLXZ [mm3/N], of B = 1
   Bulk model = Bulk::elastic;   ///< M that `model_data` was read for
@@ -94,7 +98,7 @@ struct Case {
 /// what no earlier case has given.
 class InputReader {
 public:
-  /// `stream` must outlive the reader.
+  /// `stream` must outlive the reader. Files of influence coefficients are looked for in the folder of `name`.
   InputReader(std::istream& stream, std::string name);
 
   /// The next case, nullptr at the end of the file or at MODULE 0. It holds until the next call.
@@ -115,6 +119,7 @@ private:
   void read_friction(Case& c);
   void read_rolling(Case& c);
   void read_material(Case& c);
+  std::shared_ptr<const InfluenceTable> coefficients_from(const std::string& file, const MaterialData& m);
   void check_read(const Case& c);
   void read_damping_and_heat(Case& c);
   void read_potential(Case& c);
@@ -133,6 +138,9 @@ private:
   };
 
   Words words_;
+  std::filesystem::path folder_; ///< of the file
+  /// By file and combined modulus [Pa], so that cases with the same ones share them.
+  std::map<std::pair<std::string, double>, std::shared_ptr<const InfluenceTable>> tables_;
   std::map<std::pair<int, int>, Sequence> sequences_;
   Sequence* now_ = nullptr;
   std::pair<int, int> sequence_ = {1, 1};

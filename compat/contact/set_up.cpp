@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 namespace microslip::contact_program {
@@ -135,9 +136,14 @@ double distance(const Geometry& g, double x, double y) {
   return v[0] * std::sin(v[1] * (x - v[2])) - v[3] * std::sin(v[4] * (x - v[5])) + x * x / v[6] + y * y / v[7];
 }
 
+/// IPLAN = 2, 3: whether contact is impossible in parts of the plane.
+bool excludes(const Geometry& g) {
+  return g.planform == Planform::quadratic || g.planform == Planform::rectangles;
+}
+
 bool is_excluded(const Geometry& g, double x, double y) {
   const double* v = g.plan_values.data();
-  if (g.planform == Planform::all) return false;
+  if (!excludes(g)) return false;
   if (g.planform == Planform::quadratic) return !(quadratic_form(v, x, y) < 0);
   const auto within = [&](const double* side) { return x >= side[0] && x <= side[1] && y >= side[2] && y <= side[3]; };
   return !within(v) && !within(v + 4);
@@ -146,16 +152,35 @@ bool is_excluded(const Geometry& g, double x, double y) {
 void set_given_geometry(const Geometry& g, ContactStep& step) {
   const ElementGrid& grid = step.grid;
   step.gap.resize(grid.count());
-  if (g.planform != Planform::all) step.excluded.resize(grid.count());
+  if (excludes(g)) step.excluded.resize(grid.count());
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
       const double x = grid.x(i) / mm, y = grid.y(j) / mm;
       step.gap[k] = mm * (g.base == Base::by_element ? g.values[k] : distance(g, x, y));
-      if (g.planform != Planform::all) step.excluded[k] = is_excluded(g, x, y);
+      if (excludes(g)) step.excluded[k] = is_excluded(g, x, y);
     }
   const bool none_left = std::all_of(step.excluded.begin(), step.excluded.end(), [](char out) { return out; });
-  if (none_left && g.planform != Planform::all) throw Error(written(g.planform) + ": leaves no element");
+  if (none_left && excludes(g)) throw Error(written(g.planform) + ": leaves no element");
+}
+
+/// IPLAN = 4: NPATCH, YSEP between them, FAC of each pair: 1 and 2, 1 and 3, ..., 2 and 3, ... [mm], [-].
+WeightedPatches weighted_patches(const Geometry& g, const ElementGrid& grid) {
+  WeightedPatches patches;
+  patches.count = static_cast<int>(g.plan_values[0]);
+  if (patches.count == 1) return patches;
+  const auto separators = std::span(g.plan_values).subspan(1, static_cast<std::size_t>(patches.count) - 1);
+  for (int j = 0; j < grid.my; ++j) {
+    const auto above = std::upper_bound(separators.begin(), separators.end(), grid.y(j) / mm);
+    patches.patch_of_row.push_back(static_cast<int>(above - separators.begin()));
+  }
+  const auto count = static_cast<std::size_t>(patches.count);
+  patches.factors.assign(count * count, 1);
+  std::size_t next = count;
+  for (std::size_t p = 0; p < count; ++p)
+    for (std::size_t q = p + 1; q < count; ++q)
+      patches.factors[p * count + q] = patches.factors[q * count + p] = g.plan_values[next++];
+  return patches;
 }
 
 /// B = 2, 3: Hertz's pressure, or the parabola, for the load of this case.
@@ -282,7 +307,7 @@ double set_friction(const Case& c, ContactStep& step) {
 bool corrects_leading_edge(const Case& c, const ContactStep& step) {
   constexpr double rounding = 1e-3;
   return !takes_element_length(c) && step.motion.step > (1 + rounding) * step.grid.dx && rolls_along_x(c) &&
-         step.bodies.are_elastic() && !step.bodies.are_coupled();
+         step.bodies.are_elastic() && !step.bodies.are_coupled() && step.response.is_half_space();
 }
 
 StepStart start_of(Continuation digit) {
@@ -423,6 +448,10 @@ ContactStep contact_step(const Case& c) {
     step.grid = require_memory(ContactProblem::normal, given_grid(*c.potential));
     set_given_geometry(c.geometry, step);
   }
+  step.response.table = c.material->table;
+  if (!c.potential->is_hertzian() && c.geometry.planform == Planform::sub_patches)
+    step.response.patches = weighted_patches(c.geometry, step.grid);
+  check(step.response, step.grid);
   if (c.material->coefficients == Coefficients::bilinear) step.grid.shape = ElementShape::bilinear;
   step.given = given_pressure(c, step);
   step.frictionless = !c.digits.has_friction();

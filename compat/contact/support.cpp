@@ -31,6 +31,11 @@ bool goes_along_rows(const Case& c) {
   return d.is_simplified() || d.mater == Bulk::viscoelastic || yields || d.heat != Heat::none || has_memory(c);
 }
 
+/// M and B as what elements do to one another needs them that is not two half-spaces'.
+bool is_elastic_half_space(const Case& c) {
+  return c.digits.mater == Bulk::elastic && c.digits.bound == PressureModel::half_space;
+}
+
 /// A value of a digit, or of a number beside it, that is not supported.
 struct Refusal {
   const char* digit;
@@ -56,8 +61,8 @@ constexpr Refusal refusals[] = {
      [](const Case& c) { return is_heated(c) && c.digits.mater == Bulk::layer && c.material->model_data[2] > 0; }},
     {"C = 4", "half-space coefficients corrected for conformal contact",
      [](const Case& c) { return c.material->coefficients == Coefficients::angle_corrected; }},
-    {"C = 9", "influence coefficients from a file",
-     [](const Case& c) { return c.material->coefficients == Coefficients::from_file; }},
+    {"C = 9", "influence coefficients from a file, with other than M = 0 and B = 0",
+     [](const Case& c) { return c.material->table && !is_elastic_half_space(c); }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",
      [](const Case& c) { return c.digits.mater == Bulk::viscoelastic && c.digits.tang != Tangential::steady; }},
     {"T = 1", "a shift with FaStrip, as in CONTACT",
@@ -74,13 +79,19 @@ constexpr Refusal refusals[] = {
      [](const Case& c) {
        return c.potential->is_line() && (c.formed_norm == Normal::approach || c.digits.norm == Normal::approach);
      }},
-    {"IPLAN = 4", "weighted interaction of sub-patches",
-     [](const Case& c) { return !c.potential->is_hertzian() && c.geometry.planform == Planform::sub_patches; }},
+    {"IPLAN = 4", "weighted interaction of sub-patches, with other than M = 0 and B = 0",
+     [](const Case& c) {
+       return !c.potential->is_hertzian() && c.geometry.planform == Planform::sub_patches && !is_elastic_half_space(c);
+     }},
     {"IPOTCN = -6", "two half ellipses, SDEC, without B = 4",
      [](const Case& c) {
        return c.potential->kind == Potential::half_ellipses && c.digits.bound != PressureModel::half_ellipses;
      }},
 };
+
+bool covers_less(const InfluenceTable& table, const ElementGrid& grid) {
+  return table.mx() < grid.mx || table.my() < grid.my;
+}
 
 } // namespace
 
@@ -99,6 +110,10 @@ std::vector<std::string> left_out(const Case& c, const ContactStep& step) {
     notes.emplace_back("H > 0: temperatures lie below CONTACT's, which counts the heat of an element itself twice");
   if (c.digits.has_friction() && !c.digits.is_simplified() && c.solver.maxout == 1 && step.bodies.are_coupled())
     notes.emplace_back("MAXOUT = 1: both problems are solved at once; CONTACT solves each of them once");
+  if (!step.response.is_half_space() && d.stress != InteriorPoints::none)
+    notes.emplace_back("S > 0: displacements and stresses inside are those of half-spaces under the tractions");
+  if (step.response.table && covers_less(*step.response.table, step.grid))
+    notes.emplace_back("C = 9: the file has fewer offsets than the grid; coefficients beyond it are 0");
   if (d.damping != Damping::none) notes.emplace_back("M2 > 0: damping forces are not computed");
   if (d.is_simplified() && d.is_first_fastrip())
     notes.emplace_back(

@@ -199,6 +199,12 @@ std::string Words::text(std::string_view field) {
   return word.text;
 }
 
+void Words::skip_lines(int count) {
+  for (int k = 0; k < count; ++k)
+    if (!read_line()) fail("the file ends where a line of text is wanted");
+  words_.clear();
+}
+
 std::vector<double> Words::reals(std::string_view field, std::size_t count) {
   std::vector<double> values;
   for (std::size_t k = 0; k < count; ++k)

@@ -25,7 +25,8 @@ bool same_elements(const ElementGrid& a, ElementGrid b) {
 
 /// Whether tractions change the pressure, or pressure the slip.
 bool is_coupled(const ContactStep& step) {
-  return !step.bodies.are_elastic() || (!step.frictionless && step.bodies.are_coupled());
+  return !step.bodies.are_elastic() || !step.response.is_half_space() ||
+         (!step.frictionless && step.bodies.are_coupled());
 }
 
 bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
@@ -79,6 +80,8 @@ void check(const ContactStep& step) {
     if (!step.given->displacement.empty()) check_size("given.displacement", step.given->displacement.size());
   }
   check_size("gap", step.gap.size());
+  if (!step.response.is_half_space() && (!step.bodies.are_elastic() || step.bodies.layer.flexibility > 0))
+    throw Error("response: other than half-spaces' is of elastic bodies without a layer");
   if (!step.excluded.empty()) check_size("excluded", step.excluded.size());
   for (const auto* extra : {&step.extra_slip_x, &step.extra_slip_y})
     if (!extra->empty()) check_size("extra_slip", extra->size());
@@ -235,9 +238,11 @@ TangentialProblem& ContactSequence::tangential_problem(const ContactStep& step) 
 }
 
 CoupledContact& ContactSequence::coupled_contact(const ContactStep& step) {
-  if (!coupled_ || !(coupled_grid_ == step.grid) || !same_elasticity(coupled_bodies_, step.bodies)) {
+  if (!coupled_ || !(coupled_grid_ == step.grid) || !same_elasticity(coupled_bodies_, step.bodies) ||
+      !(coupled_response_ == step.response)) {
     coupled_.reset();
-    coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid, step.motion.progress);
+    coupled_ = std::make_unique<CoupledContact>(step.bodies, step.grid, step.response, step.motion.progress);
+    coupled_response_ = step.response;
     coupled_grid_ = step.grid;
     coupled_bodies_ = step.bodies;
   }
@@ -266,6 +271,11 @@ ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, cons
 
 ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const ElementFriction& friction,
                                                    const TangentialState& previous, const TangentialState& start) {
+  if (step.frictionless && step.bodies.are_elastic() && step.motion.motion != ContactMotion::shift) {
+    ContactStep shift = step; // without tractions motion does not matter, and a shift costs least
+    shift.motion.motion = ContactMotion::shift;
+    return solve_coupled(shift, friction, previous, start);
+  }
   ContactStepSolution out = coupled_contact(step).solve(step, friction, previous, start);
   if (step.given) out.normal = solve_normal_part(step);
   return out;

@@ -50,6 +50,7 @@ private:
   std::unique_ptr<CoupledContact> coupled_;
   ElementGrid coupled_grid_;
   Bodies coupled_bodies_ = {};
+  ElementResponse coupled_response_;
   State before_, after_; ///< the last step's
 };
 

@@ -35,6 +35,9 @@ enum class Coupling {
 struct ContactStep {
   ElementGrid grid;
   Bodies bodies = {};
+  /// Of elastic bodies without a layer, and without a pressure that is given; the bodies then only tell the size of
+  /// displacements. In rolling steps are whole elements along x.
+  ElementResponse response = {};
   std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
   std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
   NormalLoad load = {};

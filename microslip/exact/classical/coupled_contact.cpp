@@ -36,9 +36,10 @@ double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
 
 } // namespace
 
-CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, const Progress& progress)
-    : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)),
-      displacement_(CoupledOperator::displacement(bodies, grid, {}, 1, progress)),
+CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, const ElementResponse& response,
+                               const Progress& progress)
+    : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)), response_(response),
+      displacement_(CoupledOperator::displacement(bodies, grid, {}, 1, progress, response)),
       normal_(bodies.material, grid, progress) {}
 
 CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
@@ -47,8 +48,8 @@ CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion,
   if (motion_ != motion.motion || step_.x != way.x || step_.y != way.y) {
     coupled_operator_ = std::make_unique<CoupledOperator>(
         motion.motion == ContactMotion::steady
-            ? CoupledOperator::difference(bodies_, grid_, way, motion.progress)
-            : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step), motion.progress));
+            ? CoupledOperator::difference(bodies_, grid_, way, motion.progress, response_)
+            : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step), motion.progress, response_));
     motion_ = motion.motion;
     step_ = way;
   }
@@ -75,7 +76,8 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
 CoupledOperator& CoupledContact::displacement_at(Vec2 way, const Progress& progress) {
   if (way.x == 0 && way.y == 0) return displacement_;
   if (!ahead_ || way_.x != way.x || way_.y != way.y) {
-    ahead_ = std::make_unique<CoupledOperator>(CoupledOperator::displacement(bodies_, grid_, way, 1, progress));
+    ahead_ =
+        std::make_unique<CoupledOperator>(CoupledOperator::displacement(bodies_, grid_, way, 1, progress, response_));
     way_ = way;
   }
   return *ahead_;
@@ -246,6 +248,8 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, const Element
                                           const TangentialState& previous, const TangentialState& start) {
   if (!bodies_.are_elastic() && step.motion.motion != ContactMotion::steady)
     throw Error("motion: viscoelastic bodies need steady rolling");
+  if (!response_.is_half_space() && (step.given || step.coupling == Coupling::alternating))
+    throw Error("response: with other than half-spaces' both problems are solved, at once");
   if (step.motion.leading_edge) throw Error("leading_edge: its correction is for similar elastic bodies");
   if (step.given) {
     ContactStepSolution out;

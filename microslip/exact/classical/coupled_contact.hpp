@@ -14,8 +14,10 @@ namespace microslip {
 class CoupledContact {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has, and Stopped if
-  /// `progress` returns false.
-  CoupledContact(const Bodies& bodies, const ElementGrid& grid, const Progress& progress = {});
+  /// `progress` returns false. With another `response` than two half-spaces' the problems are solved at once, with
+  /// these for a start.
+  CoupledContact(const Bodies& bodies, const ElementGrid& grid, const ElementResponse& response = {},
+                 const Progress& progress = {});
 
   /// `friction` is that of the elements, `previous` what a shift or a step of rolling starts from, `start` where the
   /// iteration begins; of the step, whose bodies and grid are those of this object, `friction` and what the sequence
@@ -40,6 +42,7 @@ private:
 
   Bodies bodies_;
   ElementGrid grid_;
+  ElementResponse response_;
   CoupledOperator displacement_;
   NormalProblem normal_;                              ///< of the bodies as if they were similar and elastic
   std::unique_ptr<TangentialProblem> tangential_;     ///< with the pressure given

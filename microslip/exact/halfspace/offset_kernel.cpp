@@ -1,6 +1,8 @@
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/elasticity/bilinear_influence.hpp"
+#include "microslip/error.hpp"
 #include "microslip/exact/halfspace/retarded_influence.hpp"
 
 #include <algorithm>
@@ -116,7 +118,7 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
   check(grid);
   const OffsetTable empty(grid);
   const bool is_displacement = !rate.before && rate.shift.x == 0 && rate.shift.y == 0;
-  CoupledKernel kernel{{empty, empty, empty}, empty, empty, empty, empty, empty, is_displacement};
+  CoupledKernel kernel{{empty, empty, empty}, {}, empty, empty, empty, empty, empty, is_displacement};
   for_offsets(bodies, grid, rate, progress, [&](int i, int j, const Influence& slip, const Influence& here) {
     kernel.slip.xx.at(i, j) = slip.xx;
     kernel.slip.xy.at(i, j) = slip.xy;
@@ -127,6 +129,54 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
     kernel.zy.at(i, j) = -here.yz;
     kernel.zz.at(i, j) = here.zz;
   });
+  return kernel;
+}
+
+/// Columns or rows to a place [m] that is a whole number of elements away.
+int whole_elements(const char* field, double way, double size) {
+  constexpr double rounding = 1e-6;
+  const double count = std::round(way / size);
+  if (!(std::abs(way / size - count) <= rounding && std::abs(count) <= most_cells))
+    throw Error(field, way, "m", "a whole number of elements with influence coefficients from a table");
+  return static_cast<int>(count);
+}
+
+/// The influence on the element i columns and j rows further, also one column beyond a table that ends with the grid:
+/// there along a straight line.
+FullInfluence influence_in(const InfluenceTable& table, int i, int j) {
+  if (std::abs(i) != table.mx() || table.mx() < 2) return table.find(i, j);
+  const int inwards = i > 0 ? -1 : 1;
+  const FullInfluence last = table.find(i + inwards, j), before = table.find(i + 2 * inwards, j);
+  const auto along = [&](double FullInfluence::*part) { return 2 * last.*part - before.*part; };
+  using A = FullInfluence;
+  return {along(&A::xx), along(&A::xy), along(&A::xz), along(&A::yx), along(&A::yy),
+          along(&A::yz), along(&A::zx), along(&A::zy), along(&A::zz)};
+}
+
+CoupledKernel table_kernel(const InfluenceTable& table, const ElementGrid& grid, const SlipRate& rate) {
+  check(grid);
+  const OffsetTable empty(grid);
+  const auto columns = [&](Vec2 way) { return whole_elements("step along x", way.x, grid.dx); };
+  const auto rows = [&](Vec2 way) { return whole_elements("step along y", way.y, grid.dy); };
+  const Vec2 before = rate.before.value_or(Vec2{});
+  const int i_now = columns(rate.shift), j_now = rows(rate.shift), i_before = columns(before), j_before = rows(before);
+  CoupledKernel kernel{
+      {empty, empty, empty}, empty, empty, empty, empty, empty, empty, !rate.before && i_now == 0 && j_now == 0};
+  for (int j = 1 - grid.my; j < grid.my; ++j)
+    for (int i = 1 - grid.mx; i < grid.mx; ++i) {
+      const FullInfluence here = influence_in(table, i, j), now = influence_in(table, i + i_now, j + j_now);
+      const FullInfluence past = rate.before ? influence_in(table, i + i_before, j + j_before) : FullInfluence{};
+      const auto slip = [&](double FullInfluence::*part) { return (now.*part - past.*part) / rate.length; };
+      kernel.slip.xx.at(i, j) = slip(&FullInfluence::xx);
+      kernel.slip.xy.at(i, j) = slip(&FullInfluence::xy);
+      kernel.slip.yy.at(i, j) = slip(&FullInfluence::yy);
+      kernel.yx->at(i, j) = slip(&FullInfluence::yx);
+      kernel.xz.at(i, j) = slip(&FullInfluence::xz);
+      kernel.yz.at(i, j) = slip(&FullInfluence::yz);
+      kernel.zx.at(i, j) = here.zx;
+      kernel.zy.at(i, j) = here.zy;
+      kernel.zz.at(i, j) = here.zz;
+    }
   return kernel;
 }
 
@@ -222,6 +272,14 @@ CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGri
 CoupledKernel CoupledKernel::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                         const Progress& progress) {
   return coupled_kernel(bodies, grid, difference_over(step), progress);
+}
+
+CoupledKernel CoupledKernel::displacement(const InfluenceTable& table, const ElementGrid& grid, Vec2 shift,
+                                          double length) {
+  return table_kernel(table, grid, {.shift = shift, .length = length});
+}
+CoupledKernel CoupledKernel::difference(const InfluenceTable& table, const ElementGrid& grid, Vec2 step) {
+  return table_kernel(table, grid, difference_over(step));
 }
 
 } // namespace microslip

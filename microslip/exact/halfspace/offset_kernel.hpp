@@ -4,6 +4,7 @@
 #include "microslip/elasticity/half_strips.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/exact/halfspace/element_response.hpp"
 #include "microslip/progress.hpp"
 #include "microslip/vec2.hpp"
 
@@ -104,15 +105,19 @@ double middle_eigenvalue(std::span<const double> quadrant, int mx);
 /// The map from tractions and pressure to slip and normal displacement that CoupledOperator applies.
 struct CoupledKernel {
   TangentialKernel slip;
-  OffsetTable xz, yz;     ///< slip from the pressure
-  OffsetTable zx, zy, zz; ///< normal displacement [m] from tractions and pressure
-  bool is_displacement;   ///< slip is a displacement at the elements' centres over a length
+  std::optional<OffsetTable> yx; ///< where D_yx is not D_xy, as half-spaces have it
+  OffsetTable xz, yz;            ///< slip from the pressure
+  OffsetTable zx, zy, zz;        ///< normal displacement [m] from tractions and pressure
+  bool is_displacement;          ///< slip is a displacement at the elements' centres over a length
 
   /// As CoupledOperator::displacement and CoupledOperator::difference.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
                                     const Progress& progress = {});
   static CoupledKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                   const Progress& progress = {});
+  /// The same from a table. Throws Error for a shift or a step that is not a whole number of elements.
+  static CoupledKernel displacement(const InfluenceTable& table, const ElementGrid& grid, Vec2 shift, double length);
+  static CoupledKernel difference(const InfluenceTable& table, const ElementGrid& grid, Vec2 step);
 };
 
 } // namespace microslip

@@ -64,9 +64,11 @@ void TangentialOperator::apply(std::span<const double> px, std::span<const doubl
   transform_.apply(std::array<const ToeplitzTransform::Spectrum*, 4>{&xx_, &xy_, &xy_, &yy_}, std::array{ux, uy});
 }
 
-CoupledOperator::CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid)
-    : grid_(grid), transform_(grid.mx, grid.my, 3), xx_(transform_.kernel_spectrum(kernel.slip.xx.values())),
+CoupledOperator::CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid, const WeightedPatches& patches)
+    : grid_(grid), patches_(patches), transform_(grid.mx, grid.my, 3),
+      xx_(transform_.kernel_spectrum(kernel.slip.xx.values())),
       xy_(transform_.kernel_spectrum(kernel.slip.xy.values())),
+      yx_(kernel.yx ? transform_.kernel_spectrum(kernel.yx->values()) : ToeplitzTransform::Spectrum()),
       yy_(transform_.kernel_spectrum(kernel.slip.yy.values())), xz_(transform_.kernel_spectrum(kernel.xz.values())),
       yz_(transform_.kernel_spectrum(kernel.yz.values())), zx_(transform_.kernel_spectrum(kernel.zx.values())),
       zy_(transform_.kernel_spectrum(kernel.zy.values())), zz_(transform_.kernel_spectrum(kernel.zz.values())),
@@ -80,13 +82,19 @@ CoupledOperator::CoupledOperator(const CoupledKernel& kernel, const ElementGrid&
 }
 
 CoupledOperator CoupledOperator::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
-                                              const Progress& progress) {
-  return {CoupledKernel::displacement(bodies, grid, shift, length, progress), grid};
+                                              const Progress& progress, const ElementResponse& response) {
+  check(response, grid);
+  return {response.table ? CoupledKernel::displacement(*response.table, grid, shift, length)
+                         : CoupledKernel::displacement(bodies, grid, shift, length, progress),
+          grid, response.patches};
 }
 
 CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
-                                            const Progress& progress) {
-  return {CoupledKernel::difference(bodies, grid, step, progress), grid};
+                                            const Progress& progress, const ElementResponse& response) {
+  check(response, grid);
+  return {response.table ? CoupledKernel::difference(*response.table, grid, step)
+                         : CoupledKernel::difference(bodies, grid, step, progress),
+          grid, response.patches};
 }
 
 void CoupledOperator::expect_contact(std::span<const double> pressure, RollingDirection direction) {
@@ -106,10 +114,41 @@ void CoupledOperator::precondition_pressure(std::span<const double> pressure, st
 }
 
 void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> out) {
+  if (patches_.count == 1) return apply_alike(p, out);
+  for (const std::span<double>& field : out) std::fill(field.begin(), field.end(), 0.0);
+  for (int patch = 0; patch < patches_.count; ++patch) add_from_patch(patch, p, out);
+}
+
+/// Without the patches' factors.
+void CoupledOperator::apply_alike(const Fields& p, std::span<const std::span<double>> out) {
   transform_.load(p);
-  const std::array<const ToeplitzTransform::Spectrum*, 9> kernels = {&xx_, &xy_, &xz_, &xy_, &yy_,
-                                                                     &yz_, &zx_, &zy_, &zz_};
+  const std::array<const ToeplitzTransform::Spectrum*, 9> kernels = {
+      &xx_, &xy_, &xz_, yx_.empty() ? &xy_ : &yx_, &yy_, &yz_, &zx_, &zy_, &zz_};
   transform_.apply(std::span(kernels).first(3 * out.size()), out);
+}
+
+/// What the tractions of a patch do everywhere.
+void CoupledOperator::add_from_patch(int patch, const Fields& p, std::span<const std::span<double>> out) {
+  const auto for_rows = [&](auto function) {
+    for (int j = 0; j < grid_.my; ++j)
+      function(patches_.patch_of_row[static_cast<std::size_t>(j)], static_cast<std::size_t>(j) * grid_.mx);
+  };
+  const auto mx = static_cast<std::size_t>(grid_.mx);
+  std::array<std::vector<double>, 3> own, response;
+  for (std::size_t c = 0; c < own.size(); ++c) {
+    own[c].assign(grid_.count(), 0.0);
+    response[c].resize(grid_.count());
+    for_rows([&](int row_patch, std::size_t k) {
+      if (row_patch == patch) std::copy_n(p[c].begin() + std::ptrdiff_t(k), mx, own[c].begin() + std::ptrdiff_t(k));
+    });
+  }
+  const std::array<std::span<double>, 3> responses = {response[0], response[1], response[2]};
+  apply_alike({own[0], own[1], own[2]}, std::span(responses).first(out.size()));
+  for (std::size_t c = 0; c < out.size(); ++c)
+    for_rows([&](int row_patch, std::size_t k) {
+      const double factor = patches_.factors[static_cast<std::size_t>(row_patch * patches_.count + patch)];
+      for (std::size_t i = k; i < k + mx; ++i) out[c][i] += factor * response[c][i];
+    });
 }
 
 } // namespace microslip

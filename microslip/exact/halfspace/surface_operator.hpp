@@ -3,6 +3,7 @@
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/exact/halfspace/element_response.hpp"
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
@@ -70,16 +71,17 @@ private:
 };
 
 /// What tractions and pressure on a grid of elements contribute to slip and to the normal displacement difference (B1).
-/// For any two bodies.
+/// For any two bodies, and any response of their elements, a product for each of its patches then.
 class CoupledOperator {
 public:
-  /// Slip: u at the points `shift` [m] further, over the distance `length` [m].
+  /// Slip: u at the points `shift` [m] further, over the distance `length` [m]. With a table of coefficients a shift or
+  /// step must be a whole number of elements, else Error is thrown.
   static CoupledOperator displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {}, const ElementResponse& response = {});
   /// Slip: difference of u along the rolling direction, for particles that come from x + step, over the distance |step|
   /// [m].
   static CoupledOperator difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
-                                    const Progress& progress = {});
+                                    const Progress& progress = {}, const ElementResponse& response = {});
 
   /// p = (px, py, p_n) [Pa]; out = (sx, sy, u_n) or its first two.
   using Fields = std::array<std::span<const double>, 3>;
@@ -105,11 +107,14 @@ public:
 private:
   using NearInverse = SymmetricToeplitz<double>;
 
-  CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid);
+  CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid, const WeightedPatches& patches);
+  void apply_alike(const Fields& p, std::span<const std::span<double>> out);
+  void add_from_patch(int patch, const Fields& p, std::span<const std::span<double>> out);
 
   ElementGrid grid_;
+  WeightedPatches patches_;
   ToeplitzTransform transform_;
-  ToeplitzTransform::Spectrum xx_, xy_, yy_, xz_, yz_, zx_, zy_, zz_;
+  ToeplitzTransform::Spectrum xx_, xy_, yx_, yy_, xz_, yz_, zx_, zy_, zz_; ///< no yx: it is xy
   double slip_diagonal_, normal_diagonal_, slip_scale_, normal_scale_;
   std::optional<NearInverse> slip_inverse_; ///< of displacements
   NearInverse normal_inverse_;

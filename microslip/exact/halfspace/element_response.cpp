@@ -1,0 +1,49 @@
+#include "microslip/exact/halfspace/element_response.hpp"
+
+#include "microslip/contact/limits.hpp"
+#include "microslip/error.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace microslip {
+
+InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy)
+    : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)), dx_(dx), dy_(dy),
+      values_(static_cast<std::size_t>(mx) * (2 * static_cast<std::size_t>(my) - 1)) {
+  require_positive("dx", dx, "m");
+  require_positive("dy", dy, "m");
+}
+
+FullInfluence InfluenceTable::find(int i, int j) const {
+  if (std::abs(i) >= mx_ || std::abs(j) >= my_) return {};
+  FullInfluence a = values_[index(std::abs(i), j)];
+  if (i < 0) a.xy = -a.xy, a.xz = -a.xz, a.yx = -a.yx, a.zx = -a.zx;
+  return a;
+}
+
+void check(const ElementResponse& response, const ElementGrid& grid) {
+  constexpr double rounding = 1e-8; // [m]: files have few digits
+  if (response.table) {
+    const auto check_size = [&](const char* name, double size, double of_grid) {
+      if (!(std::abs(size - of_grid) <= rounding))
+        throw Error(std::string(name) + " of the influence coefficients", size, "m",
+                    "that of the grid's elements, " + std::to_string(of_grid * 1e3) + " mm");
+    };
+    check_size("dx", response.table->dx(), grid.dx);
+    check_size("dy", response.table->dy(), grid.dy);
+    if (grid.line || grid.shape != ElementShape::constant)
+      throw Error("influence coefficients: need constant elements, and no line contact");
+  }
+  const auto& [count, patch_of_row, factors] = response.patches;
+  if (require_count("patches", count, 1, most_cells) == 1) return;
+  if (patch_of_row.size() != static_cast<std::size_t>(grid.my))
+    throw Error("patch_of_row: must have a patch for each of the " + std::to_string(grid.my) + " rows");
+  for (const int patch : patch_of_row) require_count("patch_of_row", patch, 0, count - 1);
+  if (factors.size() != static_cast<std::size_t>(count) * static_cast<std::size_t>(count))
+    throw Error("factors: must have one for each pair of patches");
+  for (const double factor : factors) require_finite("factors", factor, "-");
+}
+
+} // namespace microslip

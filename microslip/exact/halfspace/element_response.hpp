@@ -1,0 +1,66 @@
+#pragma once
+
+#include "microslip/contact/element_grid.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace microslip {
+
+/// Displacement difference u1 - u2 of any two bodies at an element's centre, from unit tractions and pressure on
+/// another element [m/Pa]. The second letter is the traction's direction.
+struct FullInfluence {
+  double xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0;
+};
+
+/// The influence of an element on those i columns and j rows further, known for 0 <= i < mx and |j| < my. Bodies are
+/// their own mirror images in x: the influence on the element -i columns further has xy, xz, yx and zx with the
+/// opposite sign.
+class InfluenceTable {
+public:
+  /// For elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
+  InfluenceTable(int mx, int my, double dx, double dy);
+
+  int mx() const { return mx_; }
+  int my() const { return my_; }
+  double dx() const { return dx_; }
+  double dy() const { return dy_; }
+  FullInfluence& at(int i, int j) { return values_[index(i, j)]; }
+  /// For any i and j: zero beyond the table.
+  FullInfluence find(int i, int j) const;
+
+private:
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(mx_) + static_cast<std::size_t>(i);
+  }
+
+  int mx_, my_;
+  double dx_, dy_;
+  std::vector<FullInfluence> values_;
+};
+
+/// Parts of a grid, whole rows each, that act on one another by a factor less or more than two half-spaces would.
+struct WeightedPatches {
+  int count = 1;                 ///< of patches
+  std::vector<int> patch_of_row; ///< from 0; empty: there is one patch
+  std::vector<double> factors;   ///< index p count + q, of what patch q does to patch p; 1 for a patch on itself
+
+  friend bool operator==(const WeightedPatches&, const WeightedPatches&) = default;
+};
+
+/// What makes elements act on each other otherwise than on two half-spaces.
+struct ElementResponse {
+  std::shared_ptr<const InfluenceTable> table; ///< in place of the half-spaces' coefficients
+  WeightedPatches patches;
+
+  bool is_half_space() const { return !table && patches.count == 1; }
+  /// The same table, not an equal one.
+  friend bool operator==(const ElementResponse&, const ElementResponse&) = default;
+};
+
+/// Throws Error unless a response fits the grid: the table's elements to 1e-8 m, a patch for each row, and a finite
+/// factor for each pair.
+void check(const ElementResponse& response, const ElementGrid& grid);
+
+} // namespace microslip
