@@ -9,6 +9,7 @@
 #include "validation/hertzian_solve.hpp"
 #include "validation/reference_112.hpp"
 #include "validation/report.hpp"
+#include "validation/rolling_orders.hpp"
 
 #include <algorithm>
 #include <array>
@@ -311,6 +312,7 @@ void report_estimates(Report& report, double accuracy, const Solved& solved, con
 bool run_second_order(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   report_orders(report);
+  report_rolling_orders(report);
   std::vector<Reference112> cases = read_reference_112();
   if (cases.empty()) {
     report.line(reference_112_skipped);

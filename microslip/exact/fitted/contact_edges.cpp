@@ -1,5 +1,7 @@
 #include "microslip/exact/fitted/contact_edges.hpp"
 
+#include "microslip/exact/fitted/pressure_curvature.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,20 +11,24 @@
 namespace microslip {
 namespace {
 
-constexpr double window = 1.5, inward_window = 1.5; // times the square root of the patch's number of elements
-constexpr int smallest_window = 3;                  // elements
+constexpr double window = 1.2, window_in_line_contact = 3; // times the square root of the patch's number of elements
+constexpr double inward_window = 1.3;                      // times that
+constexpr int smallest_window = 3;                         // elements
+constexpr double rim_weight = 0.05;                        // of elements on the rim of the contact
 constexpr double pivot_limit = 1e-9; // of the normal equations, scaled to a unit diagonal: below, no unique fit
 constexpr double farthest_outward = 1.5, farthest_inward = 0.5; // from the outermost element's centre [elements]
 
 /// A set of elements in contact that share sides.
 struct Patch {
   int first_column, last_column, first_row, last_row;
-  int half_window(int elements) const {
-    return std::max(smallest_window, static_cast<int>(std::lround(window * std::sqrt(elements))));
-  }
-  int columns() const { return half_window(last_column - first_column + 1); }
-  int rows() const { return half_window(last_row - first_row + 1); }
+
+  int columns() const { return last_column - first_column + 1; }
+  int rows() const { return last_row - first_row + 1; }
 };
+
+int half_window(int elements, double factor) {
+  return std::max(smallest_window, static_cast<int>(std::lround(factor * std::sqrt(elements))));
+}
 
 /// Which patch each element is part of; -1 without pressure.
 struct Patches {
@@ -59,10 +65,14 @@ Patches find_patches(const ElementGrid& grid, std::span<const double> pressure) 
   return patches;
 }
 
-/// A weighted least-squares fit: a cubic polynomial in u and v, or with one row of points a quadratic one in u.
+/// The polynomials that are fitted, by their number of coefficients.
+enum class Polynomial { quadratic_in_u = 3, cubic_in_u = 4, cubic_in_u_and_v = 10 };
+
+/// A weighted least-squares fit.
 class EdgeFit {
 public:
-  explicit EdgeFit(bool one_row) : functions_(one_row ? 3 : most_functions), spare_(one_row ? 0 : 2) {}
+  explicit EdgeFit(Polynomial polynomial)
+      : functions_(static_cast<std::size_t>(polynomial)), spare_(polynomial == Polynomial::cubic_in_u_and_v ? 2 : 0) {}
 
   /// Sums along a row of points: of w u^k and of w z u^k for the values z and weights w.
   struct RowSums {
@@ -144,12 +154,16 @@ std::optional<double> falling_zero(const std::array<double, 4>& c) {
 class EdgeSearch {
 public:
   EdgeSearch(const ElementGrid& grid, std::span<const double> pressure)
-      : grid_(grid), patches_(find_patches(grid, pressure)), square_(pressure.size()), weight_(pressure.size()) {
+      : grid_(grid), line_(grid.my == 1), patches_(find_patches(grid, pressure)), square_(pressure.size()),
+        weight_(pressure.size()) {
+    const double weight_power = line_ ? 4 : 0.5;
     const double peak = *std::max_element(pressure.begin(), pressure.end());
+    const std::vector<double> curvature = pressure_curvature(grid, pressure);
     for (std::size_t k = 0; k < pressure.size(); ++k) {
+      if (!(pressure[k] > 0)) continue;
       const double p = pressure[k] / peak;
-      square_[k] = p * p;
-      weight_[k] = std::sqrt(p);
+      square_[k] = p * (p + curvature[k] / peak / 12);
+      weight_[k] = std::pow(p, weight_power) * (on_rim(grid, pressure, k) ? rim_weight : 1);
     }
   }
 
@@ -157,8 +171,9 @@ public:
   double edge(const ContactRun& run, int side) const {
     const int column = side > 0 ? run.last : run.first;
     const Patch& patch = patches_.list[static_cast<std::size_t>(patches_.of[at(column, run.row)])];
-    for (const int rows : {patch.rows(), 0}) {
-      const auto place = fitted_edge(column, run.row, side, patch.columns(), rows);
+    const Polynomial first = line_ ? Polynomial::cubic_in_u : Polynomial::cubic_in_u_and_v;
+    for (const Polynomial polynomial : {first, Polynomial::quadratic_in_u}) {
+      const auto place = fitted_edge(column, run.row, side, patch, polynomial);
       if (place && *place >= -2 * farthest_outward && *place <= 2 * farthest_outward)
         return std::clamp(*place, -farthest_inward, farthest_outward);
     }
@@ -168,12 +183,14 @@ public:
 private:
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(j) * grid_.mx + i; }
 
-  std::optional<double> fitted_edge(int column, int row, int side, int columns, int rows) const {
+  std::optional<double> fitted_edge(int column, int row, int side, const Patch& patch, Polynomial polynomial) const {
     const int label = patches_.of[at(column, row)];
+    const int columns = half_window(patch.columns(), line_ ? window_in_line_contact : window);
+    const int rows = polynomial == Polynomial::cubic_in_u_and_v ? half_window(patch.rows(), window) : 0;
     const int inward = column - side * static_cast<int>(std::lround(inward_window * columns)),
               outward = column + side * columns;
     const int low = std::max(std::min(inward, outward), 0), high = std::min(std::max(inward, outward), grid_.mx - 1);
-    EdgeFit fit(rows == 0);
+    EdgeFit fit(polynomial);
     for (int j = std::max(row - rows, 0); j <= std::min(row + rows, grid_.my - 1); ++j) {
       EdgeFit::RowSums sums;
       for (int i = low; i <= high; ++i)
@@ -188,8 +205,9 @@ private:
   }
 
   const ElementGrid& grid_;
+  bool line_; ///< one row
   Patches patches_;
-  std::vector<double> square_, weight_; ///< p_n squared, what is fitted, and sqrt(p_n); of the peak pressure's
+  std::vector<double> square_, weight_; ///< p_n squared at the centres, what is fitted; both of the peak pressure's
 };
 
 } // namespace

@@ -3,12 +3,14 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/contact_edges.hpp"
 #include "microslip/exact/fitted/edge_element.hpp"
+#include "microslip/exact/fitted/pressure_curvature.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -146,9 +148,10 @@ void check_pressure(const ElementGrid& grid, std::span<const double> pressure) {
 /// The traction bound along a run: factor(x) sqrt((x - low)(high - x)), the factor constant on every element.
 class RunProfile {
 public:
-  RunProfile(const ElementGrid& grid, std::span<const double> pressure, const ContactRun& run)
+  /// `mean` pressures of the grid's elements.
+  RunProfile(const ElementGrid& grid, std::span<const double> mean, const ContactRun& run)
       : grid_(grid), run_(run), first_(run.first) {
-    constexpr double good_depth = 2; // elements; nearer to the edge than that, an element's pressure is bad
+    constexpr double good_depth = 1.5; // elements; nearer to the edge than that, an element's pressure is bad
     const double depth = good_depth * grid.dx;
     int last = run.last;
     while (first_ < last && grid.x(first_) < run.low + depth) ++first_;
@@ -159,9 +162,10 @@ public:
     }
     for (int i = first_; i <= last; ++i) {
       const double x = grid.x(i);
-      factors_.push_back(pressure[static_cast<std::size_t>(run.row) * grid.mx + i] /
+      factors_.push_back(mean[static_cast<std::size_t>(run.row) * grid.mx + i] /
                          shape_between(x - grid.dx / 2, x + grid.dx / 2));
     }
+    extend_to_edges();
   }
 
   /// The integral from `from` to `to`; infinite ones are the edges.
@@ -181,6 +185,23 @@ public:
   }
 
 private:
+  /// Linearly, to the element beyond the run's outermost one on either side.
+  void extend_to_edges() {
+    constexpr std::size_t reach = 2;       // elements that the slope is taken over
+    constexpr double smallest_share = 0.2; // of the last good factor that is left at an edge
+    const std::size_t over = std::min(reach, factors_.size() / 2), size = factors_.size();
+    const int before = first_ - run_.first + 1, after = run_.last + 1 - (first_ + static_cast<int>(size) - 1);
+    const auto extrapolated = [&](double edge, double inside, int elements) {
+      return std::max(edge + (edge - inside) / static_cast<double>(over) * elements, smallest_share * edge);
+    };
+    std::vector<double> extended;
+    for (int k = before; k > 0; --k) extended.push_back(extrapolated(factors_.front(), factors_[over], k));
+    extended.insert(extended.end(), factors_.begin(), factors_.end());
+    for (int k = 1; k <= after; ++k) extended.push_back(extrapolated(factors_.back(), factors_[size - 1 - over], k));
+    factors_ = std::move(extended);
+    first_ -= before;
+  }
+
   double shape_between(double from, double to) const {
     const double middle = (run_.low + run_.high) / 2, half = (run_.high - run_.low) / 2;
     return half_disk((to - middle) / half) - half_disk((from - middle) / half);
@@ -199,12 +220,14 @@ FittedContact fit_contact(const ElementGrid& grid, std::span<const double> press
   FittedContact contact{grid, {}, {}};
   double total = 0;
   for (const double p : pressure) total += p;
+  std::vector<double> mean = pressure_curvature(grid, pressure);
+  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = pressure[k] + mean[k] / 12;
   for (const ContactRun& run : contact_runs(grid, pressure)) {
     const std::size_t first = contact.elements.size();
     const bool follows = first > 0 && contact.elements.back().row == run.row;
     fit_row(grid, run.row, run.low, run.high, contact.elements, follows ? contact.elements.back().right : -infinity);
 
-    const RunProfile profile(grid, pressure, run);
+    const RunProfile profile(grid, mean, run);
     const auto begin = pressure.begin() + static_cast<std::ptrdiff_t>(run.row) * grid.mx;
     double load = 0;
     for (int i = run.first; i <= run.last; ++i) load += begin[i];

@@ -28,7 +28,7 @@ struct PatchRollingMotion {
 /// Steady rolling of elastically similar bodies of any shape, cylinders too, at second order (SecondOrderRolling): the
 /// normal problem on a regular grid, elements fitted to the edges of its contact area (fit_contact), the tangential
 /// problem on them, started from coarser elements (NestedRolling). Where the edge is smooth the error of the forces
-/// falls with a mean order of 1.7 to 2.2; in a line contact, where one row alone tells the edges, of 1.5. It is only so
+/// falls with a mean order of 1.7 to 2, and is that of a Hertzian contact whose ellipse is known. It is only so
 /// on grids that resolve how p_n grows from the edge: beside a side where the gap steepens abruptly the edge is located
 /// badly on coarse grids, with errors of .03 at 12 elements across and .003 at 32. A gap between patches shorter than
 /// two elements, or a neck, is resolved by its elements alone, without an order.
