@@ -142,12 +142,13 @@ TEST(EllipticContact, BothDiscretisationsHaveTheSameLimit) {
     }
 }
 
-/// Shifts, transient rolling and steady rolling with a step that is given are classical all the same.
+/// Shifts, and rolling with a step that is given, are classical all the same.
 TEST(EllipticContact, OtherMotionsAreClassical) {
   std::vector<ExactMotion> motions(3);
   motions[0].kind = ContactMotion::shift;
   motions[1].kind = ContactMotion::transient;
   motions[1].steps = 3;
+  motions[1].step = 1e-3;
   motions[2].step = 1e-3;
   for (const ExactMotion& motion : motions) {
     EllipticContact contact = mixed();

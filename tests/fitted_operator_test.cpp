@@ -17,11 +17,11 @@ using Field = std::vector<double>;
 
 constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 
-/// What every element does to the centres and the ends of all, from the closed forms; in the order x, y.
+/// What every element does to the points and the ends of all, from the closed forms; in the order x, y.
 struct DenseResponse {
   DenseResponse(const CombinedMaterial& material, const FittedContact& contact) : elements(contact.elements) {
     const std::size_t n = elements.size();
-    for (auto* field : {&at_centre, &at_end}) field->resize(4 * n * n);
+    for (auto* field : {&at_point, &at_end}) field->resize(4 * n * n);
     for (std::size_t to = 0; to < n; ++to)
       for (std::size_t from = 0; from < n; ++from) {
         const FittedElement &e = elements[to], &source = elements[from];
@@ -32,22 +32,22 @@ struct DenseResponse {
           for (std::size_t c = 0; c < 2; ++c)
             for (std::size_t d = 0; d < 2; ++d) field[((c * n + to) * 2 + d) * n + from] = block[c][d];
         };
-        fill(at_centre, e.centre());
+        fill(at_point, e.point);
         fill(at_end, e.end);
       }
   }
 
   /// Component c at element `to` from the traction d at element `from`.
   double displacement(std::size_t c, std::size_t to, std::size_t d, std::size_t from) const {
-    return at_centre[((c * elements.size() + to) * 2 + d) * elements.size() + from];
+    return at_point[((c * elements.size() + to) * 2 + d) * elements.size() + from];
   }
   double slip(std::size_t c, std::size_t to, std::size_t d, std::size_t from) const {
     const std::size_t k = ((c * elements.size() + to) * 2 + d) * elements.size() + from;
-    return (at_centre[k] - at_end[k]) / (elements[to].end - elements[to].centre());
+    return (at_point[k] - at_end[k]) / (elements[to].end - elements[to].point);
   }
 
   const std::vector<FittedElement>& elements;
-  Field at_centre, at_end;
+  Field at_point, at_end;
 };
 
 using Pair = std::array<Field, 2>;
@@ -142,6 +142,16 @@ TEST(FittedOperator, SlipOfSmoothTractions) {
       EXPECT_LT(error_of_smooth_tractions(contact_of(n, n, ratio)), 4e-5) << n << ", dx/dy = " << ratio;
 }
 
+/// Of steps, whose displacements are taken at the centres of the grid's elements.
+TEST(FittedOperator, ElementsOfSteps) {
+  for (const int n : {7, 12})
+    for (const double ratio : {0.3, 1.0, 3.0}) {
+      const Errors e = errors(steel, fit_ellipse(ratio, 1, n, n, ContactMotion::transient));
+      EXPECT_LT(e.displacement, 1.5e-4) << n << ", a/b = " << ratio;
+      EXPECT_LT(e.slip, 2e-4) << n << ", a/b = " << ratio;
+    }
+}
+
 /// Rows may have several runs of elements, each with an edge of its own.
 TEST(FittedOperator, TwoPatchesInTheSameRows) {
   const FittedContact one = contact_of(7, 6, 1);
@@ -157,7 +167,7 @@ TEST(FittedOperator, TwoPatchesInTheSameRows) {
         FittedElement e = one.elements[k];
         const double moved = second ? apart * one.grid.dx : 0;
         e.cell = static_cast<std::size_t>(row) * two.grid.mx + e.cell % one.grid.mx + (second ? apart : 0);
-        e.left += moved, e.right += moved, e.end += moved;
+        e.left += moved, e.right += moved, e.point += moved, e.end += moved;
         two.elements.push_back(e);
         two.load_share.push_back(one.load_share[k]);
       }

@@ -156,6 +156,33 @@ std::string scientific(double value) {
   return fmt::format("{:.1e}", value);
 }
 
+/// The width of a leading element in steps of transient rolling: displacements at 1/2 and 3/2.
+double width_of_step(const HalfLine& line, double distance) {
+  double low = 0.9, high = widest_leading_element; // the distance grows from 1.28 to 2.41
+  while (high - low > 1e-9) {
+    const double middle = std::midpoint(low, high);
+    (line.distance(middle, {0.5, 1.5}) < distance ? low : high) = middle;
+  }
+  return low;
+}
+
+void report_widths_of_steps(Report& report, const HalfLine& line) {
+  constexpr int intervals = 20;
+  report.heading("Widths of leading elements in steps, at the distances 1.3, 1.35, ... 2.3");
+  for (int i = 0; i <= intervals;) {
+    std::string row;
+    for (const int end = std::min(i + 7, intervals + 1); i < end; ++i)
+      row += fmt::format("{:.6f}  ", width_of_step(line, nearest_edge_of_step + double(i) / intervals));
+    report.line(row);
+  }
+  double largest = 0;
+  for (int i = 0; i <= 3 * intervals; ++i) {
+    const double distance = nearest_edge_of_step + double(i) / (3 * intervals);
+    largest = std::max(largest, std::abs(leading_element_width_of_step(distance) - width_of_step(line, distance)));
+  }
+  report.figure("largest error of leading_element_width_of_step()", scientific(largest), "<= 1e-3", largest <= 1e-3);
+}
+
 } // namespace
 
 bool run_edge_constants(const StudyOptions& options, std::ostream& out) {
@@ -191,6 +218,7 @@ bool run_edge_constants(const StudyOptions& options, std::ostream& out) {
   report.figure("largest difference to finite systems", scientific(finite), "<= 1e-9", finite <= 1e-9);
   const double polynomial = error_of_polynomial(fine);
   report.figure("largest error of edge_inset()", scientific(polynomial), "<= 1e-9", polynomial <= 1e-9);
+  report_widths_of_steps(report, coarse);
   return report.all_met();
 }
 

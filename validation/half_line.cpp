@@ -143,11 +143,15 @@ double HalfLine::leading(double y, double omega, const std::vector<double>& sour
 }
 
 double HalfLine::distance(double omega) const {
+  return distance(omega, {omega / 2, omega + 0.5});
+}
+
+double HalfLine::distance(double omega, const std::array<double, 2>& points) const {
+  const auto [first, second] = points;
   const std::vector<double> source = induced(omega);
-  const double centre = omega / 2, end = omega + 0.5;
   // growing + a decaying + q leading vanishes at both points; the far field moves by a.
-  const double d1 = decaying(centre), l1 = leading(centre, omega, source), g1 = growing(centre);
-  const double d2 = decaying(end), l2 = leading(end, omega, source), g2 = growing(end);
+  const double d1 = decaying(first), l1 = leading(first, omega, source), g1 = growing(first);
+  const double d2 = decaying(second), l2 = leading(second, omega, source), g2 = growing(second);
   const double a = (l1 * g2 - l2 * g1) / (d1 * l2 - d2 * l1);
   return 0.25 + kappa_ + a;
 }

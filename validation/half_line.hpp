@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace microslip::validation {
@@ -25,6 +26,8 @@ public:
   double full_width_inset() const { return 0.25 + kappa_; }
   /// d(omega) = omega + beta(omega), omega > 0.
   double distance(double omega) const;
+  /// The same where the displacement is that of the centres at these two points in place of omega/2 and omega + 1/2.
+  double distance(double omega, const std::array<double, 2>& points) const;
 
 private:
   double growing(double y) const;

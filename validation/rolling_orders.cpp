@@ -8,6 +8,7 @@
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -20,7 +21,7 @@
 namespace microslip::validation {
 namespace {
 
-constexpr std::array grids = {12, 24, 48, 96};
+constexpr std::array rolling_grids = {12, 24, 48, 96};
 constexpr double friction = 0.3, poisson_ratio = 0.28, shear_modulus = 82e9, normal_force = 10e3;
 constexpr double capacity = friction * normal_force, area = 9e-6; ///< mu Fn [N]; a b [m2]
 constexpr CombinedMaterial similar{shear_modulus, poisson_ratio, 0};
@@ -51,23 +52,32 @@ Vec2 relative(const ContactSolution& s, double bound) {
   return {s.totals.fx / bound, s.totals.fy / bound};
 }
 
-Vec2 solve(int n, const EllipticContact& contact, const ExactMotion& motion = {}) {
-  return relative(EllipticContactSolver({.mx = n, .my = n, .tolerance = 1e-8}).solve(contact, motion), capacity);
+/// How the contacts of a problem roll.
+struct Rolling {
+  ContactMotion motion = ContactMotion::steady; ///< transient: over a semi-axis a, from rest
+  Discretisation discretisation = Discretisation::second_order;
+};
+
+Vec2 solve(int n, const EllipticContact& contact, const Rolling& rolling) {
+  EllipticContactSolver solver({.mx = n, .my = n, .discretisation = rolling.discretisation, .tolerance = 1e-8});
+  return relative(solver.solve(contact, {.kind = rolling.motion, .steps = n / 2}), capacity);
 }
+
+using Forces = std::vector<Vec2>;
 
 /// What the order of a problem comes from: forces of its cases on n elements across, maybe with several positions of
 /// the contact on the grid, and their limits.
 struct Problem {
   std::string name;
-  std::size_t cases;
-  std::function<std::vector<Vec2>(int n, std::size_t number)> forces;
-  std::vector<Vec2> limits;
+  std::function<Forces(int n, std::size_t number)> forces; ///< of a case
+  Forces limits;                                           ///< of each case
+  std::size_t grids = rolling_grids.size();                ///< how many of the grids are used
 };
 
 /// The root of the mean square, over cases, positions and both components.
 double error_on(int n, const Problem& problem) {
   double sum = 0, count = 0;
-  for (std::size_t k = 0; k < problem.cases; ++k)
+  for (std::size_t k = 0; k < problem.limits.size(); ++k)
     for (const Vec2& f : problem.forces(n, k)) {
       sum += std::pow(f.x - problem.limits[k].x, 2) + std::pow(f.y - problem.limits[k].y, 2);
       count += 1;
@@ -77,32 +87,38 @@ double error_on(int n, const Problem& problem) {
 
 void report_order(Report& report, const Problem& problem, double least) {
   std::string values;
-  std::array<double, grids.size()> errors;
-  for (std::size_t g = 0; g < grids.size(); ++g) {
-    errors[g] = error_on(grids[g], problem);
-    values += fmt::format("{:>10.1e}", errors[g]);
+  std::vector<double> errors;
+  for (std::size_t g = 0; g < problem.grids; ++g) {
+    errors.push_back(error_on(rolling_grids[g], problem));
+    values += fmt::format("{:>9.1e}", errors[g]);
   }
-  const double order = std::log(errors.front() / errors.back()) / std::log(double(grids.back()) / grids.front());
-  report.figure(fmt::format("{:<44}{}", problem.name, values), fmt::format("{:.2f}", order),
+  const double order =
+      std::log(errors.front() / errors.back()) / std::log(double(rolling_grids[problem.grids - 1]) / rolling_grids[0]);
+  report.figure(fmt::format("{:<42}{:<36}", problem.name, values), fmt::format("{:.2f}", order),
                 fmt::format(">= {}", least), order >= least);
 }
 
-/// Of one value for each contact, with the limit from n and 2 n elements.
-Problem elliptic(const std::string& name, const std::vector<EllipticContact>& contacts, int n, int order,
-                 const ExactMotion& motion = {}) {
-  Problem problem{name, contacts.size(), {}, {}};
+/// The limits from two grids of errors of an order.
+Forces limits_of(const std::vector<EllipticContact>& contacts, int coarse, int fine, int order,
+                 const Rolling& rolling = {}) {
+  Forces limits;
   for (const EllipticContact& c : contacts) {
-    const Vec2 coarse = solve(n, c, motion), fine = solve(2 * n, c, motion);
-    problem.limits.push_back({limit(coarse.x, n, fine.x, 2 * n, order), limit(coarse.y, n, fine.y, 2 * n, order)});
+    const Vec2 f = solve(coarse, c, rolling), g = solve(fine, c, rolling);
+    limits.push_back({limit(f.x, coarse, g.x, fine, order), limit(f.y, coarse, g.y, fine, order)});
   }
-  problem.forces = [contacts, motion](int m, std::size_t k) { return std::vector{solve(m, contacts[k], motion)}; };
-  return problem;
+  return limits;
+}
+
+Problem elliptic(const std::string& name, const std::vector<EllipticContact>& contacts, Forces limits,
+                 const Rolling& rolling = {}) {
+  return {name, [contacts, rolling](int n, std::size_t k) { return Forces{solve(n, contacts[k], rolling)}; },
+          std::move(limits)};
 }
 
 /// The same contact, given by its gap, in three positions on the grid.
-std::vector<Vec2> solve_as_patch(int n, const EllipticContact& contact) {
+Forces solve_as_patch(int n, const EllipticContact& contact) {
   const HertzContact hertz = hertz_from_ellipse(contact.a, contact.b, similar, contact.normal_force);
-  std::vector<Vec2> forces;
+  Forces forces;
   for (const auto& [x, y] : {Vec2{0, 0}, Vec2{0.3, 0.2}, Vec2{0.6, 0.65}}) {
     ElementGrid grid = ElementGrid::across_ellipse(contact.a, contact.b, n, 5);
     grid.x0 += x * grid.dx;
@@ -120,44 +136,74 @@ constexpr std::array carter_adhesion = {0.2, 0.4, 0.6, 0.8}; // its share of the
 
 /// Carter's contacts, given by the gap of cylinders, in five positions on the grid.
 Problem cylinders() {
-  Problem problem{"cylinders, given by their gap (Fx)", carter_adhesion.size(), {}, {}};
+  Problem problem{"cylinders, given by their gap (Fx)", {}, {}};
   for (const double share : carter_adhesion) problem.limits.push_back({1 - share * share, 0});
   problem.forces = [](int n, std::size_t k) {
     const double load = line_contact_from_half_width(curvature, similar, half_width).force_per_length;
     const double creepage = 2 * curvature * friction * half_width * (1 - carter_adhesion[k]);
-    std::vector<Vec2> forces;
+    Forces forces;
     for (const double position : {0.0, 0.2, 0.4, 0.6, 0.8}) {
       ElementGrid grid = ElementGrid::across_line(half_width, n, 5);
       grid.x0 += position * grid.dx;
       PatchRolling rolling(similar, grid, hertzian_gap({curvature, 0}, grid), {NormalLoad::Given::force, load});
-      forces.push_back(relative(
-          rolling.solve({.friction = friction, .creepage = {-creepage, 0, 0}, .tolerance = 1e-8}), friction * load));
+      forces.push_back(relative(rolling.solve({.friction = friction, .creepage = {-creepage, 0, 0}, .tolerance = 1e-8}),
+                                friction * load));
     }
     return forces;
   };
   return problem;
 }
 
+void report_steady(Report& report, const std::vector<EllipticContact>& contacts,
+                   const std::vector<EllipticContact>& with_spin) {
+  const Forces limits = limits_of(contacts, 96, 192, 2);
+  report_order(report, elliptic("ellipses, a/b 1/3, 1, 3", contacts, limits), 1.8);
+  report_order(
+      report,
+      {"the same, given by their gaps", [&](int n, std::size_t k) { return solve_as_patch(n, contacts[k]); }, limits},
+      1.6);
+  report_order(report, cylinders(), 1.5);
+  report_order(report, elliptic("with spin", with_spin, limits_of(with_spin, 96, 192, 1)), 1.5);
+  std::vector<EllipticContact> dissimilar = contacts;
+  for (EllipticContact& c : dissimilar) c.dissimilarity = 0.2;
+  report_order(report,
+               elliptic("different materials, K = .2 (classical)", dissimilar, limits_of(dissimilar, 48, 96, 1)), 0.8);
+}
+
+/// Up to 48 elements, for a step is one of them.
+void report_transient(Report& report, const std::vector<EllipticContact>& contacts,
+                      const std::vector<EllipticContact>& with_spin) {
+  constexpr Rolling fitted{ContactMotion::transient, Discretisation::second_order},
+      classical{ContactMotion::transient, Discretisation::classical};
+  const auto report_to_48 = [&](Problem problem, double least) {
+    problem.grids = 3;
+    report_order(report, problem, least);
+  };
+  const Forces limits = limits_of(contacts, 48, 80, 2, fitted);
+  report_to_48(elliptic("rolled over a from rest", contacts, limits, fitted), 1.6);
+  report_to_48(elliptic("the same, classical", contacts, limits, classical), 0.9);
+  report_to_48(elliptic("the same with spin, second order", with_spin, limits_of(with_spin, 48, 80, 2, fitted), fitted),
+               1.5);
+  const Forces of_classical = limits_of(contacts, 24, 48, 1, classical);
+  double difference = 0;
+  for (std::size_t k = 0; k < limits.size(); ++k)
+    difference =
+        std::max({difference, std::abs(limits[k].x - of_classical[k].x), std::abs(limits[k].y - of_classical[k].y)});
+  report.figure("  limit without spin less that of classical elements, at most", fmt::format("{:.1e}", difference),
+                "<= 2e-3", difference <= 2e-3);
+}
+
 } // namespace
 
 void report_rolling_orders(Report& report) {
   std::string heads;
-  for (const int n : grids) heads += fmt::format("{:>10}", n);
-  report.heading("Order of other rolling: rms of the errors of Fx and Fy over mu Fn, elements across, mean order");
-  report.line(fmt::format("{:<46}{}", "", heads));
-  const auto without_spin = contacts_with({{0.15, 0, 0}, {0.08, 0.12, 0}});
-  Problem ellipses = elliptic("ellipses, a/b 1/3, 1, 3", without_spin, 96, 2);
-  report_order(report, ellipses, 1.8);
-  Problem patches = std::move(ellipses);
-  patches.name = "the same, given by their gaps";
-  patches.forces = [&](int n, std::size_t k) { return solve_as_patch(n, without_spin[k]); };
-  report_order(report, patches, 1.6);
-  report_order(report, cylinders(), 1.4);
-  report_order(report, elliptic("ellipses with spin", contacts_with({{0, 0, 0.5}, {0.08, 0, 0.3}}), 96, 1), 1.5);
-
-  std::vector<EllipticContact> dissimilar = without_spin;
-  for (EllipticContact& c : dissimilar) c.dissimilarity = 0.2;
-  report_order(report, elliptic("bodies of different materials, K = .2", dissimilar, 64, 1), 0.8);
+  for (const int n : rolling_grids) heads += fmt::format("{:>9}", n);
+  report.heading("Other rolling: rms of the errors of Fx and Fy over mu Fn, elements across, mean order");
+  report.line(fmt::format("{:<44}{}", "", heads));
+  const auto contacts = contacts_with({{0.15, 0, 0}, {0.08, 0.12, 0}});
+  const auto with_spin = contacts_with({{0, 0, 0.5}, {0.08, 0, 0.3}});
+  report_steady(report, contacts, with_spin);
+  report_transient(report, contacts, with_spin);
 }
 
 } // namespace microslip::validation

@@ -34,6 +34,13 @@ NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid
       .solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1}, tolerance, essential);
 }
 
+/// The traction bound of the elements [Pa].
+std::vector<double> bound_of(const FittedContact& fitted, const EllipticContact& contact) {
+  std::vector<double> bound = fitted.load_share;
+  for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
+  return bound;
+}
+
 /// Its mirror image in x.
 void mirror(DeformedGap& of) {
   const ElementGrid& grid = of.grid;
@@ -67,7 +74,7 @@ void EllipticContactSolver::check_input(const EllipticContact& contact, const Ex
 /// How the contact is solved; asks for memory where the constructor could not know.
 ContactProblem EllipticContactSolver::problem_of(const EllipticContact& contact, const ExactMotion& motion) const {
   const bool sequence = needs_sequence(options_, contact);
-  if (!sequence && options_.discretisation == Discretisation::second_order && motion.kind == ContactMotion::steady &&
+  if (!sequence && options_.discretisation == Discretisation::second_order && motion.kind != ContactMotion::shift &&
       motion.step == 0)
     return ContactProblem::second_order;
   const ContactProblem problem = sequence ? ContactProblem::coupled : ContactProblem::tangential;
@@ -88,8 +95,7 @@ bool EllipticContactSolver::is_of_last(const EllipticContact& contact) {
 /// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
 void EllipticContactSolver::prepare_classical(const EllipticContact& contact, const Progress& progress) {
   if (is_of_last(contact) && tangential_) return;
-  tangential_.reset();
-  second_order_.reset();
+  forget();
   grid_ = ElementGrid::across_ellipse(a_, b_, options_.mx, options_.my, contact_margin);
   grid_.shape = options_.elements;
   normal_ = unit_load(contact, grid_, progress);
@@ -98,9 +104,26 @@ void EllipticContactSolver::prepare_classical(const EllipticContact& contact, co
 
 void EllipticContactSolver::prepare_second_order(const EllipticContact& contact, const Progress& progress) {
   is_of_last(contact);
-  tangential_.reset();
-  if (!second_order_) second_order_ = std::make_unique<HertzianRolling>(options_.mx, options_.my);
+  if (!second_order_) {
+    forget();
+    second_order_ = std::make_unique<HertzianRolling>(options_.mx, options_.my);
+  }
   second_order_->prepare(a_, b_, material_, essential_part(progress, 0, 0));
+}
+
+/// From zero tractions.
+void EllipticContactSolver::prepare_transient(const EllipticContact& contact, const Progress& progress) {
+  if (is_of_last(contact) && transient_) return transient_->restart();
+  forget();
+  transient_ = std::make_unique<TransientRolling>(
+      material_, fit_ellipse(a_, b_, options_.mx, options_.my, ContactMotion::transient),
+      essential_part(progress, 0, 0));
+}
+
+void EllipticContactSolver::forget() {
+  tangential_.reset();
+  second_order_.reset();
+  transient_.reset();
 }
 
 /// Solves the tangential problem; transient rolling step by step.
@@ -182,10 +205,10 @@ ContactSolution EllipticContactSolver::solve_sequence(const EllipticContact& con
   return solve_steps(sequence_, sequence_step(contact, motion), motion.steps, progress);
 }
 
-ContactSolution EllipticContactSolver::fitted_solution(const SecondOrderSolution& found,
+ContactSolution EllipticContactSolver::fitted_solution(const SecondOrderSolution& found, const FittedContact& fitted,
                                                        const EllipticContact& contact) const {
-  const std::vector<double> bound = second_order_->bound(contact);
-  return contact_solution(second_order_->contact(), found,
+  const std::vector<double> bound = bound_of(fitted, contact);
+  return contact_solution(fitted, found,
                           {.bound = bound,
                            .normal_force = contact.normal_force,
                            .approach = hertz_from_ellipse(a_, b_, material_, contact.normal_force).approach,
@@ -201,13 +224,52 @@ EllipticContact EllipticContactSolver::mirrored(EllipticContact contact) const {
   return contact;
 }
 
+ExactMotion EllipticContactSolver::mirrored(ExactMotion motion) const {
+  if (motion.force_x && options_.direction == RollingDirection::backward) *motion.force_x *= -1;
+  return motion;
+}
+
 ContactSolution EllipticContactSolver::solve_second_order(const EllipticContact& contact, const ExactMotion& motion,
                                                           const Progress& progress) {
+  if (motion.kind == ContactMotion::transient) return solve_transient(contact, motion, progress);
   prepare_second_order(contact, progress);
-  std::optional<double> force_x = motion.force_x;
-  if (force_x && options_.direction == RollingDirection::backward) *force_x *= -1;
-  return fitted_solution(second_order_->solve(mirrored(contact), force_x, motion.force_y, options_.tolerance, progress),
-                         contact);
+  return fitted_solution(
+      second_order_->solve(mirrored(contact), mirrored(motion).force_x, motion.force_y, options_.tolerance, progress),
+      second_order_->contact(), contact);
+}
+
+ContactSolution EllipticContactSolver::solve_transient(const EllipticContact& contact, const ExactMotion& motion,
+                                                       const Progress& progress) {
+  prepare_transient(contact, progress);
+  const FittedContact& fitted = transient_->contact();
+  const std::vector<double> bound = bound_of(fitted, contact);
+  std::vector<SolutionStep> history;
+  const SecondOrderInput input{.creepage = mirrored(contact).creepage,
+                               .force_x = mirrored(motion).force_x,
+                               .force_y = motion.force_y,
+                               .start = {},
+                               .progress = within_step(motion.steps, history, progress),
+                               .tolerance = options_.tolerance};
+  ContactSolution out;
+  int newton_steps = 0;
+  long products = 0;
+  try {
+    do {
+      out = fitted_solution(transient_->step(bound, input), fitted, contact);
+      out.motion = ContactMotion::transient;
+      history.push_back(solution_step(out));
+      newton_steps += out.report.newton_steps;
+      products += out.report.products;
+    } while ((!progress || progress(double(history.size()) / motion.steps)) &&
+             static_cast<int>(history.size()) < motion.steps);
+  } catch (const Stopped&) { // within a step
+    if (history.empty()) throw;
+  }
+  if (is_cut_short(history, motion.steps, out.report.status)) out.report.status = Status::not_converged;
+  out.history = std::move(history);
+  out.report.newton_steps = newton_steps;
+  out.report.products = products;
+  return out;
 }
 
 ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& contact, const Progress& progress) {
@@ -227,10 +289,10 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
   } catch (const Stopped&) {
     return {.solution = solution_without_result(Status::not_converged, ended)};
   }
-  ExactDerivatives out{.solution = fitted_solution(solution, contact)};
+  const FittedContact& fitted = second_order_->contact();
+  ExactDerivatives out{.solution = fitted_solution(solution, fitted, contact)};
   add_reason(out.solution.report);
   out.products = derivatives.products;
-  const FittedContact& fitted = second_order_->contact();
   const double side = options_.direction == RollingDirection::forward ? 1 : -1;
   for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
     const FittedElement& e = fitted.elements[k];
@@ -278,8 +340,9 @@ DeformedGap EllipticContactSolver::deformed_gap(const EllipticContact& contact, 
   }
   DeformedGap out;
   if (problem == ContactProblem::second_order) {
-    prepare_second_order(contact, progress);
-    out.grid = second_order_->contact().grid;
+    const bool transient = motion.kind == ContactMotion::transient;
+    transient ? prepare_transient(contact, progress) : prepare_second_order(contact, progress);
+    out.grid = transient ? transient_->contact().grid : second_order_->contact().grid;
     out.gap = unit_load(contact, out.grid, progress).gap;
     if (options_.direction == RollingDirection::backward) mirror(out);
   } else {

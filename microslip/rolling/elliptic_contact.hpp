@@ -4,6 +4,7 @@
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
+#include "microslip/exact/fitted/transient_rolling.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 #include "microslip/progress.hpp"
@@ -15,9 +16,9 @@
 
 namespace microslip {
 
-/// How steady rolling is discretised. Shifts and transient rolling are always classical.
+/// How rolling is discretised. Shifts, and rolling with a step that is given, are always classical.
 enum class Discretisation {
-  second_order, ///< SecondOrderRolling: forces with errors of second order in the elements' size
+  second_order, ///< SecondOrderRolling, TransientRolling: forces with errors of second order in the elements' size
   classical,    ///< TangentialProblem: Kalker's regular elements, errors of first order
 };
 
@@ -100,6 +101,8 @@ private:
   void require_memory_for(ContactProblem problem) const;
   void prepare_classical(const EllipticContact& contact, const Progress& progress);
   void prepare_second_order(const EllipticContact& contact, const Progress& progress);
+  void prepare_transient(const EllipticContact& contact, const Progress& progress);
+  void forget();
   bool is_of_last(const EllipticContact& contact);
   ContactSolution solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
@@ -107,9 +110,12 @@ private:
   ContactStep sequence_step(const EllipticContact& contact, const ExactMotion& motion) const;
   ContactSolution solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
   EllipticContact mirrored(EllipticContact contact) const;
+  ExactMotion mirrored(ExactMotion motion) const;
   ContactSolution solve_second_order(const EllipticContact& contact, const ExactMotion& motion,
                                      const Progress& progress);
-  ContactSolution fitted_solution(const SecondOrderSolution& found, const EllipticContact& contact) const;
+  ContactSolution solve_transient(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
+  ContactSolution fitted_solution(const SecondOrderSolution& found, const FittedContact& fitted,
+                                  const EllipticContact& contact) const;
 
   ExactOptions options_;
   double a_ = 0, b_ = 0;
@@ -119,6 +125,7 @@ private:
   NormalSolution normal_; ///< for a load of 1 N; pressures and load are proportional at a given ellipse
   std::unique_ptr<TangentialProblem> tangential_;
   std::unique_ptr<HertzianRolling> second_order_;
+  std::unique_ptr<TransientRolling> transient_;
   ContactSequence sequence_; ///< of bodies and friction that need one
 };
 

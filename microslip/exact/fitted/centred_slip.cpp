@@ -8,7 +8,7 @@ namespace microslip {
 template <class Real>
 CentredSlip<Real>::CentredSlip(const FittedContact& contact, std::span<const char> centred)
     : behind_(centred.size(), 0), own_(centred.size(), 1), ahead_(behind_), ways_(centred.size() + 2) {
-  const auto way = [&](std::size_t k) { return contact.elements[k].end - contact.elements[k].centre(); };
+  const auto way = [&](std::size_t k) { return contact.elements[k].end - contact.elements[k].point; };
   for (std::size_t k = 0; k < centred.size(); ++k) {
     const FittedElement& e = contact.elements[k];
     if (!centred[k] || e.leads) continue;

@@ -18,32 +18,45 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int margin = 3; // interpolation and moments of the fitted elements reach that far ahead
 
-/// The distance from the leading element's rear side to the edge is between this and 1 more [elements]: widths of .6 to
-/// 1.57.
-constexpr double nearest_edge = 0.92;
+/// How leading elements are fitted.
+struct LeadingFit {
+  double nearest; ///< the distance from their rear sides to the edge is between this and 1 more [elements]
+  double (*width)(double distance);
+  bool by_centres; ///< displacements are taken at their own centres, else at those of the grid's elements
+};
+
+/// Widths of .6 to 1.57.
+constexpr LeadingFit in_steady_rolling = {0.92, leading_element_width, true};
+constexpr LeadingFit in_steps = {nearest_edge_of_step, leading_element_width_of_step, false};
 
 /// Appends the elements of a row in contact from `trailing` to `leading`. The elements `behind` are another run's.
 void fit_row(const ElementGrid& grid, int row, double trailing, double leading, std::vector<FittedElement>& elements,
-             double behind = -infinity) {
+             const LeadingFit& fit = in_steady_rolling, double behind = -infinity) {
   const double h = grid.dx, origin = grid.x0 - h / 2;
   const auto cell = [&](int column) {
     return static_cast<std::size_t>(row) * grid.mx + std::clamp(column, 0, grid.mx - 1);
   };
-  const int last = static_cast<int>(std::floor((leading - origin) / h - nearest_edge));
-  const double left = origin + last * h, width = h * leading_element_width((leading - left) / h);
+  const int last = static_cast<int>(std::floor((leading - origin) / h - fit.nearest));
+  const double left = origin + last * h, width = h * fit.width((leading - left) / h);
   if (left + width / 2 <= trailing || left < behind) { // shorter than an element
-    const int column = static_cast<int>(std::floor(((leading + trailing) / 2 - origin) / h));
-    elements.push_back({row, cell(column), trailing, leading, leading + h / 2, true, true, true});
+    const double centre = (leading + trailing) / 2;
+    const int column = static_cast<int>(std::floor((centre - origin) / h));
+    const double point = fit.by_centres ? centre : grid.x(column);
+    const double end = fit.by_centres ? leading + h / 2 : point + h;
+    elements.push_back({row, cell(column), trailing, leading, point, end, true, true, true});
     return;
   }
   int first = last;
   while (origin + first * h > trailing + 1e-12 * h && origin + (first - 1) * h >= behind) --first;
+  const auto point = [&](int column) {
+    return column == last && fit.by_centres ? left + width / 2 : origin + column * h + h / 2;
+  };
   for (int column = first; column <= last; ++column) {
     const double from = origin + column * h;
-    const bool leads = column == last, next_leads = column + 1 == last;
+    const bool leads = column == last;
     const double to = from + (leads ? width : h);
-    const double end = leads ? to + h / 2 : next_leads ? to + width / 2 : to + h / 2;
-    elements.push_back({row, cell(column), from, to, end, leads, leads, column == first});
+    const double end = leads && fit.by_centres ? to + h / 2 : point(column + 1);
+    elements.push_back({row, cell(column), from, to, point(column), end, leads, leads, column == first});
   }
 }
 
@@ -85,7 +98,8 @@ FittedContact fit_line(double a, int n, double length) {
   return contact;
 }
 
-FittedContact fit_ellipse(double a, double b, int n, int m) {
+FittedContact fit_ellipse(double a, double b, int n, int m, ContactMotion motion) {
+  const LeadingFit& fit = motion == ContactMotion::transient ? in_steps : in_steady_rolling;
   FittedContact contact;
   ElementGrid& grid = contact.grid = ElementGrid::across_ellipse(a, b, n, m, 0);
   grid.mx += 2 * margin;
@@ -93,7 +107,7 @@ FittedContact fit_ellipse(double a, double b, int n, int m) {
   for (int row = 0; row < m; ++row) {
     const double y = (2 * row + 1.0) / m - 1, edge = a * std::sqrt((1 - y) * (1 + y));
     const std::size_t first = contact.elements.size();
-    fit_row(grid, row, -edge, edge, contact.elements);
+    fit_row(grid, row, -edge, edge, contact.elements, fit);
 
     const double y0 = 2.0 * row / m - 1, y1 = 2.0 * (row + 1) / m - 1;
     double row_sum = 0;
@@ -119,7 +133,7 @@ FittedContact stretched(FittedContact contact, double along, double across) {
   ElementGrid& grid = contact.grid;
   grid.x0 *= along, grid.dx *= along;
   grid.y0 *= across, grid.dy *= across;
-  for (FittedElement& e : contact.elements) e.left *= along, e.right *= along, e.end *= along;
+  for (FittedElement& e : contact.elements) e.left *= along, e.right *= along, e.point *= along, e.end *= along;
   for (double& share : contact.load_share) share /= along * across;
   return contact;
 }
@@ -225,7 +239,8 @@ FittedContact fit_contact(const ElementGrid& grid, std::span<const double> press
   for (const ContactRun& run : contact_runs(grid, pressure)) {
     const std::size_t first = contact.elements.size();
     const bool follows = first > 0 && contact.elements.back().row == run.row;
-    fit_row(grid, run.row, run.low, run.high, contact.elements, follows ? contact.elements.back().right : -infinity);
+    fit_row(grid, run.row, run.low, run.high, contact.elements, in_steady_rolling,
+            follows ? contact.elements.back().right : -infinity);
 
     const RunProfile profile(grid, mean, run);
     const auto begin = pressure.begin() + static_cast<std::ptrdiff_t>(run.row) * grid.mx;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/contact/element_grid.hpp"
+#include "microslip/contact/motion.hpp"
 
 #include <cstddef>
 #include <span>
@@ -14,7 +15,8 @@ struct FittedElement {
   int row = 0;
   std::size_t cell = 0;       ///< of the grid: where results on the grid have it
   double left = 0, right = 0; ///< [m]
-  double end = 0;             ///< its slip is that of the way from its centre to here [m]
+  double point = 0;           ///< where its displacement is taken: its centre; in steps, that of the grid's element [m]
+  double end = 0;             ///< its slip is that of the way from `point` to here [m]
   bool fitted = false;        ///< is not one of the grid's elements
   bool leads = false;         ///< is the first one that particles enter
   bool trails = false;        ///< is the last one
@@ -33,7 +35,9 @@ struct FittedContact {
 
 /// n x m elements across Hertz's ellipse. The bound is averaged over the area that an element stands for (E27): what no
 /// element covers counts for the nearest one of its row, so that the shares times the areas have the sum 1 to rounding.
-FittedContact fit_ellipse(double a, double b, int n, int m);
+/// For steady rolling, or for steps of transient rolling by an element's length: then leading elements have other
+/// widths (leading_element_width_of_step).
+FittedContact fit_ellipse(double a, double b, int n, int m, ContactMotion motion = ContactMotion::steady);
 
 /// The same elements when x is stretched by `along` and y by `across`: fit_ellipse(a, b, n, m) is fit_ellipse(1, 1, n,
 /// m) stretched by a and b, up to rounding.

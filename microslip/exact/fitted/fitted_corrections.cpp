@@ -119,11 +119,11 @@ private:
   /// Where the strip table has half strips that end at the sides of the grid's columns, from `first` on.
   struct Shape {
     int first, last; ///< columns
-    /// For the leading element's centre; for the end of its slip, which as a point is as far ahead of an end as its
-    /// leading side is of the middle of the column behind; for the same with its trailing side.
-    std::array<std::size_t, 3> in_table;
+    /// For the leading element's point; for the end of its slip; for its sides, half an element further ahead, as they
+    /// then are as far from an end as from the middle of the column behind.
+    std::array<std::size_t, 4> in_table;
   };
-  enum : std::size_t { from_centre, from_end, from_left };
+  enum : std::size_t { from_point, from_end, from_left, from_right };
 
   int column(const FittedElement& e) const { return static_cast<int>(e.cell % static_cast<std::size_t>(grid_.mx)); }
 
@@ -150,11 +150,16 @@ private:
         Shape shape{.first = std::max(static_cast<int>(std::floor(e.left - near)), lowest_),
                     .last = std::min(static_cast<int>(std::ceil(e.right + 0.5 + near)), highest_),
                     .in_table = {}};
-        for (const auto& [place, which] :
-             {std::pair{e.points[0].x, from_centre}, {e.points[1].x, from_end}, {e.left + 0.5, from_left}}) {
-          shape.in_table[which] = x.size();
+        const auto add = [&](double place) {
+          const std::size_t at = x.size();
           for (int i = shape.first; i <= shape.last + 1; ++i) x.push_back(place - (i - 0.5));
-        }
+          return at;
+        };
+        const double way_end = e.points[1].x, right = e.right + 0.5;
+        shape.in_table[from_point] = add(e.points[0].x);
+        shape.in_table[from_end] = add(way_end);
+        shape.in_table[from_left] = add(e.left + 0.5);
+        shape.in_table[from_right] = std::abs(way_end - right) < rounding ? shape.in_table[from_end] : add(right);
         shapes_.push_back(shape);
       }
       shape_of_.push_back(shapes_.size() - 1);
@@ -281,7 +286,7 @@ private:
                            Block& out) const {
     const int first = first_column - shape.first + 1;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double* right = strips_->row(c, offset) + shape.in_table[from_end] + first;
+      const double* right = strips_->row(c, offset) + shape.in_table[from_right] + first;
       const double* left = strips_->row(c, offset) + shape.in_table[from_left] + first;
       const double* kernel = kernel_.from(c, offset, first_column - e.first_moment);
       const double side = c == component::xy ? -1 : 1;

@@ -18,7 +18,7 @@ struct LeadingElement {
   double left, right;
   int first_moment; ///< column of the first of the grid's elements that stand for it
   std::array<double, 3> moments;
-  /// Its centre and the end of its slip, which lies half an element of the grid ahead of it.
+  /// Where its displacement is taken, and the end of its slip.
   struct Point {
     std::size_t point;
     double x;

@@ -46,7 +46,7 @@ public:
     }
   };
   /// Lengths are in units of the grid's dx, displacements by unit tractions in units of dx/G: nothing depends on size
-  /// or stiffness. Points are the elements' centres and then the ends of slip that are no centres.
+  /// or stiffness. Points are those of the elements and then the ends of slip that are none of these.
   struct Tables {
     std::vector<Place> places;
     std::vector<Moments> moments;
@@ -56,7 +56,7 @@ public:
     Corrections of_elements;       ///< of fitted elements, at the grid's points
     std::size_t points = 0;
     std::vector<std::size_t> end_point; ///< of each element
-    std::vector<Real> way;              ///< from each element's centre to the end of its slip
+    std::vector<Real> way;              ///< from each element's point to the end of its slip
 
     /// Nothing, in the memory that there is.
     void clear() {
@@ -81,6 +81,8 @@ public:
   /// The displacement difference [dx/G] at the points for the tractions of the last apply.
   std::span<const Real> ux() const { return std::span(ux_).first(tables_.points); }
   std::span<const Real> uy() const { return std::span(uy_).first(tables_.points); }
+  /// The point where the slip of each element ends.
+  std::span<const std::size_t> end_points() const { return tables_.end_point; }
   long products() const { return transform_.products(); }
 
 private:

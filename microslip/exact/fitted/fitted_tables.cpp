@@ -57,7 +57,7 @@ std::vector<LeadingElement> find_leading(const FittedContact& contact, int nodes
     if (!e.fitted) continue;
     LeadingElement out{k, e.row, place(e.left), place(e.right), 0, {}, {}};
     find_moments(grid.mx, out);
-    out.points = {place_point(grid.mx, nodes, k, place(e.centre())),
+    out.points = {place_point(grid.mx, nodes, k, place(e.point)),
                   place_point(grid.mx, nodes, contact.elements.size() + leading.size(), place(e.end))};
     leading.push_back(out);
   }
@@ -78,7 +78,7 @@ FittedContact without_spare_elements(const FittedContact& contact) {
     if (!e.fitted) continue;
     use(moments_column(grid.mx, (e.centre() - grid.x0) / grid.dx) - 1,
         moments_column(grid.mx, (e.centre() - grid.x0) / grid.dx) + 1);
-    for (const double x : {e.centre(), e.end}) {
+    for (const double x : {e.point, e.end}) {
       const int node = first_node(grid.mx, nodes, (x - grid.x0) / grid.dx);
       use(node, node + nodes - 1);
     }
@@ -108,7 +108,7 @@ FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedCo
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const FittedElement& e = elements[k];
     tables.end_point.push_back(k + 1); // the next centre; else below
-    tables.way.push_back((e.end - e.centre()) / grid.dx);
+    tables.way.push_back((e.end - e.point) / grid.dx);
     if (!e.fitted) tables.places.push_back({k, cell(e.row, static_cast<int>(e.cell % grid.mx))});
   }
   for (const LeadingElement& e : leading) {

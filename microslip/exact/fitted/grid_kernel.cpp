@@ -25,6 +25,17 @@ SymmetricToeplitz<double> GridKernel::transform(const TransformPlans& plans,
   return std::move(*memory);
 }
 
+SymmetricToeplitz<double> GridKernel::near_inverse(const TransformPlans& plans) const {
+  return SymmetricToeplitz<double>::near_inverse(mx_, my_, {of_[component::xx], of_[component::xy], of_[component::yy]},
+                                                 plans);
+}
+
+double GridKernel::middle() const {
+  std::vector<double> mean(of_[component::xx]);
+  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = (mean[k] + of_[component::yy][k]) / 2;
+  return middle_eigenvalue(mean, mx_);
+}
+
 GridKernel::GridKernel(double poisson_ratio, const ElementGrid& grid, const Progress& progress)
     : mx_(grid.mx), my_(grid.my) {
   HalfStrips strips = half_strips(grid, -0.5, static_cast<std::size_t>(mx_) + 1);

@@ -31,6 +31,10 @@ public:
   SymmetricToeplitz<double> transform(const TransformPlans& plans,
                                       std::optional<SymmetricToeplitz<double>> memory = {}) const;
 
+  /// The map near the inverse that SymmetricToeplitz has, and the displacement that it goes with: middle_eigenvalue.
+  SymmetricToeplitz<double> near_inverse(const TransformPlans& plans) const;
+  double middle() const;
+
   /// The mean of D_xx and D_yy of an interior element [1/G].
   double diagonal() const {
     return (of_[component::xx][0] - of_[component::xx][1] + of_[component::yy][0] - of_[component::yy][1]) / 2;

@@ -61,10 +61,6 @@ void HertzianRolling::prepare(double a, double b, const CombinedMaterial& materi
   rolling_ = rolling ? std::move(rolling) : nested(0, progress);
 }
 
-std::vector<double> HertzianRolling::bound(const EllipticContact& contact) const {
-  return rolling_->bound(capacity_of(contact));
-}
-
 SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::optional<double> force_x,
                                            std::optional<double> force_y, double tolerance, const Progress& progress) {
   const RollingEstimate estimate{

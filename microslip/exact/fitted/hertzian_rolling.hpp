@@ -26,8 +26,6 @@ public:
   void prepare(double a, double b, const CombinedMaterial& material, const Progress& progress = {});
 
   const FittedContact& contact() const { return rolling_->contact(); }
-  /// The traction bound of each element [Pa].
-  std::vector<double> bound(const EllipticContact& contact) const;
 
   /// Creepages and spin of the contact, or forces [N] in place of its creepages. Newton steps, products and progress as
   /// in NestedRolling.

@@ -47,8 +47,7 @@ std::vector<double> pressure_curvature(const ElementGrid& grid, std::span<const 
 }
 
 bool on_rim(const ElementGrid& grid, std::span<const double> pressure, std::size_t element) {
-  return !along_x(grid, pressure, element).in_contact ||
-         (grid.my > 1 && !along_y(grid, pressure, element).in_contact);
+  return !along_x(grid, pressure, element).in_contact || (grid.my > 1 && !along_y(grid, pressure, element).in_contact);
 }
 
 } // namespace microslip

@@ -1,6 +1,7 @@
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 
 #include "microslip/exact/fitted/centred_operator.hpp"
+#include "microslip/exact/fitted/fitted_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +20,14 @@ using Field = std::vector<double>;
 
 SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedContact contact,
                                        const Progress& progress, const TransformPlans& plans)
-    : plans_(plans), contact_(std::move(contact)), operator_(material, contact_, progress, plans) {
-  find_area_shares();
-}
+    : plans_(plans), contact_(std::move(contact)), operator_(material, contact_, progress, plans),
+      area_share_(area_shares(contact_)) {}
 
 void SecondOrderRolling::renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress) {
   contact_ = std::move(contact);
   derivative_.reset();
   operator_.renew(material, contact_, progress, plans_);
-  find_area_shares();
+  area_share_ = area_shares(contact_);
 }
 
 void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
@@ -36,41 +36,11 @@ void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
   operator_.rescale(contact_.grid.dx, shear_modulus);
 }
 
-void SecondOrderRolling::find_area_shares() {
-  area_share_.clear();
-  for (const FittedElement& e : contact_.elements) area_share_.push_back(e.width() / contact_.grid.dx);
-}
-
-/// No creepage gives a force beyond friction's: everything slides in its direction.
-FrictionSolution SecondOrderRolling::full_sliding(std::span<const double> bound, const SecondOrderInput& input,
-                                                  double excess) const {
-  FrictionSolution s;
-  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(bound.size(), 0.0);
-  s.sliding.assign(bound.size(), 1);
-  s.status = Status::no_solution;
-  s.residual = excess;
-  const double fx = input.force_x.value_or(0), fy = input.force_y.value_or(0), size = std::hypot(fx, fy);
-  for (std::size_t k = 0; k < bound.size(); ++k) s.px[k] = bound[k] * fx / size, s.py[k] = bound[k] * fy / size;
-  return s;
-}
-
-/// w at the middle of each element's slip interval, the first term of (E25).
-void SecondOrderRolling::rigid_slip(const Creepage& creepage, const RowVariation& variation, Field& cx,
-                                    Field& cy) const {
-  for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
-    const FittedElement& e = contact_.elements[k];
-    const double x = (e.centre() + e.end) / 2, y = contact_.grid.y(e.row);
-    const Creepage more = variation.creepage_at(y);
-    cx[k] = creepage.longitudinal - creepage.spin * y + more.longitudinal;
-    cy[k] = creepage.lateral + more.lateral + (creepage.spin + more.spin) * x;
-  }
-}
-
 /// With the slip on the elements' ways, roughly, then with that at the centres of those that slide.
 void SecondOrderRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
                                      SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);
-  rigid_slip(out.creepage, input.variation, cx, cy);
+  find_rigid_slip(contact_, out.creepage, input.variation, cx, cy);
   const auto problem = [&](SlipOperator& slip_operator) {
     return FrictionProblem{.slip_operator = slip_operator,
                            .bound = bound,
@@ -108,11 +78,8 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   out.centred.assign(bound.size(), 0);
   if (input.force_x) out.creepage.longitudinal = 0;
   if (input.force_y) out.creepage.lateral = 0;
-  double capacity = 0;
-  for (std::size_t k = 0; k < bound.size(); ++k) capacity += bound[k] * area_share_[k] * contact_.grid.element_area();
-  const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
-  if (wanted >= capacity && wanted > 0)
-    out.friction = full_sliding(bound, input, wanted / capacity - 1);
+  if (auto sliding = full_sliding(contact_, bound, input.force_x, input.force_y))
+    out.friction = std::move(*sliding);
   else
     solve_twice(bound, input, out);
   const FrictionSolution& s = out.friction;
@@ -135,7 +102,7 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
   Derivatives out;
   const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
   for (std::size_t i = 0; i < units.size(); ++i) {
-    rigid_slip(units[i], {}, dcx, dcy);
+    find_rigid_slip(contact_, units[i], {}, dcx, dcy);
     at_centres.move(dcx);
     at_centres.move(dcy);
     const double from = static_cast<double>(i) / units.size();

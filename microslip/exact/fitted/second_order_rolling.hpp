@@ -64,10 +64,6 @@ public:
                             const Progress& progress = {});
 
 private:
-  void find_area_shares();
-  void rigid_slip(const Creepage& creepage, const RowVariation& variation, std::vector<double>& cx,
-                  std::vector<double>& cy) const;
-  FrictionSolution full_sliding(std::span<const double> bound, const SecondOrderInput& input, double excess) const;
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
 
   TransformPlans plans_;

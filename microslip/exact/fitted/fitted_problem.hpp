@@ -1,0 +1,26 @@
+#pragma once
+
+#include "microslip/contact/creepage.hpp"
+#include "microslip/exact/fitted/fitted_contact.hpp"
+#include "microslip/exact/fitted/row_variation.hpp"
+#include "microslip/exact/newton/friction_problem.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The width of each element over the grid's dx.
+std::vector<double> area_shares(const FittedContact& contact);
+
+/// w at the middle of each element's slip interval, the first term of (E25).
+void find_rigid_slip(const FittedContact& contact, const Creepage& creepage, const RowVariation& variation,
+                     std::vector<double>& cx, std::vector<double>& cy);
+
+/// If no creepage gives the forces that are prescribed [N], as they are beyond friction's: everything slides in their
+/// direction, status no_solution.
+std::optional<FrictionSolution> full_sliding(const FittedContact& contact, std::span<const double> bound,
+                                             std::optional<double> force_x, std::optional<double> force_y);
+
+} // namespace microslip

@@ -1,0 +1,141 @@
+#include "microslip/exact/fitted/transient_rolling.hpp"
+
+#include "microslip/exact/fitted/fitted_problem.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr double tolerance_of_first = 3e-3; // of the solution that tells where contact slides
+
+} // namespace
+
+using Field = std::vector<double>;
+
+FittedStepOperator::FittedStepOperator(const CombinedMaterial& material, const FittedContact& contact,
+                                       const Progress& progress, const TransformPlans& plans)
+    : FittedStepOperator(material, contact, GridKernel(material.poisson_ratio, contact.grid, progress), progress,
+                         plans) {}
+
+FittedStepOperator::FittedStepOperator(const CombinedMaterial& material, const FittedContact& contact,
+                                       const GridKernel& kernel, const Progress& progress, const TransformPlans& plans)
+    : displacement_(material, contact, progress, plans), near_inverse_(kernel.near_inverse(plans)),
+      px_(contact.grid.count()), py_(px_), qx_(px_), qy_(px_), compliance_(1 / material.shear_modulus),
+      scale_(compliance_ * kernel.middle()) {
+  const double *xx = kernel.row(component::xx, 0), *yy = kernel.row(component::yy, 0);
+  diagonal_ = compliance_ * (xx[0] + yy[0]) / 2;
+  for (const FittedElement& e : contact.elements) cells_.push_back(e.cell);
+}
+
+void FittedStepOperator::apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                               std::span<double> sy) {
+  displacement_.apply(px, py, sx, sy);
+  const auto ux = displacement_.product().ux(), uy = displacement_.product().uy();
+  for (std::size_t k = 0; k < sx.size(); ++k) sx[k] = compliance_ * ux[k], sy[k] = compliance_ * uy[k];
+}
+
+void FittedStepOperator::find_slip_ahead(std::span<double> sx, std::span<double> sy) const {
+  const auto ux = displacement_.product().ux(), uy = displacement_.product().uy();
+  const auto ends = displacement_.product().end_points();
+  for (std::size_t k = 0; k < sx.size(); ++k) sx[k] = compliance_ * ux[ends[k]], sy[k] = compliance_ * uy[ends[k]];
+}
+
+bool FittedStepOperator::precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
+                                      std::span<double> qy) {
+  for (std::size_t k = 0; k < cells_.size(); ++k) px_[cells_[k]] = px[k], py_[cells_[k]] = py[k];
+  near_inverse_.apply(px_, py_, scale_ / compliance_, qx_, qy_);
+  for (std::size_t k = 0; k < cells_.size(); ++k) qx[k] = qx_[cells_[k]], qy[k] = qy_[cells_[k]];
+  return true;
+}
+
+TransientRolling::TransientRolling(const CombinedMaterial& material, FittedContact contact, const Progress& progress,
+                                   const TransformPlans& plans)
+    : contact_(std::move(contact)), operator_(material, contact_, progress, plans), area_share_(area_shares(contact_)) {
+}
+
+void TransientRolling::restart() {
+  for (Field* field : {&px_, &py_, &ahead_x_, &ahead_y_, &slip_x_, &slip_y_}) field->clear();
+}
+
+/// Of the particles that are an element ahead now, in the step before; zero for those that were not in contact.
+Vec2 TransientRolling::slip_before(std::size_t element) const {
+  if (slip_x_.empty() || contact_.elements[element].leads) return {};
+  return {slip_x_[element + 1], slip_y_[element + 1]};
+}
+
+/// With the slip of the step, roughly, then with that at the step's end where elements slide: from the means s of this
+/// step and s' of the one before it is (3 s - s')/2, and only its direction counts.
+void TransientRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
+                                   SecondOrderSolution& out) {
+  Field cx(bound.size()), cy(cx);
+  find_rigid_slip(contact_, out.creepage, input.variation, cx, cy);
+  for (std::size_t k = 0; k < ahead_x_.size(); ++k) cx[k] -= ahead_x_[k], cy[k] -= ahead_y_[k];
+  const FrictionProblem problem{.slip_operator = operator_,
+                                .bound = bound,
+                                .cx = cx,
+                                .cy = cy,
+                                .element_area = contact_.grid.element_area(),
+                                .force_x = input.force_x,
+                                .force_y = input.force_y,
+                                .constant_share = {},
+                                .area_share = area_share_};
+  FrictionSolution& s = out.friction;
+  const bool twice = !slip_x_.empty();
+  const double tolerance = twice ? std::max(tolerance_of_first, input.tolerance) : input.tolerance;
+  const TractionsView before{px_, py_};
+  s = newton_.solve(problem,
+                    {.tolerance = tolerance, .before = before, .progress = part(input.progress, 0, twice ? 0.5 : 1)},
+                    {.px = px_, .py = py_});
+  if (!twice || s.status != Status::ok) return;
+  out.centred = s.sliding;
+  for (std::size_t k = 0; k < bound.size(); ++k) {
+    if (!out.centred[k]) continue;
+    const Vec2 earlier = slip_before(k);
+    cx[k] -= earlier.x / 3, cy[k] -= earlier.y / 3;
+  }
+  const FrictionSolution first = std::move(s);
+  s = newton_.solve(problem, {.tolerance = input.tolerance, .before = before, .progress = part(input.progress, 0.5, 1)},
+                    {.px = first.px, .py = first.py, .constants = Vec2{first.constant_x, first.constant_y}});
+  s.newton_steps += first.newton_steps;
+  s.products += first.products;
+}
+
+/// The means over the step, for the next one; in the solution that at the end where it was solved for.
+void TransientRolling::take_slip(SecondOrderSolution& out) {
+  Field sx = out.friction.sx, sy = out.friction.sy;
+  for (std::size_t k = 0; k < sx.size(); ++k) {
+    if (!out.centred[k]) continue;
+    const Vec2 earlier = slip_before(k);
+    sx[k] += earlier.x / 3, sy[k] += earlier.y / 3;
+    out.friction.sx[k] *= 1.5, out.friction.sy[k] *= 1.5;
+  }
+  slip_x_ = std::move(sx), slip_y_ = std::move(sy);
+}
+
+SecondOrderSolution TransientRolling::step(std::span<const double> bound, const SecondOrderInput& input) {
+  SecondOrderSolution out;
+  out.creepage = input.creepage;
+  out.centred.assign(bound.size(), 0);
+  if (input.force_x) out.creepage.longitudinal = 0;
+  if (input.force_y) out.creepage.lateral = 0;
+  if (auto sliding = full_sliding(contact_, bound, input.force_x, input.force_y))
+    out.friction = std::move(*sliding);
+  else
+    solve_twice(bound, input, out);
+  const FrictionSolution& s = out.friction;
+  out.creepage.longitudinal += s.constant_x;
+  out.creepage.lateral += s.constant_y;
+  take_slip(out);
+  px_ = s.px, py_ = s.py;
+  ahead_x_.resize(bound.size()), ahead_y_.resize(bound.size());
+  Field sx(bound.size()), sy(sx);
+  operator_.apply(px_, py_, sx, sy);
+  operator_.find_slip_ahead(ahead_x_, ahead_y_);
+  out.ux = operator_.ux();
+  out.uy = operator_.uy();
+  return out;
+}
+
+} // namespace microslip
