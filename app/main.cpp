@@ -1,5 +1,6 @@
 #include "app/batch.hpp"
 #include "app/completion.hpp"
+#include "app/conicity.hpp"
 #include "app/convert.hpp"
 #include "app/exit_code.hpp"
 #include "app/hertz.hpp"
@@ -41,6 +42,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_init_command(program);
   add_run_command(program, exit_code);
   add_profile_command(program);
+  add_conicity_command(program);
   add_plot_command(program, exit_code);
   add_convert_command(program, exit_code);
   add_validate_command(program, exit_code);

@@ -34,6 +34,7 @@ template <> constexpr auto words_of<VerticalSense> = std::array<Word, 2>{"up", "
 template <> constexpr auto words_of<WheelRailLevel> = std::array<Word, 2>{"fastsim2", "exact"};
 template <> constexpr auto words_of<PatchShape> = std::array<Word, 2>{"flat", "curved"};
 template <> constexpr auto words_of<TrackSide> = std::array<Word, 2>{"left", "right"};
+template <> constexpr auto words_of<RollRule> = std::array<Word, 2>{"equilibrium", "none"};
 
 } // namespace
 
@@ -69,6 +70,7 @@ template std::span<const std::string_view> option_words<VerticalSense>();
 template std::span<const std::string_view> option_words<WheelRailLevel>();
 template std::span<const std::string_view> option_words<PatchShape>();
 template std::span<const std::string_view> option_words<TrackSide>();
+template std::span<const std::string_view> option_words<RollRule>();
 template std::string_view to_word(Theory);
 template std::string_view to_word(TractionBound);
 template std::string_view to_word(FlexibilityModel);
@@ -87,6 +89,7 @@ template std::string_view to_word(VerticalSense);
 template std::string_view to_word(WheelRailLevel);
 template std::string_view to_word(PatchShape);
 template std::string_view to_word(TrackSide);
+template std::string_view to_word(RollRule);
 template Theory from_word(std::string_view, std::string_view);
 template TractionBound from_word(std::string_view, std::string_view);
 template FlexibilityModel from_word(std::string_view, std::string_view);
@@ -105,6 +108,7 @@ template VerticalSense from_word(std::string_view, std::string_view);
 template WheelRailLevel from_word(std::string_view, std::string_view);
 template PatchShape from_word(std::string_view, std::string_view);
 template TrackSide from_word(std::string_view, std::string_view);
+template RollRule from_word(std::string_view, std::string_view);
 
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;

@@ -74,7 +74,7 @@ protected:
 };
 
 Words commands() {
-  return {"batch", "completion", "convert", "hertz", "init", "manual", "plot", "profile", "run", "solve", "validate"};
+  return {"batch", "completion", "conicity", "convert", "hertz", "init", "manual", "plot", "profile", "run", "solve", "validate"};
 }
 
 Words study_names() {

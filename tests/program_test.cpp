@@ -703,7 +703,7 @@ TEST(Program, SolvesExtremeCases) {
 
 TEST(Program, ExplainsItself) {
   const TemporaryFolder folder;
-  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "run ", "plot ", "profile ", "convert ",
+  for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "run ", "plot ", "profile ", "conicity ", "convert ",
                               "validate ", "completion ", "manual "}) {
     const auto outcome = run_program(folder, command + std::string("--help"));
     EXPECT_EQ(outcome.exit_code, 0);
@@ -734,6 +734,7 @@ TEST(Program, HelpNamesUnitsAndDefaults) {
   expect_text("run", {"default: results"});
   expect_text("plot", {"[mm]", "[1/m]", "default: beside RESULT.h5", "pressure|bound|"});
   expect_text("profile", {"[m]", "[mm]", "rail|wheel", "default: 0.014"});
+  expect_text("conicity", {"[m]", "[rad]", "equilibrium|none", "default: 1.435", "default: 0.001 0.007 0.0001"});
   expect_text("convert", {"default: results"});
   expect_text("validate", {"default: results", "default: all", "1 to 1024"});
 }

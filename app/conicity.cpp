@@ -1,0 +1,378 @@
+#include "app/conicity.hpp"
+
+#include "app/command_line.hpp"
+#include "app/hertz.hpp"
+#include "app/interrupt.hpp"
+#include "app/json_document.hpp"
+#include "app/option_text.hpp"
+#include "app/pictures.hpp"
+#include "app/profile_options.hpp"
+#include "app/quantity_table.hpp"
+#include "io/output_file.hpp"
+#include "io/result_file.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/conicity.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConicityArguments {
+  fs::path wheel, rail, right_wheel, right_rail, folder;
+  ProfileOptions wheel_options = {}, rail_options = {};
+  std::vector<double> gauges{1.435};
+  Track track = {};
+  Wheelset wheelset = {};
+  std::vector<double> tape_circle, curve_radius; ///< one value, if given
+  double contact_distance = 1.5;
+  std::string roll = "equilibrium";
+  std::vector<double> amplitudes{1e-3, 7e-3, 1e-4}; ///< from, to, step
+  bool no_pictures = false, json = false;
+};
+
+/// What belongs to one gauge.
+struct GaugeResult {
+  double gauge = 0;
+  WheelsetCurve curve;
+  std::vector<double> conicity, wavelength; ///< over the amplitudes; NaN where there is no motion
+  std::optional<double> nonlinearity;
+};
+
+struct ConicityResult {
+  std::vector<double> amplitudes;
+  std::vector<GaugeResult> gauges;
+  std::vector<std::string> warnings;
+};
+
+std::vector<double> amplitudes(const ConicityArguments& arguments) {
+  const double from = require_positive("--amplitudes", arguments.amplitudes[0], "m");
+  const double to = require_between("--amplitudes", arguments.amplitudes[1], "m", from, 0.1);
+  const double step = require_positive("--amplitudes", arguments.amplitudes[2], "m");
+  const int count =
+      require_count("--amplitudes", static_cast<int>(std::min((to - from) / step + 1.0001, 1e6)), 1, 10000);
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(std::round((from + k * step) * 1e12) / 1e12);
+  return values;
+}
+
+/// The profiles of both sides; the right side's are the left one's unless they are given.
+class Profiles {
+public:
+  Profiles(const ConicityArguments& arguments, std::vector<std::string>& warnings) {
+    const auto read = [&](const fs::path& path, const ProfileOptions& options, ProfileRole role) {
+      const PreparedProfile prepared = read_profile(path, file_options(options, role));
+      for (const auto& warning : prepared.report.warnings) warnings.push_back(path.string() + ": " + warning);
+      return prepared.profile;
+    };
+    wheels_.push_back(read(arguments.wheel, arguments.wheel_options, ProfileRole::wheel));
+    rails_.push_back(read(arguments.rail, arguments.rail_options, ProfileRole::rail));
+    if (!arguments.right_wheel.empty())
+      wheels_.push_back(read(arguments.right_wheel, arguments.wheel_options, ProfileRole::wheel));
+    if (!arguments.right_rail.empty())
+      rails_.push_back(read(arguments.right_rail, arguments.rail_options, ProfileRole::rail));
+  }
+
+  bool symmetric() const { return wheels_.size() == 1 && rails_.size() == 1; }
+  WheelsetSearch::Side left() const { return {rails_.front(), wheels_.front()}; }
+  WheelsetSearch::Side right() const { return {rails_.back(), wheels_.back()}; }
+
+private:
+  std::vector<Profile> wheels_, rails_;
+};
+
+WheelsetBase base_of(const ConicityArguments& arguments) {
+  return {require_positive("--contact-distance", arguments.contact_distance, "m"), arguments.wheelset.nominal_radius};
+}
+
+GaugeResult solve(const ConicityArguments& arguments, const Profiles& profiles, double gauge,
+                  const std::vector<double>& amplitudes) {
+  Track track = arguments.track;
+  track.gauge = gauge;
+  Wheelset wheelset = arguments.wheelset;
+  if (!arguments.tape_circle.empty()) wheelset.tape_circle = arguments.tape_circle.front();
+  WheelsetSearch search(track, wheelset, profiles.left(), profiles.right());
+  // wheelsets that are not symmetric run beside the track's middle
+  const double reach = amplitudes.back() + (profiles.symmetric() ? 1e-4 : 5e-3);
+  GaugeResult result;
+  result.gauge = gauge;
+  result.curve = wheelset_curve(search, -reach, reach, from_word<RollRule>("--roll", arguments.roll));
+  const RollingRadiusDifference difference(result.curve);
+  const WheelsetBase base = base_of(arguments);
+  for (const double amplitude : amplitudes) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto motion = kinematic_oscillation(difference, amplitude, base);
+    result.conicity.push_back(motion ? motion->conicity : none);
+    result.wavelength.push_back(motion ? motion->wavelength : none);
+  }
+  result.nonlinearity = nonlinearity_parameter(difference, base);
+  return result;
+}
+
+ConicityResult solve(const ConicityArguments& arguments) {
+  ConicityResult result;
+  result.amplitudes = amplitudes(arguments);
+  const Profiles profiles(arguments, result.warnings);
+  for (const double gauge : arguments.gauges) {
+    result.gauges.push_back(solve(arguments, profiles, require_positive("--gauge", gauge, "m"), result.amplitudes));
+    for (std::size_t k = 0; k < result.amplitudes.size(); ++k)
+      if (std::isnan(result.gauges.back().conicity[k])) {
+        result.warnings.push_back(
+            fmt::format("gauge {:.6g} m: no periodic motion with amplitudes from {:.4g} mm: a wheel leaves its rail or "
+                        "steers outward",
+                        gauge, result.amplitudes[k] * 1e3));
+        break;
+      }
+  }
+  return result;
+}
+
+/// The curve's value nearest to a lateral displacement.
+const WheelsetContact& at(const WheelsetCurve& curve, double lateral) {
+  return *std::min_element(curve.begin(), curve.end(), [&](const WheelsetContact& a, const WheelsetContact& b) {
+    return std::abs(a.lateral - lateral) < std::abs(b.lateral - lateral);
+  });
+}
+
+std::optional<double> steering_index(const ConicityArguments& arguments, const GaugeResult& result, double lateral) {
+  if (arguments.curve_radius.empty()) return std::nullopt;
+  const double radius = require_positive("--curve-radius", arguments.curve_radius.front(), "m");
+  return radial_steering_index(RollingRadiusDifference(result.curve), lateral, radius, base_of(arguments));
+}
+
+void print_text(const ConicityArguments& arguments, const ConicityResult& result) {
+  std::vector<std::string> heads;
+  for (const auto& one : result.gauges) heads.push_back(fmt::format("gauge {:.6g} m", one.gauge));
+  QuantityTable table("Equivalent conicity", heads);
+  // at most some 15 lines
+  const std::size_t stride = (result.amplitudes.size() + 14) / 15;
+  const auto row = [&](const std::string& name, auto value, const std::string& unit) {
+    std::vector<double> values;
+    for (const auto& one : result.gauges) values.push_back(value(one));
+    table.add(name, values, unit);
+  };
+  for (std::size_t k = 0; k < result.amplitudes.size(); k += stride)
+    row(
+        fmt::format("amplitude {:.4g} mm", result.amplitudes[k] * 1e3), [&](auto& one) { return one.conicity[k]; },
+        "-");
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  row(
+      "nonlinearity parameter", [&](auto& one) { return one.nonlinearity.value_or(none) * 1e-3; }, "1/mm");
+  const double largest = result.amplitudes.back();
+  if (!arguments.curve_radius.empty())
+    row(
+        fmt::format("radial steering index at {:.4g} mm", largest * 1e3),
+        [&](auto& one) { return *steering_index(arguments, one, largest); }, "-");
+  table.print();
+}
+
+Json pairs(const std::vector<double>& x, const std::vector<double>& y) {
+  auto array = Json::array();
+  for (std::size_t k = 0; k < x.size(); ++k) array.push_back({json_number(x[k]), json_number(y[k])});
+  return array;
+}
+
+/// Rolling radius difference and so on in steps of 0.1 mm.
+Json curve_document(const WheelsetCurve& curve) {
+  auto array = Json::array();
+  const auto first = static_cast<int>(std::ceil(curve.front().lateral / 1e-4 - 1e-6));
+  const auto last = static_cast<int>(std::floor(curve.back().lateral / 1e-4 + 1e-6));
+  for (int k = first; k <= last; ++k) {
+    const WheelsetContact& contact = at(curve, k * 1e-4);
+    array.push_back({{"lateral", json_number(k * 1e-4)},
+                     {"rolling_radius_difference", json_number(contact.rolling_radius_difference())},
+                     {"contact_angle_difference", json_number(contact.contact_angle_difference())},
+                     {"roll", json_number(contact.roll)},
+                     {"vertical", json_number(contact.vertical)}});
+  }
+  return array;
+}
+
+Json gauge_document(const ConicityArguments& arguments, const ConicityResult& result, const GaugeResult& one) {
+  Json document = {{"gauge", json_number(one.gauge)},
+                   {"equivalent_conicity", pairs(result.amplitudes, one.conicity)},
+                   {"wavelength", pairs(result.amplitudes, one.wavelength)},
+                   {"nonlinearity_parameter", one.nonlinearity ? json_number(*one.nonlinearity) : Json()},
+                   {"over_lateral_displacement", curve_document(one.curve)}};
+  if (const auto index = steering_index(arguments, one, result.amplitudes.back()))
+    document["radial_steering_index"] = json_number(*index);
+  return document;
+}
+
+void print_document(const ConicityArguments& arguments, const ConicityResult& result,
+                    const std::vector<std::string>& files) {
+  auto document = json_document("conicity");
+  document["wheel"] = arguments.wheel.string();
+  document["rail"] = arguments.rail.string();
+  if (!arguments.right_wheel.empty()) document["right_wheel"] = arguments.right_wheel.string();
+  if (!arguments.right_rail.empty()) document["right_rail"] = arguments.right_rail.string();
+  document["nominal_radius"] = json_number(arguments.wheelset.nominal_radius);
+  document["contact_distance"] = json_number(arguments.contact_distance);
+  document["roll_rule"] = arguments.roll;
+  document.update(gauge_document(arguments, result, result.gauges.front()));
+  if (result.gauges.size() > 1) {
+    document["gauges"] = Json::array();
+    for (const auto& one : result.gauges) document["gauges"].push_back(gauge_document(arguments, result, one));
+  }
+  document["units"] = {{"equivalent_conicity", "m, -"},
+                       {"wavelength", "m, m"},
+                       {"nonlinearity_parameter", "1/m"},
+                       {"over_lateral_displacement/lateral", "m"},
+                       {"over_lateral_displacement/rolling_radius_difference", "m"},
+                       {"over_lateral_displacement/contact_angle_difference", "rad"},
+                       {"over_lateral_displacement/roll", "rad"},
+                       {"over_lateral_displacement/vertical", "m"},
+                       {"gauge", "m"},
+                       {"nominal_radius", "m"},
+                       {"contact_distance", "m"},
+                       {"radial_steering_index", "-"}};
+  document["warnings"] = result.warnings;
+  document["files"] = files;
+  print_json(document);
+}
+
+void write_curve(ResultFile& file, const std::string& group, const WheelsetCurve& curve) {
+  const auto write = [&](const char* name, auto value, const char* unit, const char* what) {
+    std::vector<double> values;
+    for (const WheelsetContact& contact : curve) values.push_back(value(contact));
+    file.array(group + "/" + name, values, unit, what);
+  };
+  using Contact = const WheelsetContact&;
+  write(
+      "lateral", [](Contact c) { return c.lateral; }, "m", "lateral displacement of the wheelset, to the left");
+  write(
+      "rolling_radius_difference", [](Contact c) { return c.rolling_radius_difference(); }, "m", "left less right");
+  write(
+      "contact_angle_difference", [](Contact c) { return c.contact_angle_difference(); }, "rad", "left less right");
+  write(
+      "roll", [](Contact c) { return c.roll; }, "rad", "roll angle, raising the left wheel");
+  write(
+      "vertical", [](Contact c) { return c.vertical; }, "m", "height of the wheelset's centre");
+}
+
+void write_result(const ConicityArguments& arguments, const ConicityResult& result, const fs::path& path) {
+  const InterruptGuard guard;
+  create_folder(arguments.folder);
+  ResultFile file(path, {.kind = "conicity",
+                         .title = arguments.wheel.filename().string() + " on " + arguments.rail.filename().string(),
+                         .command_line = command_line(),
+                         .case_file = ""});
+  file.array("amplitude", result.amplitudes, "m", "amplitudes of the lateral displacement");
+  std::vector<double> gauges;
+  for (std::size_t k = 0; k < result.gauges.size(); ++k) {
+    const GaugeResult& one = result.gauges[k];
+    const std::string group = "gauge_" + std::to_string(k);
+    gauges.push_back(one.gauge);
+    file.array(group + "/conicity", one.conicity, "-", "equivalent conicity over the amplitudes");
+    file.array(group + "/wavelength", one.wavelength, "m", "kinematic wavelength over the amplitudes");
+    write_curve(file, group + "/curve", one.curve);
+  }
+  file.array("gauges", gauges, "m", "gauges, in the order of the groups gauge_0, gauge_1 and so on");
+  file.commit();
+  InterruptGuard::throw_if_interrupted();
+}
+
+std::vector<std::string> write_files(const ConicityArguments& arguments, const ConicityResult& result) {
+  if (arguments.folder.empty()) return {};
+  const auto path = arguments.folder / "result.h5";
+  write_result(arguments, result, path);
+  std::vector<std::string> files{path.string()};
+  if (arguments.no_pictures) return files;
+  const auto pictures = draw_pictures(path, arguments.folder);
+  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
+  files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+  return files;
+}
+
+void run(const ConicityArguments& arguments) {
+  const auto result = solve(arguments);
+  if (!arguments.json) print_text(arguments, result);
+  const auto files = write_files(arguments, result);
+  if (arguments.json) {
+    print_document(arguments, result, files);
+  } else if (!files.empty()) {
+    fmt::print("\nWritten\n");
+    for (const auto& file : files) fmt::print("  {}\n", file);
+  }
+  print_warnings("conicity", result.warnings);
+}
+
+void add_options(CLI::App& command, ConicityArguments& arguments) {
+  const auto path = [&](const char* name, fs::path& value, const char* what) {
+    return command.add_option(name, value, what)->type_name("");
+  };
+  path("WHEEL", arguments.wheel, "profile of both wheels, or of the left one: .prw, .whl or columns of y and z")
+      ->required();
+  path("RAIL", arguments.rail, "profile of both rails, or of the left one: .prr, .ban or columns of y and z")
+      ->required();
+  path("--right-wheel", arguments.right_wheel, "profile of the right wheel, if it is another one; read as WHEEL is")
+      ->type_name("FILE");
+  path("--right-rail", arguments.right_rail, "profile of the right rail, if it is another one; read as RAIL is")
+      ->type_name("FILE");
+  const auto number = [&](const char* name, double& value, const char* what) {
+    command.add_option(name, value, what)->type_name("VALUE")->capture_default_str();
+  };
+  command.add_option("--gauge", arguments.gauges, "distance of the rails' gauge points [m]; several make a map")
+      ->expected(1, 100)
+      ->type_name("GAUGE...")
+      ->default_str("1.435");
+  number("--gauge-height", arguments.track.gauge_height, "where the gauge is measured, below the rails' tops [m]");
+  number("--cant", arguments.track.cant, "inclination of the rails to the track's middle [rad]; 0 if the file has it");
+  number("--nominal-radius", arguments.wheelset.nominal_radius, "radius of the wheels where the profile's z is 0 [m]");
+  command
+      .add_option("--tape-circle", arguments.tape_circle, "y of the profile where the radius is nominal [m], not z = 0")
+      ->expected(1)
+      ->type_name("Y");
+  number("--flange-back-distance", arguments.wheelset.flange_back_distance, "distance of the flanges' backs [m]");
+  number("--flange-back-position", arguments.wheelset.flange_back_position,
+         "y of the flange's back in the profile [m]");
+  number("--contact-distance", arguments.contact_distance, "distance e of the contacts of both wheels [m]");
+  command
+      .add_option("--roll", arguments.roll, "roll of the wheelset: so that both wheels touch, or none as in EN 15302")
+      ->type_name(choices<RollRule>())
+      ->capture_default_str();
+  command.add_option("--amplitudes", arguments.amplitudes, "first and last amplitude and step [m]")
+      ->expected(3)
+      ->type_name("FROM TO STEP")
+      ->default_str("0.001 0.007 0.0001");
+  command
+      .add_option("--curve-radius", arguments.curve_radius,
+                  "radius of a curve [m], for the radial steering index at TO")
+      ->expected(1)
+      ->type_name("RADIUS");
+  add_profile_options(command, arguments.wheel_options, "wheel-", "the wheel's file");
+  add_profile_options(command, arguments.rail_options, "rail-", "the rail's file");
+  command
+      .add_option("-o,--output", arguments.folder, "folder for result.h5 and conicity.png; default: none is written")
+      ->type_name("FOLDER");
+  command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
+  add_json_flag(command, arguments.json);
+}
+
+} // namespace
+
+void add_conicity_command(CLI::App& program) {
+  auto* command = program.add_subcommand("conicity", "Rolling radius difference and equivalent conicity of a wheelset");
+  const auto arguments = std::make_shared<ConicityArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      "Prints the equivalent conicity (EN 15302) [-] over the amplitude [mm] and the nonlinearity parameter [1/mm]. "
+      "With\n"
+      "--json the same in SI units, equivalent_conicity as pairs of amplitude [m] and conicity, and the rolling "
+      "radius\n"
+      "difference [m], the contact angle difference [rad], roll [rad] and height [m] over the lateral displacement.\n\n"
+      "Example:\n  microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025");
+  command->callback([arguments] { run(*arguments); });
+}
+
+} // namespace microslip
