@@ -414,8 +414,8 @@ TEST(ContactSearch, S1002OnUic60) {
     state.lateral = -k.y * 1e-3;
     state.yaw = -k.yaw;
     state.roll = k.roll;
-    // the table's axes have y to the right: its y_r of the left rail is ours with the other sign, and so is its
-    // inclination once more, since z is turned as well
+    // the table's y is to the right and its z down: y changes its sign, the inclination, an angle about x, does not;
+    // the right side is solved in its mirror image, in which it does
     const auto check = [&](const WheelState<double>& s, double y_r, double r, double delta) {
       const auto placement = place(nominal, s);
       const auto points = search.find(placement, 1e-4);

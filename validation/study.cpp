@@ -4,6 +4,7 @@
 #include "validation/carter.hpp"
 #include "validation/cattaneo.hpp"
 #include "validation/cattaneo_to_carter.hpp"
+#include "validation/conicity.hpp"
 #include "validation/contact_cases.hpp"
 #include "validation/creep_curve.hpp"
 #include "validation/edge_constants.hpp"
@@ -39,6 +40,8 @@ constexpr std::array all_studies = {
     Study{"cattaneo", "a shifted sphere against the closed form of Cattaneo and Mindlin", run_cattaneo},
     Study{"cattaneo-to-carter", "a shifted sphere that begins to roll, step by step to the steady state",
           run_cattaneo_to_carter},
+    Study{"conicity", "rolling radius difference and equivalent conicity beside closed forms and EN 15302",
+          run_conicity},
     Study{"contact-cases", "the input files of the program CONTACT, every quantity beside what it printed",
           run_contact_cases},
     Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
