@@ -1,6 +1,7 @@
 // The calls that a vehicle simulation makes millions of times take no memory and no lock, write nothing and throw
 // nothing.
 
+#include "microslip/railway/contact_search.hpp"
 #include "microslip/simplified/row_solver.hpp"
 #include "tests/call_counters.hpp"
 #include "tests/test_cases.hpp"
@@ -78,6 +79,31 @@ TEST(HotCall, TakesNoMemoryNorLockWritesNothingAndThrowsNothing) {
     });
     expect_silent([&] { solver.differentiate(all, derivatives); });
   }
+}
+
+TEST(HotCall, SearchingForContactsTakesNoMemory) {
+  std::vector<ProfilePoint> head, tread;
+  for (int k = -100; k <= 100; ++k) {
+    const double y = 3e-4 * k;
+    head.push_back({y, -1.6 * y * y});
+    tread.push_back({y, 0.05 * y - 1.2 * y * y});
+  }
+  ContactSearch search(Profile(ProfileRole::rail, head), Profile(ProfileRole::wheel, tread));
+  std::size_t points = 0, regions = 0;
+  expect_silent([&] {
+    for (int k = -10; k <= 10; ++k) {
+      WheelPlacement<double> placement;
+      placement.radius = 0.46;
+      placement.wheel.frame = {{0, 1e-3 * k, 0.46}, rotation_about_z(2e-3 * k)};
+      for (const double view : {0.0, 1.0}) {
+        points += search.find(placement, 3e-4, view).size();
+        for (const ContactPoint& point : search.find(placement, 3e-4, view))
+          regions += search.regions(point.gap + 1e-5).size();
+      }
+    }
+  });
+  EXPECT_GT(points, 21U);
+  EXPECT_GT(regions, 21U);
 }
 
 TEST(HotCall, MakingAFrictionLawTakesNoMemory) {

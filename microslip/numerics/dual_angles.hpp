@@ -6,8 +6,7 @@
 
 namespace microslip {
 
-// Angles of dual numbers [rad].
-
+/// Functions of angles [rad].
 template <int N> Dual<double, N> sin(const Dual<double, N>& a) {
   return chain(a, std::sin(a.value), std::cos(a.value));
 }
