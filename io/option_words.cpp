@@ -3,6 +3,7 @@
 #include "io/nearest_word.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
+#include "microslip/railway/wheelset_contact.hpp"
 
 #include <algorithm>
 #include <array>

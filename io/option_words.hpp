@@ -1,7 +1,6 @@
 #pragma once
 
 #include "io/profile_file.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/rolling/theory.hpp"
 
@@ -13,8 +12,7 @@ namespace microslip {
 /// The words by which files and the command line name options, e.g. "fastsim_half_step" or "parabolic". There are
 /// words for Theory, TractionBound, FlexibilityModel, CreepageTable, Precision, RollingDirection,
 /// ContactMotion, Discretisation, ElementShape, Coupling, SlipStart, ProfileRole, ProfileFormat, LateralSense,
-/// VerticalSense, WheelRailLevel, PatchShape and TrackSide.
-/// VerticalSense and RollRule.
+/// VerticalSense, WheelRailLevel, PatchShape, TrackSide and RollRule.
 template <class Option> std::span<const std::string_view> option_words();
 template <class Option> std::string_view to_word(Option option);
 
