@@ -149,7 +149,7 @@ private:
     if (straightened == 0) return;
     points_ = std::move(kept);
     report_.steps.push_back("straightened " + counted(straightened, "zig-zag"));
-    require_points();
+    drop_duplicates(); // two means may coincide
   }
 
   bool turns_back(std::size_t k) const { return std::abs(turn_at(points_, k)) > treatment_.zigzag_angle; }
@@ -208,7 +208,12 @@ private:
     if (treatment_.smoothing_length == 0) return;
     const auto moved = smoothed(points_, kinks, treatment_.smoothing_length);
     double largest = 0;
-    for (std::size_t k = 0; k < points_.size(); ++k) largest = std::max(largest, distance(points_[k], moved[k]));
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      largest = std::max(largest, distance(points_[k], moved[k]));
+      if (k > 0 && distance(moved[k - 1], moved[k]) <= treatment_.smallest_spacing)
+        fail("smoothing with wavelength " + in_mm(treatment_.smoothing_length) + " makes points coincide at " +
+             in_mm(moved[k]));
+    }
     points_ = moved;
     report_.steps.push_back("smoothed with wavelength " + in_mm(treatment_.smoothing_length) +
                             ", which moved points by up to " + in_mm(largest));

@@ -52,5 +52,6 @@ PYBIND11_MODULE(_core, module) {
   bind_exact(module);
   bind_case_files(module);
   bind_contact_input(module);
+  bind_profile(module);
   module.attr("__name__") = name;
 }

@@ -19,6 +19,10 @@ template <> inline constexpr const char* field_of<ElementShape> = "elements";
 template <> inline constexpr const char* field_of<Coupling> = "coupling";
 template <> inline constexpr const char* field_of<SlipStart> = "slip_start";
 template <> inline constexpr const char* field_of<Theory> = "theory";
+template <> inline constexpr const char* field_of<ProfileRole> = "kind";
+template <> inline constexpr const char* field_of<ProfileFormat> = "format";
+template <> inline constexpr const char* field_of<LateralSense> = "y_axis";
+template <> inline constexpr const char* field_of<VerticalSense> = "z_axis";
 
 /// Options are words in Python, those of the case files.
 template <class Option> class WordCaster {
@@ -57,5 +61,12 @@ class type_caster<microslip::ElementShape> : public microslip::python::WordCaste
 template <> class type_caster<microslip::Coupling> : public microslip::python::WordCaster<microslip::Coupling> {};
 template <> class type_caster<microslip::SlipStart> : public microslip::python::WordCaster<microslip::SlipStart> {};
 template <> class type_caster<microslip::Theory> : public microslip::python::WordCaster<microslip::Theory> {};
+template <> class type_caster<microslip::ProfileRole> : public microslip::python::WordCaster<microslip::ProfileRole> {};
+template <>
+class type_caster<microslip::ProfileFormat> : public microslip::python::WordCaster<microslip::ProfileFormat> {};
+template <>
+class type_caster<microslip::LateralSense> : public microslip::python::WordCaster<microslip::LateralSense> {};
+template <>
+class type_caster<microslip::VerticalSense> : public microslip::python::WordCaster<microslip::VerticalSense> {};
 
 } // namespace pybind11::detail

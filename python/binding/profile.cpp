@@ -1,0 +1,340 @@
+#include "binding/profile.hpp"
+
+#include "binding/bindings.hpp"
+#include "binding/paths.hpp"
+#include "binding/value.hpp"
+#include "binding/words.hpp"
+#include "io/output_file.hpp"
+#include "io/profile_writer.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip::python {
+
+template <>
+inline constexpr auto fields<ProfilePoint> = std::tuple{Field{"y", &ProfilePoint::y}, Field{"z", &ProfilePoint::z}};
+template <>
+inline constexpr auto fields<ProfileKink> =
+    std::tuple{Field{"point", &ProfileKink::point}, Field{"s", &ProfileKink::s}, Field{"angle", &ProfileKink::angle}};
+template <>
+inline constexpr auto fields<ProfileNoise> =
+    std::tuple{Field{"deviation", &ProfileNoise::deviation}, Field{"curvature", &ProfileNoise::curvature},
+               Field{"smoothing_length", &ProfileNoise::smoothing_length}};
+template <>
+inline constexpr auto fields<ProfileReport> = std::tuple{Field{"source", &ProfileReport::source},
+                                                         Field{"format", &ProfileReport::format},
+                                                         Field{"comment", &ProfileReport::comment},
+                                                         Field{"unit", &ProfileReport::unit},
+                                                         Field{"points_read", &ProfileReport::points_read},
+                                                         Field{"points", &ProfileReport::points},
+                                                         Field{"steps", &ProfileReport::steps},
+                                                         Field{"assumptions", &ProfileReport::assumptions},
+                                                         Field{"warnings", &ProfileReport::warnings},
+                                                         Field{"kinks", &ProfileReport::kinks},
+                                                         Field{"noise", &ProfileReport::noise},
+                                                         Field{"smoothing_length", &ProfileReport::smoothing_length}};
+template <>
+inline constexpr auto fields<WheelDimensions> =
+    std::tuple{Field{"tape_line", &WheelDimensions::tape_line}, Field{"flange_height", &WheelDimensions::flange_height},
+               Field{"flange_thickness", &WheelDimensions::flange_thickness},
+               Field{"flange_gradient", &WheelDimensions::flange_gradient}};
+template <>
+inline constexpr auto fields<GaugePoint> =
+    std::tuple{Field{"point", &GaugePoint::point}, Field{"s", &GaugePoint::s}, Field{"top", &GaugePoint::top},
+               Field{"reaches_height", &GaugePoint::reaches_height}};
+
+/// What a pickle holds of a profile: its spline is made anew from the points and kinks.
+struct ProfileState {
+  ProfileRole role = ProfileRole::rail;
+  std::vector<ProfilePoint> points = {}, measured = {};
+  std::vector<std::size_t> kinks = {};
+  ProfileReport report = {};
+};
+template <>
+inline constexpr auto fields<ProfileState> =
+    std::tuple{Field{"role", &ProfileState::role}, Field{"points", &ProfileState::points},
+               Field{"measured", &ProfileState::measured}, Field{"kinks", &ProfileState::kinks},
+               Field{"report", &ProfileState::report}};
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// The points that the spline is laid through.
+std::vector<ProfilePoint> points_of(const Profile& profile) {
+  std::vector<ProfilePoint> points;
+  for (const auto& piece : profile.pieces()) points.push_back(piece.c[0]);
+  points.push_back(profile.at(profile.length()).value);
+  return points;
+}
+
+ProfileState state_from(const ProfileValue& self) {
+  const auto kinks = self.profile().kinks();
+  return {self.profile().role(),
+          points_of(self.profile()),
+          self.prepared->measured,
+          {kinks.begin(), kinks.end()},
+          self.report()};
+}
+
+} // namespace
+
+bool ProfileValue::operator==(const ProfileValue& other) const {
+  return prepared == other.prepared || are_equal(state_from(*this), state_from(other));
+}
+
+pybind11::object state_of(const ProfileValue& self) {
+  return state_of(state_from(self));
+}
+
+void read_state(const pybind11::handle& state, const std::string& name, ProfileValue& self) {
+  ProfileState given;
+  read_state(state, name, given);
+  Profile profile(given.role, given.points, given.kinks);
+  self.prepared = std::make_shared<const PreparedProfile>(
+      PreparedProfile{std::move(profile), std::move(given.measured), std::move(given.report)});
+}
+
+namespace {
+
+ProfileValue shared(PreparedProfile prepared) {
+  return {std::make_shared<const PreparedProfile>(std::move(prepared))};
+}
+
+/// `trim` is None or two values.
+ProfileTreatment treatment_of(double smoothing_length, const std::optional<std::pair<double, double>>& trim) {
+  ProfileTreatment treatment;
+  treatment.smoothing_length = require_between("smoothing_length", smoothing_length, "m", 0, 1);
+  if (trim) {
+    treatment.y_min = require_finite("trim", trim->first, "m");
+    treatment.y_max = require_finite("trim", trim->second, "m");
+  }
+  return treatment;
+}
+
+ProfileValue from_points(const py::object& y, const py::object& z, ProfileRole kind, double smoothing_length,
+                         const std::optional<std::pair<double, double>>& trim) {
+  const auto ys = real_array("y", y);
+  const auto zs = real_array("z", z, Shape{ys.size()});
+  std::vector<ProfilePoint> points;
+  for (py::ssize_t k = 0; k < ys.size(); ++k) points.push_back({ys.data()[k], zs.data()[k]});
+  return shared(prepare_profile(kind, std::move(points), treatment_of(smoothing_length, trim)));
+}
+
+RealArray coordinates(const std::vector<ProfilePoint>& points, double ProfilePoint::*coordinate) {
+  RealArray out(static_cast<py::ssize_t>(points.size()));
+  std::transform(points.begin(), points.end(), out.mutable_data(), [&](const auto& p) { return p.*coordinate; });
+  return out;
+}
+
+/// A function of s at a number or an array.
+template <class Function> py::object along(const py::object& s, const Function& function) {
+  return mapped("s", s, "s", py::float_(0.0), [&](double at, double) { return function(at); });
+}
+
+double curvature(const CurvePoint& p) {
+  return (p.first.y * p.second.z - p.first.z * p.second.y) / std::pow(std::hypot(p.first.y, p.first.z), 3);
+}
+
+void write(const ProfileValue& self, const py::object& path) {
+  const std::string name = path_from(path);
+  const auto format = format_of_ending(name, self.profile().role());
+  OutputFile file(name);
+  file.write(profile_text(self.profile(), format, self.report().comment));
+  file.commit();
+}
+
+// The report
+
+std::string to_text(const ProfileReport& report) {
+  std::string text = report.source.empty() ? "profile" : report.source + " (" + report.format + ")";
+  text += ": " + std::to_string(report.points) + " points of " + std::to_string(report.points_read) + ", " +
+          std::to_string(report.kinks.size()) + " kinks";
+  const auto add = [&](const char* heading, const std::vector<std::string>& lines) {
+    for (const auto& line : lines) text += std::string("\n") + heading + line;
+  };
+  add("  done: ", report.steps);
+  add("  assumed: ", report.assumptions);
+  add("  warning: ", report.warnings);
+  return text;
+}
+
+void bind_report(py::module_& module) {
+  auto kink = py::class_<ProfileKink>(module, "ProfileKink", "A corner of a profile, at which its spline is cut.");
+  kink.def_property_readonly(
+          "y", [](const ProfileKink& self) { return self.point.y; }, "[m], to the field side.")
+      .def_property_readonly(
+          "z", [](const ProfileKink& self) { return self.point.z; }, "[m], up.")
+      .def_readonly("s", &ProfileKink::s, "Length along the polygon through the points [m].")
+      .def_readonly("angle", &ProfileKink::angle, "By which the direction turns [rad], positive from y to z.");
+  add_value(kink, {"y", "z", "s", "angle"});
+
+  auto report = py::class_<ProfileReport>(
+      module, "ProfileReport", "What was done to a profile's points and what is conspicuous about them; print it.");
+  report.def_readonly("source", &ProfileReport::source, "The file's name; empty without one.")
+      .def_readonly("format", &ProfileReport::format, "Simpack, MiniProf or columns; empty without a file.")
+      .def_readonly("comment", &ProfileReport::comment, "From the file.")
+      .def_readonly("unit", &ProfileReport::unit, "Length of the file's unit with the scale [m].")
+      .def_readonly("points_read", &ProfileReport::points_read, "Points in the file or arrays [-].")
+      .def_readonly("points", &ProfileReport::points, "Points that the spline is laid through [-].")
+      .def_readonly("steps", &ProfileReport::steps, "What was done to the points, in order.")
+      .def_readonly("assumptions", &ProfileReport::assumptions, "What neither the file nor an argument says.")
+      .def_readonly("warnings", &ProfileReport::warnings, "What is probably wrong.")
+      .def_readonly("kinks", &ProfileReport::kinks, "Corners, as ProfileKink.")
+      .def_property_readonly(
+          "noise", [](const ProfileReport& self) { return self.noise.deviation; },
+          "Standard deviation of the points across the curve [m].")
+      .def_property_readonly(
+          "curvature_noise", [](const ProfileReport& self) { return self.noise.curvature; },
+          "Standard deviation of the curvature that follows from the noise [1/m].")
+      .def_property_readonly(
+          "recommended_smoothing_length", [](const ProfileReport& self) { return self.noise.smoothing_length; },
+          "Wavelength of smoothing that brings the deviation of curvature down to 3 1/m [m]; 0: none needed.")
+      .def_readonly("smoothing_length", &ProfileReport::smoothing_length, "Wavelength of smoothing [m]; 0: none.");
+  add_value(report, {"source", "points"});
+  report.def("__repr__", &to_text);
+}
+
+void bind_dimensions(py::module_& module) {
+  auto wheel = py::class_<WheelDimensions>(module, "WheelDimensions",
+                                           "A flange's dimensions by EN 15313; None where the profile does not reach.");
+  wheel.def_readonly("tape_line", &WheelDimensions::tape_line, "y of the tape line [m], 70 mm from the flange's back.")
+      .def_readonly("flange_height", &WheelDimensions::flange_height, "Sh [m], from the tape line to the tip.")
+      .def_readonly("flange_thickness", &WheelDimensions::flange_thickness,
+                    "Sd [m], from the back, at 10 mm from the tape line towards the tip.")
+      .def_readonly("flange_gradient", &WheelDimensions::flange_gradient,
+                    "qR [m], width from there to the flank 2 mm short of the tip.");
+  add_value(wheel, {"tape_line", "flange_height", "flange_thickness", "flange_gradient"});
+  auto gauge = py::class_<GaugePoint>(module, "GaugePoint", "Where a rail's gauge is measured.");
+  gauge
+      .def_property_readonly(
+          "y", [](const GaugePoint& self) { return self.point.y; }, "[m], to the field side.")
+      .def_property_readonly(
+          "z", [](const GaugePoint& self) { return self.point.z; }, "[m], up.")
+      .def_property_readonly(
+          "top", [](const GaugePoint& self) { return std::pair(self.top.y, self.top.z); },
+          "y and z of the highest point [m].")
+      .def_readonly("s", &GaugePoint::s, "Length along the curve [m].")
+      .def_readonly("reaches_height", &GaugePoint::reaches_height,
+                    "Whether the profile reaches down to the gauge's height.");
+  add_value(gauge, {"y", "z", "top", "reaches_height"});
+}
+
+void bind_curve(py::class_<ProfileValue>& profile) {
+  profile
+      .def_property_readonly(
+          "kind", [](const ProfileValue& self) { return self.profile().role(); }, "rail or wheel.")
+      .def_property_readonly(
+          "length", [](const ProfileValue& self) { return self.profile().length(); },
+          "Of the polygon through the points [m], the largest s.")
+      .def_property_readonly(
+          "y", [](const ProfileValue& self) { return coordinates(points_of(self.profile()), &ProfilePoint::y); },
+          "y of the points that the spline is laid through [m], shape (n).")
+      .def_property_readonly(
+          "z", [](const ProfileValue& self) { return coordinates(points_of(self.profile()), &ProfilePoint::z); },
+          "z of these points [m], shape (n).")
+      .def_property_readonly(
+          "measured_y", [](const ProfileValue& self) { return coordinates(self.prepared->measured, &ProfilePoint::y); },
+          "y of the points before smoothing [m], shape (n).")
+      .def_property_readonly(
+          "measured_z", [](const ProfileValue& self) { return coordinates(self.prepared->measured, &ProfilePoint::z); },
+          "z of these points [m], shape (n).")
+      .def_property_readonly(
+          "report", [](const ProfileValue& self) { return self.report(); }, "The ProfileReport.")
+      .def(
+          "point",
+          [](const ProfileValue& self, const py::object& s) {
+            return py::make_tuple(along(s, [&](double at) { return self.profile().at(at).value.y; }),
+                                  along(s, [&](double at) { return self.profile().at(at).value.z; }));
+          },
+          "s"_a,
+          "y and z [m] of the curve at s [m], a number or an array, shape (...); straight lines beyond its ends.")
+      .def(
+          "angle",
+          [](const ProfileValue& self, const py::object& s) {
+            return along(s, [&](double at) {
+              const auto first = self.profile().at(at).first;
+              return std::atan2(first.z, first.y);
+            });
+          },
+          "s"_a, "Inclination [rad] of the curve at s [m], from y towards z.")
+      .def(
+          "curvature",
+          [](const ProfileValue& self, const py::object& s) {
+            return along(s, [&](double at) { return curvature(self.profile().at(at)); });
+          },
+          "s"_a, "Curvature [1/m] at s [m], positive where the curve turns from y towards z.");
+}
+
+} // namespace
+
+void bind_profile(py::module_& module) {
+  bind_report(module);
+  bind_dimensions(module);
+  auto profile = py::class_<ProfileValue>(
+      module, "Profile",
+      "The cross-section of a rail, or of a wheel through its axle: cubic splines between kinks, y to the field side,\n"
+      "z up, from the gauge side to the field side, or from the back of the flange to the outer face.");
+  profile.def(
+      py::init(&from_points), "y"_a, "z"_a, "kind"_a, py::kw_only(), "smoothing_length"_a = 0.0, "trim"_a = py::none(),
+      "Points y, z [m], shape (n), in any order along the curve; smoothing_length [m], 0: none; trim drops the\n"
+      "ends with y outside (y_min, y_max) [m]. Error for fewer than 4 points, for a length outside 5 mm to 500 mm,\n"
+      "and for a curve that crosses itself; the report says what was done and what looks wrong.");
+  bind_curve(profile);
+  profile
+      .def(
+          "wheel_dimensions",
+          [](const ProfileValue& self, std::optional<double> tape_line) {
+            if (self.profile().role() != ProfileRole::wheel) throw Error("wheel_dimensions: the profile is of a rail");
+            return wheel_dimensions(self.profile(), tape_line.value_or(default_tape_line(self.profile())));
+          },
+          "tape_line"_a = py::none(),
+          "WheelDimensions by EN 15313 from the tape line's y [m]; None: 0 if the profile begins about 70 mm on the\n"
+          "flange's side of its origin, else 70 mm from its first point.")
+      .def(
+          "gauge_point",
+          [](const ProfileValue& self, double height) {
+            if (self.profile().role() != ProfileRole::rail) throw Error("gauge_point: the profile is of a wheel");
+            return gauge_point(self.profile(), height);
+          },
+          "height"_a = 0.014, "The GaugePoint, at most `height` [m] below the top, > 0.")
+      .def("write", &write, "path"_a,
+           "Writes the points [mm] as the file's ending says: .prr, .prw, .ban, .whl, columns for others.");
+  add_value(profile, {"kind", "length", "report"});
+  module.def(
+      "read_profile",
+      [](const py::object& path, std::optional<ProfileRole> kind, std::optional<ProfileFormat> format,
+         std::optional<double> unit, double scale, std::optional<LateralSense> y_axis,
+         std::optional<VerticalSense> z_axis, int section, double smoothing_length,
+         const std::optional<std::pair<double, double>>& trim) {
+        const ProfileFileOptions options = {.format = format,
+                                            .role = kind,
+                                            .unit = unit,
+                                            .scale = scale,
+                                            .y_axis = y_axis,
+                                            .z_axis = z_axis,
+                                            .section = section,
+                                            .treatment = treatment_of(smoothing_length, trim)};
+        return shared(read_profile(readable_path(path), options));
+      },
+      "path"_a, py::kw_only(), "kind"_a = py::none(), "format"_a = py::none(), "unit"_a = py::none(), "scale"_a = 1.0,
+      "y_axis"_a = py::none(), "z_axis"_a = py::none(), "section"_a = 1, "smoothing_length"_a = 0.0,
+      "trim"_a = py::none(),
+      "The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z. What the file does "
+      "not\n"
+      "say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z "
+      "is\n"
+      "positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses "
+      "one\n"
+      "of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile.");
+}
+
+} // namespace microslip::python

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "microslip/railway/profile_preparation.hpp"
+
+#include <memory>
+
+namespace microslip::python {
+
+/// Python's Profile: a profile and its report, shared by copies since neither changes.
+struct ProfileValue {
+  std::shared_ptr<const PreparedProfile> prepared;
+
+  const Profile& profile() const { return prepared->profile; }
+  const ProfileReport& report() const { return prepared->report; }
+  bool operator==(const ProfileValue& other) const;
+};
+
+} // namespace microslip::python
