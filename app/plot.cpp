@@ -88,7 +88,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->footer(
       "Draws all pictures of the file's kind, or of a rolling contact those that the options ask for. Creep curves,\n"
       "convergence and stresses are computed by the Python module. Prints the names of the PNG files.\n\n"
-      "Example:\n  microslip plot results/wheel_on_rail/result.h5 --field pressure --cut 0 --stresses 0");
+      "Example:\n  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0");
   command->callback([arguments, &exit_code] { exit_code = plot(*arguments); });
 }
 

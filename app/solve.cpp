@@ -193,13 +193,6 @@ void print_interior(const InteriorGrid& points, const std::vector<InteriorState>
   table.print();
 }
 
-std::string kind_of(const RollingCase&) {
-  return "rolling_contact";
-}
-std::string kind_of(const WheelRailCase&) {
-  return "wheel_rail";
-}
-
 // Input is a RollingCase or a WheelRailCase, Result what solve_case makes of it.
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {

@@ -66,6 +66,11 @@ std::string simplified_name(const RollingCase& input);
 std::string hertz_assumption(const RollingCase& input);
 std::string simplified_assumption(const RollingCase& input);
 
+/// What such a case's result files hold.
+constexpr const char* kind_of(const RollingCase&) {
+  return "rolling_contact";
+}
+
 /// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
 /// Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});

@@ -19,6 +19,11 @@ struct WheelRailResult {
   std::vector<std::string> warnings;        ///< of the profiles, and of results that are not to be trusted
 };
 
+/// What such a case's result files hold.
+constexpr const char* kind_of(const WheelRailCase&) {
+  return "wheel_rail";
+}
+
 /// Solves all states. `progress` is told after each. Throws Stopped if it returns false.
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress = {});
 

@@ -53,8 +53,8 @@ std::string section_of(ProfileRole role) {
   return role == ProfileRole::rail ? "rail" : "wheelset";
 }
 
-constexpr std::string_view profile_keys[] = {"profile", "format",  "unit",  "scale", "y_axis",
-                                             "z_axis",  "section", "y_min", "y_max", "smoothing_length"};
+constexpr std::string_view profile_keys[] = {"profile", "format",  "unit", "scale",           "y_axis",
+                                             "z_axis",  "section", "trim", "smoothing_length"};
 
 ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role) {
   ProfileFileOptions options;
@@ -67,8 +67,14 @@ ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role)
   if (section.has("z_axis")) options.z_axis = section.option("z_axis", VerticalSense::up);
   section.count("section", 1, 10000, options.section);
   ProfileTreatment& treatment = options.treatment;
-  if (section.has("y_min")) treatment.y_min = section.between("y_min", "m", -1, 1);
-  if (section.has("y_max")) treatment.y_max = section.between("y_max", "m", -1, 1);
+  if (section.has("trim")) {
+    const auto ends = section.numbers("trim", "m");
+    section.at("trim", [&] {
+      if (ends.size() != 2 || !(ends[0] < ends[1]))
+        throw Error(section_of(role) + ".trim: must be two numbers, the lesser one first");
+    });
+    treatment.y_min = ends[0], treatment.y_max = ends[1];
+  }
   treatment.smoothing_length = section.between("smoothing_length", "m", 0, 1, 0);
   return options;
 }

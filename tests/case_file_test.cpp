@@ -435,7 +435,7 @@ TEST(CaseFile, ReadsAFileOrSaysWhyNot) {
   const TemporaryFolder folder;
   std::ofstream(folder / "w.toml", std::ios::binary) << good;
   EXPECT_EQ(read_case_text(folder / "w.toml"), good);
-  EXPECT_EQ(parse_case(read_case_text(MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml"), "example").normal_force,
+  EXPECT_EQ(parse_case(read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml"), "example").normal_force,
             80e3);
 
   std::ofstream(folder / "long.toml") << std::string((1 << 20) + 1, '#');

@@ -80,7 +80,7 @@ bool has_ending(const TemporaryFolder& folder, const std::string& ending) {
 
 TEST(ProgramInterrupt, Solve) {
   const TemporaryFolder folder;
-  auto text = contents(MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml");
+  auto text = contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
   save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[300, 300]"));
   EXPECT_EQ(interrupt(folder, {"solve", "c.toml", "-o", "out"}, handles_interrupt), 130);
   EXPECT_EQ(folder.entries(), Names{"c.toml"});
@@ -140,7 +140,7 @@ TEST(ProgramInterrupt, Convert) {
 
 TEST(ProgramInterrupt, Plot) {
   const TemporaryFolder folder;
-  const auto example = std::string(MICROSLIP_SOURCE_DIR) + "/examples/wheel_on_rail.toml";
+  const auto example = std::string(MICROSLIP_SOURCE_DIR) + "/examples/hertzian_contact.toml";
   ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
   // Python is at work once the first picture is begun or done.
   const auto has_begun = [&](pid_t) { return has_ending(folder, ".unfinished") || has_ending(folder, ".png"); };

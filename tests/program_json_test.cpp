@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const std::string example = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
+const std::string example = MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml";
 const std::string contact_example = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
 
 /// The document that a run of the program prints. Fails if it prints anything else, or errors.

@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-const std::string example = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
+const std::string example = MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml";
 const std::string example_table = MICROSLIP_SOURCE_DIR "/examples/contacts.csv";
 const std::string header =
     "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
@@ -96,9 +96,9 @@ TEST(Program, SolvesTheExample) {
                            "discretisation error",
                            "status",
                            " ok\n",
-                           "results/wheel_on_rail/result.h5\n"})
+                           "results/hertzian_contact/result.h5\n"})
     EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
-  EXPECT_EQ(folder.entries(), (Names{"results", "results/wheel_on_rail", "results/wheel_on_rail/result.h5"}));
+  EXPECT_EQ(folder.entries(), (Names{"results", "results/hertzian_contact", "results/hertzian_contact/result.h5"}));
 }
 
 TEST(Program, WritesWhatTheLibraryComputes) {
@@ -257,7 +257,7 @@ TEST(Program, SaysWhatHertzAndFastsim2Assume) {
 
 TEST(Program, SolvesEveryExampleWithPictures) {
   const TemporaryFolder folder;
-  for (const auto* name : {"wheel_on_rail", "two_rollers", "starting_to_roll"}) {
+  for (const auto* name : {"hertzian_contact", "two_rollers", "starting_to_roll"}) {
     const auto file = MICROSLIP_SOURCE_DIR "/examples/" + std::string(name) + ".toml";
     const auto outcome = run_program(folder, "solve " + file + " -o " + name);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;

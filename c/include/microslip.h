@@ -404,8 +404,9 @@ MICROSLIP_API microslip_code microslip_exact_field(microslip_exact* solver, cons
 /* Solves a case as `microslip solve CASE.toml --json` does. `text` is the case file's, `name` its name for messages.
  * `json` becomes the document as UTF-8, to be released by microslip_free_text: the numbers of a result file but its
  * fields, by the names that they have there, `units`, `status`, `warnings`. With a status other than MICROSLIP_OK it is
- * made as well; NULL if the case is refused, and the error has file, line, key, value and range. A library that was
- * built without case files returns MICROSLIP_NO_RESULT. Any thread. */
+ * made as well; NULL if the case is refused, and the error has file, line, key, value and range. Profiles of a wheel on
+ * a rail are read from paths that start at the folder of `name`. A library that was built without case files returns
+ * MICROSLIP_NO_RESULT. Any thread. */
 MICROSLIP_API microslip_code microslip_solve_case(const char* text, const char* name, char** json,
                                                   microslip_error* error);
 

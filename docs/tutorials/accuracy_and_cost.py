@@ -14,7 +14,7 @@ import numpy as np
 from microslip.picture_style import BLUE, GREEN, GREY, SETTINGS, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
-contact = microslip.read_case("examples/wheel_on_rail.toml").contact
+contact = microslip.read_case("examples/hertzian_contact.toml").contact
 limit = 0.3 * contact.normal_force
 
 # %% [markdown]

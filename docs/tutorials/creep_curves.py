@@ -14,7 +14,7 @@ import numpy as np
 from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
-contact = copy.copy(microslip.read_case("examples/wheel_on_rail.toml").contact)  # to be changed below
+contact = copy.copy(microslip.read_case("examples/hertzian_contact.toml").contact)  # to be changed below
 solver = microslip.Fastsim2()
 limit = 0.3 * contact.normal_force  # mu Fn
 

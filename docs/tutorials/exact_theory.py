@@ -14,7 +14,7 @@ import numpy as np
 from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
-case = microslip.read_case("examples/wheel_on_rail.toml")
+case = microslip.read_case("examples/hertzian_contact.toml")
 contact = copy.copy(case.contact)  # to be changed below
 limit = 0.3 * contact.normal_force
 solver = microslip.EllipticContactSolver(32, 32)

@@ -1,7 +1,7 @@
 /* Solves a case file and prints the result as JSON.
  *
  *   cc solve_case.c $(pkg-config --cflags --libs microslip_c) -o solve_case
- *   ./solve_case wheel_on_rail.toml
+ *   ./solve_case hertzian_contact.toml
  */
 #include <microslip.h>
 

@@ -95,7 +95,7 @@ SolvedCase solve(const std::shared_ptr<Case>& given) {
 void write(const SolvedCase& self, const py::object& path) {
   const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
   write_result(self.of->input, self.result,
-               {.kind = "rolling_contact",
+               {.kind = kind_of(self.of->input),
                 .title = self.of->input.title,
                 .command_line = arguments.cast<std::string>(),
                 .case_file = self.of->name,

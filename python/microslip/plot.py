@@ -22,6 +22,7 @@ from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
 from microslip.subsurface_pictures import subsurface_pictures
+from microslip.wheel_rail_pictures import wheel_rail_pictures
 
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
@@ -32,6 +33,7 @@ PICTURES_OF_KIND = {
     "profile": profile_pictures,
     "refinement": refinement_pictures,
     "subsurface": subsurface_pictures,
+    "wheel_rail": wheel_rail_pictures,
 }
 
 

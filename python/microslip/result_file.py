@@ -83,6 +83,10 @@ class ResultFile:
         """Shape of a dataset."""
         return self._dataset(name).shape
 
+    def unit(self, name):
+        """The unit of a dataset."""
+        return _decoded(self._dataset(name).attrs.get("unit", "-"))
+
     def arrays(self, names, **how):
         """Datasets that must have one shape, in the order of the names."""
         values = [self.array(name, **how) for name in names]

@@ -1,0 +1,323 @@
+"""Pictures of a wheel on a rail: patches on the rail head, unrolled and in space; the gap; of a sweep contact points and forces."""
+
+import matplotlib
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize
+from matplotlib.patches import Patch
+
+from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
+from microslip.field_picture import SEQUENTIAL
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes
+
+LENGTHS = {"m": ("mm", 1e3)}
+# What lies around the patches on pictures of the rail head [mm].
+MARGIN = 6.0
+
+
+def wheel_rail_pictures(result):
+    """The pictures of a result file of kind wheel_rail, by file name."""
+    if len(result.array("/wheel/force_x", finite=False)) > 1:
+        return {"contact_points.png": contact_points_picture(result), "forces.png": forces_picture(result)}
+    figures = {"gap.png": gap_picture(result)}
+    if "fields" in result:
+        rail = RailHead(result)
+        cells = read_patches(result, rail)
+        figures["patches.png"] = patches_picture(result, cells)
+        figures["rail_head.png"] = rail_head_picture(result, rail, cells)
+    return figures
+
+
+class RailHead:
+    """The rail's outline in track axes [mm], and the length u along it, to the left from the point that lies highest."""
+
+    def __init__(self, result):
+        y, z = (1e3 * values for values in result.arrays(["/outlines/rail/y", "/outlines/rail/z"]))
+        if result.text("/inputs/side") == "right":  # outlines run to the field side
+            y, z = y[::-1], z[::-1]
+        length = np.concatenate(([0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))))
+        self.y, self.z, self.u = y, z, length - length[np.argmax(z)]
+
+    def nearest(self, y, z):
+        """The length u of the point nearest to one near the surface."""
+        return self.u[np.argmin(np.hypot(self.y - y, self.z - z))]
+
+    def at(self, u):
+        """y and z, and the normal's y and z, at lengths u."""
+        y, z = np.interp(u, self.u, self.y), np.interp(u, self.u, self.z)
+        step = 0.05
+        ahead, behind = ([np.interp(u + side, self.u, values) for values in (self.y, self.z)] for side in (step, -step))
+        slope = np.array(ahead) - np.array(behind)
+        slope /= np.hypot(*slope)
+        return y, z, -slope[1], slope[0]
+
+
+def read_patches(result, rail):
+    """The cells of each patch, x along the track and y the length along the rail."""
+    place = result.arrays([f"/patches/place_{axis}" for axis in "xyz"])
+    patches = []
+    for k, (x0, y0, z0) in enumerate(1e3 * np.array(place).T):
+        names = ["x", "y", "area", "bound", "px", "py", "sx", "sy", "state"]
+        x, y, area, bound, px, py, sx, sy, state = result.arrays([f"/fields/{k}/{name}" for name in names], dimensions=2)
+        x, y = 1e3 * x + x0, 1e3 * y + rail.nearest(y0, z0)
+        inside = state != EXTERIOR
+        semi_axes = [np.ptp(values[inside]) / 2 if inside.any() else 1.0 for values in (x, y)]
+        cells = ContactCells(x, y, 1e6 * area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, semi_axes)
+        cells.pressure = 1e-6 * result.array(f"/fields/{k}/pressure", dimensions=2)
+        patches.append(cells)
+    return patches
+
+
+def frame_of(patches):
+    """Limits of x and u around all patches."""
+    inside = [cells.state != EXTERIOR for cells in patches]
+    limits = []
+    for axis in ("x", "y"):
+        values = np.concatenate([getattr(cells, axis)[chosen] for cells, chosen in zip(patches, inside)])
+        limits.append((values.min() - MARGIN, values.max() + MARGIN))
+    return limits
+
+
+def patches_picture(result, patches):
+    """Pressure, and adhesion with slip, on the unrolled rail head."""
+    x, u = frame_of(patches)
+    x = (x[0] + MARGIN / 2, x[1] + 0.15 * (x[1] - x[0]))  # room for the texts
+    wide = u[1] - u[0] > 1.3 * (x[1] - x[0])
+    scale = (9 if wide else 5) / (u[1] - u[0])
+    height = scale * (x[1] - x[0])
+    figure = new_figure(10.5 if wide else 12.5, (2 * height + 2.2) if wide else height + 1.6, layout="compressed")
+    figure.suptitle(heading("Patches on the unrolled rail head", result))
+    pressure, areas = figure.subplots(2, 1) if wide else figure.subplots(1, 2)
+    colours = Normalize(0, max(cells.pressure.max() for cells in patches))
+    longest = max(np.hypot(cells.px, cells.py).max() for cells in patches) or 1
+    for k, cells in enumerate(patches):
+        corners, index = cells.rectangles()
+        pressure.add_collection(PolyCollection(corners[..., ::-1], array=cells.pressure[tuple(index.T)], cmap=SEQUENTIAL,
+                                               norm=colours, edgecolors="face", linewidths=0.4))
+        for state, colour in ((ADHESION, SKY_BLUE), (SLIP, ORANGE)):
+            strips = cells.strips(state)[..., ::-1]
+            areas.add_collection(PolyCollection(strips, facecolors=colour, edgecolors=colour, linewidths=0.4))
+        areas.add_collection(LineCollection([np.array(line)[:, ::-1] for line in cells.boundary()], colors=BLACK, linewidths=1.5))
+        draw_tractions(areas, cells, longest)
+        pressure.annotate(patch_text(result, k), (cells.y[cells.state != EXTERIOR].mean(), x[1]), ha="center", va="top",
+                          xytext=(0, -4), textcoords="offset points", fontsize=8)
+    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=pressure, label="pressure [MPa]", shrink=0.8)
+    areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right",
+                 ncols=2)
+    for axes, title in ((pressure, "Pressure"), (areas, f"Adhesion, slip, and tractions on the wheel, at most {number(longest)} MPa")):
+        axes.set_title(title)
+        axes.set_xlim(u[1], u[0])
+        axes.set_ylim(*x)
+        axes.set_aspect("equal")
+        axes.set_ylabel("x [mm], forward")
+        axes.axvline(0, color=GREY, linestyle=":", linewidth=1)
+    for axes in (areas,) if wide else (pressure, areas):
+        axes.set_xlabel("length along the rail's surface from its highest point [mm], to the left")
+    return figure
+
+
+def draw_tractions(axes, cells, longest):
+    """Arrows some 1.5 mm apart."""
+    chosen = np.zeros(cells.state.shape, dtype=bool)
+    rows, columns = (max(1, round(1.5 / size)) for size in (cells.height, np.median(cells.apart)))
+    chosen[rows // 2::rows, columns // 2::columns] = True
+    chosen &= cells.state != EXTERIOR
+    axes.quiver(cells.y[chosen], cells.x[chosen], cells.py[chosen], cells.px[chosen], angles="xy", scale_units="xy",
+                scale=longest / 2.0, width=0.003, color=BLACK)
+
+
+def patch_text(result, k):
+    """Force and creepages of a patch."""
+    force, xi, eta, phi = (result.array(f"/patches/{name}", finite=False)[k]
+                           for name in ("normal_force", "creepage_longitudinal", "creepage_lateral", "spin"))
+    return (f"$F_n$ = {number(1e-3 * force)} kN\n$\\xi$ = {number(1e3 * xi)}, $\\eta$ = {number(1e3 * eta)} $\\cdot 10^{{-3}}$\n"
+            f"$\\phi$ = {number(phi)} /m")
+
+
+def sampled(cells, values, x, u):
+    """A field that falls to zero at the contact's edge, interpolated at all pairs of x and u: an array (u, x)."""
+    rows = np.zeros((len(cells.row_y) + 2, len(x)))
+    for j in range(len(cells.row_y)):
+        inside = np.flatnonzero(cells.state[j] != EXTERIOR)
+        if inside.size:
+            at, half = cells.x[j, inside], cells.widths[j, inside] / 2
+            order = np.argsort(at)
+            at, half, field = at[order], half[order], values[j, inside][order]
+            rows[j + 1] = np.interp(x, np.concatenate(([at[0] - half[0]], at, [at[-1] + half[-1]])),
+                                    np.concatenate(([0], field, [0])))
+    at = np.concatenate(([cells.row_y[0] - cells.height], cells.row_y, [cells.row_y[-1] + cells.height]))
+    return np.array([np.interp(u, at, column) for column in rows.T]).T
+
+
+def rail_head_picture(result, rail, patches):
+    """The rail head in space, the pressure drawn as a height over it."""
+    x, u = frame_of(patches)
+    u = max(u[0] - MARGIN, rail.u[0]), min(u[1] + MARGIN, rail.u[-1])
+    along, across = np.linspace(*x, 201), np.linspace(*u, 361)
+    grid_x, grid_u = np.meshgrid(along, across)
+    pressure = sum(sampled(cells, cells.pressure, along, across) for cells in patches)
+    largest = pressure.max()
+    y, z, normal_y, normal_z = rail.at(grid_u)
+    height = 6.0 / largest * pressure
+    colours = matplotlib.colormaps[SEQUENTIAL](pressure / largest)
+    colours[pressure == 0] = (0.86, 0.87, 0.88, 1)
+    figure = new_figure(9, 6.5)
+    figure.suptitle(heading("Pressure on the rail head", result))
+    axes = figure.add_subplot(projection="3d")
+    axes.plot_surface(grid_x, y + height * normal_y, z + height * normal_z, facecolors=colours, rstride=1, cstride=1, linewidth=0,
+                      antialiased=False, shade=True)
+    axes.set_box_aspect((np.ptp(grid_x), np.ptp(y), np.ptp(z + height * normal_z)), zoom=1.1)
+    axes.set_xlabel("x [mm], forward", labelpad=6)
+    axes.set_ylabel("y [mm], to the left", labelpad=14)
+    axes.set_zticks([])
+    field_is_left = result.text("/inputs/side") == "left"
+    axes.view_init(elev=35, azim=-145 if field_is_left else 145)
+    figure.colorbar(ScalarMappable(norm=Normalize(0, largest), cmap=SEQUENTIAL), ax=axes, label="pressure [MPa]", shrink=0.6,
+                    pad=0.12)
+    return figure
+
+
+def envelope(y, z, at, upper):
+    """The highest or lowest z of a curve over positions; not a number where it has none."""
+    low, high = np.minimum(y[:-1], y[1:]), np.maximum(y[:-1], y[1:])
+    best = np.full(len(at), -np.inf if upper else np.inf)
+    pick = np.maximum if upper else np.minimum
+    for k in np.flatnonzero(high > low):
+        inside = slice(*np.searchsorted(at, (low[k], high[k])))
+        share = (at[inside] - y[k]) / (y[k + 1] - y[k])
+        best[inside] = pick(best[inside], z[k] + share * (z[k + 1] - z[k]))
+    return np.where(np.isfinite(best), best, np.nan)
+
+
+def gap_picture(result):
+    """Both outlines along the track, and the vertical distance between them with its minima."""
+    (rail_y, rail_z), (wheel_y, wheel_z) = (
+        [1e3 * values for values in result.arrays([f"/outlines/{body}/y", f"/outlines/{body}/z"])] for body in ("rail", "wheel"))
+    at = np.linspace(rail_y.min(), rail_y.max(), 4001)
+    gap = envelope(wheel_y, wheel_z, at, False) - envelope(rail_y, rail_z, at, True)
+    figure = new_figure(9, 7.5)
+    figure.suptitle(heading("Wheel and rail, seen forward", result))
+    shape, distance = figure.subplots(2, 1, height_ratios=(1.6, 1))
+    shape.plot(rail_y, rail_z, color=GREY, linewidth=1.6, label="rail")
+    shape.plot(wheel_y, wheel_z, color=BLUE, linewidth=1.6, label="wheel")
+    shape.set_aspect("equal", adjustable="datalim")
+    middle, top = (rail_y.min() + rail_y.max()) / 2, rail_z.max()
+    shape.set_xlim(middle + 65, middle - 65)
+    shape.set_ylim(top - 30, top + 34)
+    shape.set_ylabel("z [mm], up")
+    distance.plot(at, gap, color=BLUE, linewidth=1.4)
+    distance.axhline(0, color=BLACK, linewidth=0.8)
+    shown = [k for k in minima(gap, 25) if gap[k] < 1.0]
+    distance.plot(at[shown], gap[shown], "o", color=VERMILION, markersize=6, label="minima")
+    for k in shown:
+        distance.annotate(f"{number(1e3 * gap[k])} µm", (at[k], gap[k]), xytext=(0, -14), textcoords="offset points", ha="center",
+                          fontsize=8)
+    mark_patches(result, shape)
+    distance.set_xlim(rail_y.max(), rail_y.min())
+    deepest = np.nanmin(gap) if np.isfinite(gap).any() else 0
+    distance.set_ylim(min(3 * deepest, -0.15), 0.8)
+    distance.set_ylabel("gap [mm]")
+    distance.set_xlabel("y [mm], to the left of the track's centre")
+    for axes in (shape, distance):
+        open_axes(axes)
+        axes.legend(loc="upper right")
+    return figure
+
+
+def minima(values, reach):
+    """Indices of values that are the least ones so far around; what is not a number counts as large."""
+    filled = np.concatenate([np.full(reach, np.inf), np.where(np.isnan(values), np.inf, values), np.full(reach, np.inf)])
+    least = np.lib.stride_tricks.sliding_window_view(filled, 2 * reach + 1).min(axis=1)
+    found = np.flatnonzero((values == least) & np.isfinite(values))
+    return [k for k, before in zip(found, np.concatenate(([-2 * reach], found))) if k - before > reach]
+
+
+def mark_patches(result, axes):
+    """The origin of each patch with its normal."""
+    if "patches" not in result:
+        return
+    y, z, angle = result.arrays(["/patches/place_y", "/patches/place_z", "/patches/angle"])
+    for k, (one_y, one_z, one_angle) in enumerate(zip(1e3 * y, 1e3 * z, angle)):
+        axes.annotate(f"patch {k + 1}", (one_y, one_z), xytext=(one_y + 14 * np.sin(one_angle), one_z - 14 * np.cos(one_angle)),
+                      fontsize=9, ha="center", va="center", color=VERMILION,
+                      arrowprops={"arrowstyle": "-|>", "color": VERMILION, "linewidth": 1.2})
+
+
+def varied(result):
+    """The number that a sweep varies first: name, values and unit as pictures show them."""
+    name = result.group_attribute("states", "varied").split(", ")[0]
+    values = result.array(f"/states/{name}")
+    unit = result.unit(f"/states/{name}")
+    printed, factor = LENGTHS.get(unit, (unit, 1))
+    return f"{name.replace('_', ' ')} [{printed}]", factor * values
+
+
+def contact_points_picture(result):
+    """Wheel and rail in their own axes, drawn apart, with points that touch joined."""
+    label, values = varied(result)
+    (rail_y, rail_z), (wheel_y, wheel_z) = (
+        [1e3 * part for part in result.arrays([f"/profiles/{body}/y", f"/profiles/{body}/z"])] for body in ("rail", "wheel"))
+    above = 25.0
+    figure = new_figure(9, 6.5)
+    figure.suptitle(heading("Contact points", result))
+    axes = figure.subplots()
+    axes.plot(rail_y, rail_z, color=GREY, linewidth=1.8)
+    axes.plot(wheel_y, wheel_z + above, color=BLUE, linewidth=1.8)
+    if "patches" in result:
+        state = result.array("/patches/state").astype(int)
+        on_rail, on_wheel = (1e3 * values for values in result.arrays(["/patches/rail_y", "/patches/wheel_y"]))
+        rail = np.column_stack([on_rail, envelope_at(rail_y, rail_z, on_rail, True)])
+        wheel = np.column_stack([on_wheel, envelope_at(wheel_y, wheel_z, on_wheel, False) + above])
+        force = result.array("/patches/normal_force", finite=False)
+        width = 0.4 + 1.6 * np.nan_to_num(force / max(np.nanmax(force), 1e-300))
+        lines = LineCollection(np.stack([rail, wheel], axis=1), array=values[state], cmap="plasma", linewidths=width)
+        axes.add_collection(lines)
+        figure.colorbar(lines, ax=axes, label=label, shrink=0.8)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_xlim(min(rail_y.min(), -48) - 2, rail_y.max() + 6)
+    axes.set_ylim(-28, above + 30)
+    axes.text(0.01, 0.97, f"wheel, drawn {above:.0f} mm higher", color=BLUE, transform=axes.transAxes, va="top")
+    axes.text(0.47, 0.2, "rail; lines as strong as the normal force", color=GREY, transform=axes.transAxes)
+    axes.set_xlabel("y of both profiles [mm], to the field side")
+    axes.set_ylabel("z [mm], up")
+    open_axes(axes)
+    return figure
+
+
+def envelope_at(y, z, points, upper):
+    """`envelope` at points in any order."""
+    order = np.argsort(points)
+    found = np.empty(len(points))
+    found[order] = envelope(y, z, points[order], upper)
+    return found
+
+
+def forces_picture(result):
+    """Forces on the wheel, their split on patches, contact angles, T-gamma and power over what a sweep varies."""
+    label, values = varied(result)
+    figure = new_figure(9, 9)
+    figure.suptitle(heading("Forces on the wheel", result))
+    forces, loads, angles, wear = figure.subplots(4, 1, sharex=True)
+    for name, colour, text in (("force_x", BLUE, "$F_x$, forward"), ("force_y", VERMILION, "$F_y$, to the left")):
+        forces.plot(values, 1e-3 * result.array(f"/wheel/{name}", finite=False), ".-", color=colour, label=text)
+    forces.set_ylabel("force [kN]")
+    wear.plot(values, result.array("/wheel/t_gamma", finite=False), ".-", color=BLUE, label=r"$T\gamma$")
+    wear.plot(values, result.array("/wheel/t_gamma_with_spin", finite=False), ".--", color=SKY_BLUE, label=r"$T\gamma$ with spin")
+    wear.set_ylabel(r"$T\gamma$ [N]")
+    power = wear.twinx()
+    power.plot(values, 1e-3 * result.array("/wheel/frictional_power", finite=False), ".:", color=ORANGE, label="power")
+    power.set_ylabel("frictional power [kW]", color=ORANGE)
+    power.spines["top"].set_visible(False)
+    if "patches" in result:
+        at = values[result.array("/patches/state").astype(int)]
+        loads.plot(at, 1e-3 * result.array("/patches/normal_force", finite=False), "o", color=GREEN, markersize=4)
+        angles.plot(at, np.degrees(result.array("/patches/angle", finite=False)), "o", color=BLACK, markersize=4)
+    loads.set_ylabel("$F_n$ of each patch [kN]")
+    angles.set_ylabel("contact angle [deg]")
+    wear.set_xlabel(label)
+    for axes in (forces, loads, angles, wear):
+        open_axes(axes)
+    for axes in (forces, wear):
+        axes.legend(loc="best")
+    return figure
