@@ -17,5 +17,6 @@ void bind_exact(pybind11::module_& module);
 void bind_case_files(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);
 void bind_profile(pybind11::module_& module);
+void bind_wheel_rail(pybind11::module_& module);
 
 } // namespace microslip::python

@@ -31,6 +31,9 @@ TYPES_OF_ARGUMENTS = {
     "elements": 'Literal["constant", "bilinear"]',
     "coupling": 'Literal["newton", "alternating"]',
     "slip_start": 'Literal["below", "above"]',
+    "side": 'Literal["left", "right"]',
+    "theory": 'Literal["fastsim2", "exact"]',
+    "shape": 'Literal["flat", "curved"]',
     "motion": 'Literal["steady", "transient", "shift"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
     "kind": 'Literal["rail", "wheel"]',
@@ -39,6 +42,7 @@ TYPES_OF_ARGUMENTS = {
     "z_axis": 'Literal["up", "down"]',
     "body": "Literal[1, 2]",
     "friction": "FrictionLaw | float",
+    "WheelRail.friction": "float | tuple[ArrayLike, ArrayLike]",
     "creepage": "Creepage | tuple[float, float, float]",
     "bodies": "Bodies | CombinedMaterial",
     "path": "str | os.PathLike[str]",
@@ -47,6 +51,7 @@ TYPES_OF_ARGUMENTS = {
 TYPES_OF_PROPERTIES = {
     "state": "NDArray[numpy.uint8]",
     "ForceArrays.status": "NDArray[numpy.uint8]",
+    "WheelRailArrays.status": "NDArray[numpy.uint8]",
     "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
 }
 RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any",  # a number for numbers, else an array
@@ -83,7 +88,7 @@ def argument(text, owner):
     kind, _, default = (part.strip() for part in rest.partition(" = "))
     kind = python_type(kind)
     if kind == "str" or name == "body" or (kind == "object" and default != "None" and (owner, name) != ("TangentialProblem", "bound")):
-        kind = TYPES_OF_ARGUMENTS.get(name, kind)
+        kind = TYPES_OF_ARGUMENTS.get(f"{owner}.{name}", TYPES_OF_ARGUMENTS.get(name, kind))
     if kind == "object":
         kind = "ArrayLike"
     if kind == "Bodies | None":
@@ -149,7 +154,7 @@ def property_type(owner, name, member):
 SPECIAL_METHODS = {
     "__iter__": {"Creepage": "Iterator[float]", "ContactRun": "ContactRun"},
     "__next__": {"ContactRun": "ContactCase"},
-    "__len__": {"ForceArrays": "int"},
+    "__len__": {"ForceArrays": "int", "WheelRailArrays": "int"},
 }
 
 

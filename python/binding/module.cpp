@@ -53,5 +53,6 @@ PYBIND11_MODULE(_core, module) {
   bind_case_files(module);
   bind_contact_input(module);
   bind_profile(module);
+  bind_wheel_rail(module);
   module.attr("__name__") = name;
 }

@@ -19,8 +19,6 @@
 namespace microslip::python {
 
 template <>
-inline constexpr auto fields<ProfilePoint> = std::tuple{Field{"y", &ProfilePoint::y}, Field{"z", &ProfilePoint::z}};
-template <>
 inline constexpr auto fields<ProfileKink> =
     std::tuple{Field{"point", &ProfileKink::point}, Field{"s", &ProfileKink::s}, Field{"angle", &ProfileKink::angle}};
 template <>

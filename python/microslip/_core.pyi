@@ -715,6 +715,26 @@ class GapCurvatures:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class GaugePoint:
+    """Where a rail's gauge is measured."""
+    @property
+    def y(self) -> float:
+        """[m], to the field side."""
+    @property
+    def z(self) -> float:
+        """[m], up."""
+    @property
+    def top(self) -> tuple[float, float]:
+        """y and z of the highest point [m]."""
+    @property
+    def s(self) -> float:
+        """Length along the curve [m]."""
+    @property
+    def reaches_height(self) -> bool:
+        """Whether the profile reaches down to the gauge's height."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class GridError:
     """How far totals are from those on another grid."""
     @property
@@ -984,6 +1004,114 @@ class PatchRolling:
         """friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,
         force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the
         frictional power; tolerance of the relative residual [-]. Returns ContactSolution."""
+
+class Profile:
+    """The cross-section of a rail, or of a wheel through its axle: cubic splines between kinks, y to the field side,
+    z up, from the gauge side to the field side, or from the back of the flange to the outer face."""
+    def __init__(self, y: ArrayLike, z: ArrayLike, kind: Literal["rail", "wheel"], *, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> None:
+        """Points y, z [m], shape (n), in any order along the curve; smoothing_length [m], 0: none; trim drops the
+        ends with y outside (y_min, y_max) [m]. Error for fewer than 4 points, for a length outside 5 mm to 500 mm,
+        and for a curve that crosses itself; the report says what was done and what looks wrong."""
+    @property
+    def kind(self) -> str:
+        """rail or wheel."""
+    @property
+    def length(self) -> float:
+        """Of the polygon through the points [m], the largest s."""
+    @property
+    def y(self) -> NDArray[numpy.float64]:
+        """y of the points that the spline is laid through [m], shape (n)."""
+    @property
+    def z(self) -> NDArray[numpy.float64]:
+        """z of these points [m], shape (n)."""
+    @property
+    def measured_y(self) -> NDArray[numpy.float64]:
+        """y of the points before smoothing [m], shape (n)."""
+    @property
+    def measured_z(self) -> NDArray[numpy.float64]:
+        """z of these points [m], shape (n)."""
+    @property
+    def report(self) -> ProfileReport:
+        """The ProfileReport."""
+    def point(self, s: ArrayLike) -> tuple:
+        """y and z [m] of the curve at s [m], a number or an array, shape (...); straight lines beyond its ends."""
+    def angle(self, s: ArrayLike) -> object:
+        """Inclination [rad] of the curve at s [m], from y towards z."""
+    def curvature(self, s: ArrayLike) -> object:
+        """Curvature [1/m] at s [m], positive where the curve turns from y towards z."""
+    def wheel_dimensions(self, tape_line: float | None = None) -> WheelDimensions:
+        """WheelDimensions by EN 15313 from the tape line's y [m]; None: 0 if the profile begins about 70 mm on the
+        flange's side of its origin, else 70 mm from its first point."""
+    def gauge_point(self, height: float = 0.014) -> GaugePoint:
+        """The GaugePoint, at most `height` [m] below the top, > 0."""
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes the points [mm] as the file's ending says: .prr, .prw, .ban, .whl, columns for others."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class ProfileKink:
+    """A corner of a profile, at which its spline is cut."""
+    @property
+    def y(self) -> float:
+        """[m], to the field side."""
+    @property
+    def z(self) -> float:
+        """[m], up."""
+    @property
+    def s(self) -> float:
+        """Length along the polygon through the points [m]."""
+    @property
+    def angle(self) -> float:
+        """By which the direction turns [rad], positive from y to z."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class ProfileReport:
+    """What was done to a profile's points and what is conspicuous about them; print it."""
+    @property
+    def source(self) -> str:
+        """The file's name; empty without one."""
+    @property
+    def format(self) -> str:
+        """Simpack, MiniProf or columns; empty without a file."""
+    @property
+    def comment(self) -> str:
+        """From the file."""
+    @property
+    def unit(self) -> float:
+        """Length of the file's unit with the scale [m]."""
+    @property
+    def points_read(self) -> int:
+        """Points in the file or arrays [-]."""
+    @property
+    def points(self) -> int:
+        """Points that the spline is laid through [-]."""
+    @property
+    def steps(self) -> list[str]:
+        """What was done to the points, in order."""
+    @property
+    def assumptions(self) -> list[str]:
+        """What neither the file nor an argument says."""
+    @property
+    def warnings(self) -> list[str]:
+        """What is probably wrong."""
+    @property
+    def kinks(self) -> list[ProfileKink]:
+        """Corners, as ProfileKink."""
+    @property
+    def noise(self) -> float:
+        """Standard deviation of the points across the curve [m]."""
+    @property
+    def curvature_noise(self) -> float:
+        """Standard deviation of the curvature that follows from the noise [1/m]."""
+    @property
+    def recommended_smoothing_length(self) -> float:
+        """Wavelength of smoothing that brings the deviation of curvature down to 3 1/m [m]; 0: none needed."""
+    @property
+    def smoothing_length(self) -> float:
+        """Wavelength of smoothing [m]; 0: none."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class RollingCase:
     """What a case file says; read_case and parse_case make them."""
@@ -1310,6 +1438,364 @@ class ThermalBody:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class Track:
+    """A track in its nominal place, both rails alike."""
+    def __init__(self, *, gauge: float = 1.435, gauge_height: float = 0.014, cant: float = 0.0, rail_origin: tuple[float, float] | None = None) -> None:
+        """gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the
+        rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's
+        profile in track axes, in place of the gauge. Values are checked where they are used."""
+    @property
+    def gauge(self) -> float:
+        """Between the gauge points of both rails [m]."""
+    @property
+    def gauge_height(self) -> float:
+        """Of the gauge points below the rails' tops [m]."""
+    @property
+    def cant(self) -> float:
+        """Inclination of the rails [rad], positive towards the track's centre."""
+    @property
+    def rail_origin(self) -> object:
+        """y and z [m] of the left rail's profile in track axes, or None: by the gauge."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelDimensions:
+    """A flange's dimensions by EN 15313; None where the profile does not reach."""
+    @property
+    def tape_line(self) -> float:
+        """y of the tape line [m], 70 mm from the flange's back."""
+    @property
+    def flange_height(self) -> float | None:
+        """Sh [m], from the tape line to the tip."""
+    @property
+    def flange_thickness(self) -> float | None:
+        """Sd [m], from the back, at 10 mm from the tape line towards the tip."""
+    @property
+    def flange_gradient(self) -> float | None:
+        """qR [m], width from there to the flank 2 mm short of the tip."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelRail:
+    """A wheel on a rail by their profiles: finds the patches and solves them. May be used from many threads, one call at a time."""
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved"] = 'flat', grid: int = 24, tolerance: float = 1e-06) -> None:
+        """The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both
+        bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays
+        (angles [rad], coefficients) of surfaces that rise to the field side; theory "exact" with grid
+        elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force. Error for
+        values out of range and profiles that do not fit the track or the wheelset."""
+    def solve(self, **kwargs) -> WheelRailSolution:
+        """The WheelRailSolution in a state, given by keywords, 0 where they are left out:
+            lateral [m]: position of the wheelset's centre, to the left positive
+            vertical [m]: height of the wheelset's centre above the nominal radius, upwards positive
+            roll [rad]: roll of the wheelset; positive raises the left wheel
+            yaw [rad]: yaw of the wheelset; positive turns to the left
+            forward_velocity [m/s]: velocity of the wheelset's centre along the track
+            lateral_velocity [m/s]: velocity of the wheelset's centre to the left
+            vertical_velocity [m/s]: velocity of the wheelset's centre upwards
+            roll_velocity [rad/s]: angular velocity of the wheelset about its x
+            pitch_velocity [rad/s]: angular velocity of the wheelset about its axle; positive rolls forward
+            yaw_velocity [rad/s]: angular velocity of the wheelset about its z
+            curvature [1/m]: curvature of the track; positive in a curve to the left
+            deflection_longitudinal [m]: motion of the wheel's centre against the axle, forward
+            deflection_lateral [m]: the same to the left
+            deflection_vertical [m]: the same upwards
+            deflection_roll [rad]: rotation of the wheel against the axle about x
+            deflection_yaw [rad]: the same about z
+            deflection_longitudinal_velocity [m/s]: velocity of that motion, forward
+            deflection_lateral_velocity [m/s]: the same to the left
+            deflection_vertical_velocity [m/s]: the same upwards
+            deflection_roll_velocity [rad/s]: angular velocity of that rotation about x
+            deflection_pitch_velocity [rad/s]: the same about the axle
+            deflection_yaw_velocity [rad/s]: the same about z
+            deviation_lateral [m]: of the rail from its nominal place, to the left positive
+            deviation_vertical [m]: the same upwards
+            deviation_roll [rad]: rotation of the rail about x, right-handed
+            deviation_lateral_velocity [m/s]: velocity of that deviation to the left
+            deviation_vertical_velocity [m/s]: the same upwards
+            deviation_roll_velocity [rad/s]: angular velocity of that rotation
+            vertical_force [N]: on the wheel, > 0; either this or vertical must be given
+        pitch_velocity is forward_velocity over the nominal radius unless given. No contact and not converging are
+        statuses; NaN gives invalid_input. Error for unknown names."""
+    def solve_batch(self, threads: int = 0, **kwargs) -> WheelRailArrays:
+        """The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on
+        so many threads; 0: one for each processor. Ctrl-C ends it."""
+
+class WheelRailArrays:
+    """Forces on a wheel in many states: arrays of the shape that the inputs broadcast to. Those of patches have one
+    more dimension, for the k-th patch of a state, and are NaN where a state has fewer."""
+    @property
+    def force_x(self) -> NDArray[numpy.float64]:
+        """Force on the wheel along the track, shape (...) [N]."""
+    @property
+    def force_y(self) -> NDArray[numpy.float64]:
+        """Force on the wheel to the left, shape (...) [N]."""
+    @property
+    def force_z(self) -> NDArray[numpy.float64]:
+        """Force on the wheel upwards, shape (...) [N]."""
+    @property
+    def moment_x(self) -> NDArray[numpy.float64]:
+        """Moment on the wheel about its centre, about the track's x, shape (...) [N m]."""
+    @property
+    def moment_y(self) -> NDArray[numpy.float64]:
+        """The same about y: positive drives the wheel forward, shape (...) [N m]."""
+    @property
+    def moment_z(self) -> NDArray[numpy.float64]:
+        """The same about z, shape (...) [N m]."""
+    @property
+    def vertical(self) -> NDArray[numpy.float64]:
+        """Height of the wheelset's centre above the nominal radius: given, or found for the force, shape (...) [m]."""
+    @property
+    def frictional_power(self) -> NDArray[numpy.float64]:
+        """Power lost to friction in all patches, shape (...) [W]."""
+    @property
+    def t_gamma(self) -> NDArray[numpy.float64]:
+        """|Fx xi| + |Fy eta|, summed over the patches, shape (...) [N]."""
+    @property
+    def t_gamma_with_spin(self) -> NDArray[numpy.float64]:
+        """|Fx xi| + |Fy eta| + |Mz phi|, summed over the patches, shape (...) [N]."""
+    @property
+    def residual(self) -> NDArray[numpy.float64]:
+        """Residual of the vertical force, relative, shape (...) [-]."""
+    @property
+    def iterations(self) -> NDArray[numpy.float64]:
+        """Iterations over the wheel's height, shape (...) [-]."""
+    @property
+    def patch_count(self) -> NDArray[numpy.float64]:
+        """Number of patches in contact, shape (...) [-]."""
+    @property
+    def patch_place_x(self) -> NDArray[numpy.float64]:
+        """Of each patch: origin of the patch's frame on the rail, along the track, shape (..., k) [m]."""
+    @property
+    def patch_place_y(self) -> NDArray[numpy.float64]:
+        """Of each patch: the same to the left of the track's centre, shape (..., k) [m]."""
+    @property
+    def patch_place_z(self) -> NDArray[numpy.float64]:
+        """Of each patch: the same above the tops of the rails, shape (..., k) [m]."""
+    @property
+    def patch_angle(self) -> NDArray[numpy.float64]:
+        """Of each patch: of the contact plane against the track plane; positive rises to the left, shape (..., k) [rad]."""
+    @property
+    def patch_rail_y(self) -> NDArray[numpy.float64]:
+        """Of each patch: of the rail's profile there, in its own axes: to the field side positive, shape (..., k) [m]."""
+    @property
+    def patch_wheel_y(self) -> NDArray[numpy.float64]:
+        """Of each patch: of the wheel's profile there, in its own axes, shape (..., k) [m]."""
+    @property
+    def patch_rolling_radius(self) -> NDArray[numpy.float64]:
+        """Of each patch: of the wheel there, shape (..., k) [m]."""
+    @property
+    def patch_turn(self) -> NDArray[numpy.float64]:
+        """Of each patch: by how much the rail's surface turns across the patch, shape (..., k) [rad]."""
+    @property
+    def patch_approach(self) -> NDArray[numpy.float64]:
+        """Of each patch: greatest overlap of the undeformed bodies along the normal, shape (..., k) [m]."""
+    @property
+    def patch_rolling_speed(self) -> NDArray[numpy.float64]:
+        """Of each patch: rolling speed V, shape (..., k) [m/s]."""
+    @property
+    def patch_creepage_longitudinal(self) -> NDArray[numpy.float64]:
+        """Of each patch: longitudinal creepage; positive for a braked wheel, shape (..., k) [-]."""
+    @property
+    def patch_creepage_lateral(self) -> NDArray[numpy.float64]:
+        """Of each patch: lateral creepage, along the surface to the left, shape (..., k) [-]."""
+    @property
+    def patch_spin(self) -> NDArray[numpy.float64]:
+        """Of each patch: spin about the normal, shape (..., k) [1/m]."""
+    @property
+    def patch_normal_force(self) -> NDArray[numpy.float64]:
+        """Of each patch: force on the wheel along the normal, shape (..., k) [N]."""
+    @property
+    def patch_fx(self) -> NDArray[numpy.float64]:
+        """Of each patch: force on the wheel along the track, shape (..., k) [N]."""
+    @property
+    def patch_fy(self) -> NDArray[numpy.float64]:
+        """Of each patch: force on the wheel along the surface, to the left, shape (..., k) [N]."""
+    @property
+    def patch_mz(self) -> NDArray[numpy.float64]:
+        """Of each patch: moment on the wheel about the normal through the patch's origin, shape (..., k) [N m]."""
+    @property
+    def patch_contact_area(self) -> NDArray[numpy.float64]:
+        """Of each patch: area of the contact, shape (..., k) [m^2]."""
+    @property
+    def patch_slip_area(self) -> NDArray[numpy.float64]:
+        """Of each patch: area of slip, shape (..., k) [m^2]."""
+    @property
+    def patch_peak_pressure(self) -> NDArray[numpy.float64]:
+        """Of each patch: largest pressure, shape (..., k) [Pa]."""
+    @property
+    def patch_frictional_power(self) -> NDArray[numpy.float64]:
+        """Of each patch: power lost to friction, shape (..., k) [W]."""
+    @property
+    def patch_t_gamma(self) -> NDArray[numpy.float64]:
+        """Of each patch: |Fx xi| + |Fy eta|, shape (..., k) [N]."""
+    @property
+    def patch_t_gamma_with_spin(self) -> NDArray[numpy.float64]:
+        """Of each patch: |Fx xi| + |Fy eta| + |Mz phi|, shape (..., k) [N]."""
+    @property
+    def status(self) -> NDArray[numpy.uint8]:
+        """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
+    def __len__(self) -> int: ...
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelRailPatch:
+    """A patch in which a wheel touches its rail. Forces act on the wheel."""
+    @property
+    def place_x(self) -> float:
+        """Origin of the patch's frame on the rail, along the track [m]."""
+    @property
+    def place_y(self) -> float:
+        """The same to the left of the track's centre [m]."""
+    @property
+    def place_z(self) -> float:
+        """The same above the tops of the rails [m]."""
+    @property
+    def angle(self) -> float:
+        """Of the contact plane against the track plane; positive rises to the left [rad]."""
+    @property
+    def rail_y(self) -> float:
+        """Of the rail's profile there, in its own axes: to the field side positive [m]."""
+    @property
+    def wheel_y(self) -> float:
+        """Of the wheel's profile there, in its own axes [m]."""
+    @property
+    def rolling_radius(self) -> float:
+        """Of the wheel there [m]."""
+    @property
+    def turn(self) -> float:
+        """By how much the rail's surface turns across the patch [rad]."""
+    @property
+    def approach(self) -> float:
+        """Greatest overlap of the undeformed bodies along the normal [m]."""
+    @property
+    def rolling_speed(self) -> float:
+        """Rolling speed V [m/s]."""
+    @property
+    def creepage_longitudinal(self) -> float:
+        """Longitudinal creepage; positive for a braked wheel [-]."""
+    @property
+    def creepage_lateral(self) -> float:
+        """Lateral creepage, along the surface to the left [-]."""
+    @property
+    def spin(self) -> float:
+        """Spin about the normal [1/m]."""
+    @property
+    def normal_force(self) -> float:
+        """Force on the wheel along the normal [N]."""
+    @property
+    def fx(self) -> float:
+        """Force on the wheel along the track [N]."""
+    @property
+    def fy(self) -> float:
+        """Force on the wheel along the surface, to the left [N]."""
+    @property
+    def mz(self) -> float:
+        """Moment on the wheel about the normal through the patch's origin [N m]."""
+    @property
+    def contact_area(self) -> float:
+        """Area of the contact [m^2]."""
+    @property
+    def slip_area(self) -> float:
+        """Area of slip [m^2]."""
+    @property
+    def peak_pressure(self) -> float:
+        """Largest pressure [Pa]."""
+    @property
+    def frictional_power(self) -> float:
+        """Power lost to friction [W]."""
+    @property
+    def t_gamma(self) -> float:
+        """|Fx xi| + |Fy eta| [N]."""
+    @property
+    def t_gamma_with_spin(self) -> float:
+        """|Fx xi| + |Fy eta| + |Mz phi| [N]."""
+    @property
+    def creepage(self) -> Creepage:
+        """Creepages [-], [-] and spin [1/m], as one."""
+    @property
+    def status(self) -> Status:
+        """How its calculation ended."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelRailSolution:
+    """Forces on a wheel in track axes: x forward, y to the left, z up; and its patches."""
+    @property
+    def force_x(self) -> float:
+        """Force on the wheel along the track [N]."""
+    @property
+    def force_y(self) -> float:
+        """Force on the wheel to the left [N]."""
+    @property
+    def force_z(self) -> float:
+        """Force on the wheel upwards [N]."""
+    @property
+    def moment_x(self) -> float:
+        """Moment on the wheel about its centre, about the track's x [N m]."""
+    @property
+    def moment_y(self) -> float:
+        """The same about y: positive drives the wheel forward [N m]."""
+    @property
+    def moment_z(self) -> float:
+        """The same about z [N m]."""
+    @property
+    def vertical(self) -> float:
+        """Height of the wheelset's centre above the nominal radius: given, or found for the force [m]."""
+    @property
+    def frictional_power(self) -> float:
+        """Power lost to friction in all patches [W]."""
+    @property
+    def t_gamma(self) -> float:
+        """|Fx xi| + |Fy eta|, summed over the patches [N]."""
+    @property
+    def t_gamma_with_spin(self) -> float:
+        """|Fx xi| + |Fy eta| + |Mz phi|, summed over the patches [N]."""
+    @property
+    def residual(self) -> float:
+        """Residual of the vertical force, relative [-]."""
+    @property
+    def iterations(self) -> float:
+        """Iterations over the wheel's height [-]."""
+    @property
+    def patch_count(self) -> float:
+        """Number of patches in contact [-]."""
+    @property
+    def patches(self) -> list[WheelRailPatch]:
+        """The patches as WheelRailPatch, from the gauge to the field side of a left wheel."""
+    @property
+    def fields(self) -> list[ContactSolution]:
+        """With theory "exact" the ContactSolution of each patch, in its frame; else empty."""
+    @property
+    def at_profile_end(self) -> bool:
+        """Whether a patch ends where a profile ends: its forces are too small."""
+    @property
+    def status(self) -> Status:
+        """How the calculation ended."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class Wheelset:
+    """A wheelset, both wheels alike."""
+    def __init__(self, *, nominal_radius: float = 0.46, flange_back_distance: float = 1.36, flange_back_position: float = -0.07, tape_circle: float | None = None) -> None:
+        """nominal_radius [m] where z = 0 in the profile, or at y = tape_circle [m] of it;
+        flange_back_distance [m] between the backs of both flanges, which lie at y =
+        flange_back_position [m] of the profile. Values are checked where they are used."""
+    @property
+    def nominal_radius(self) -> float:
+        """Radius [m]."""
+    @property
+    def flange_back_distance(self) -> float:
+        """Between the backs of both flanges [m]."""
+    @property
+    def flange_back_position(self) -> float:
+        """y of the flange's back [m]."""
+    @property
+    def tape_circle(self) -> float | None:
+        """y in the profile where the radius is the nominal one [m]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 def build_info() -> dict[str, str]:
     """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
 
@@ -1356,6 +1842,12 @@ def read_case(path: str | os.PathLike[str]) -> RollingCase:
     """Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with
     file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown
     ones [-]."""
+
+def read_profile(path: str | os.PathLike[str], *, kind: str | None = None, format: str | None = None, unit: float | None = None, scale: float = 1.0, y_axis: str | None = None, z_axis: str | None = None, section: int = 1, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> Profile:
+    """The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z. What the file does not
+    say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z is
+    positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses one
+    of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile."""
 
 def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
     """Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what

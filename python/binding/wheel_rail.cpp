@@ -1,0 +1,390 @@
+#include "binding/arrays.hpp"
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/long_work.hpp"
+#include "binding/profile.hpp"
+#include "binding/value.hpp"
+#include "io/nearest_word.hpp"
+#include "io/option_words.hpp"
+#include "microslip/contact/mirrored_solution.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace microslip::python {
+
+template <>
+inline constexpr auto fields<Track> =
+    std::tuple{Field{"gauge", &Track::gauge}, Field{"gauge_height", &Track::gauge_height},
+               Field{"rail_origin", &Track::rail_origin}, Field{"cant", &Track::cant}};
+template <>
+inline constexpr auto fields<Wheelset> =
+    std::tuple{Field{"flange_back_distance", &Wheelset::flange_back_distance},
+               Field{"flange_back_position", &Wheelset::flange_back_position},
+               Field{"nominal_radius", &Wheelset::nominal_radius}, Field{"tape_circle", &Wheelset::tape_circle}};
+template <>
+inline constexpr auto fields<Vec3<double>> =
+    std::tuple{Field{"x", &Vec3<double>::x}, Field{"y", &Vec3<double>::y}, Field{"z", &Vec3<double>::z}};
+template <>
+inline constexpr auto fields<WheelRailPatch> = std::tuple{Field{"place", &WheelRailPatch::place},
+                                                          Field{"angle", &WheelRailPatch::angle},
+                                                          Field{"rail_y", &WheelRailPatch::rail_y},
+                                                          Field{"wheel_y", &WheelRailPatch::wheel_y},
+                                                          Field{"rolling_radius", &WheelRailPatch::rolling_radius},
+                                                          Field{"turn", &WheelRailPatch::turn},
+                                                          Field{"approach", &WheelRailPatch::approach},
+                                                          Field{"rolling_speed", &WheelRailPatch::rolling_speed},
+                                                          Field{"creepage", &WheelRailPatch::creepage},
+                                                          Field{"normal_force", &WheelRailPatch::normal_force},
+                                                          Field{"fx", &WheelRailPatch::fx},
+                                                          Field{"fs", &WheelRailPatch::fs},
+                                                          Field{"moment", &WheelRailPatch::moment},
+                                                          Field{"contact_area", &WheelRailPatch::contact_area},
+                                                          Field{"slip_area", &WheelRailPatch::slip_area},
+                                                          Field{"peak_pressure", &WheelRailPatch::peak_pressure},
+                                                          Field{"frictional_power", &WheelRailPatch::frictional_power},
+                                                          Field{"status", &WheelRailPatch::status}};
+template <>
+inline constexpr auto fields<WheelRailSolution> = std::tuple{
+    Field{"force", &WheelRailSolution::force},           Field{"moment", &WheelRailSolution::moment},
+    Field{"vertical", &WheelRailSolution::vertical},     Field{"patches", &WheelRailSolution::patches},
+    Field{"fields", &WheelRailSolution::fields},         Field{"residual", &WheelRailSolution::residual},
+    Field{"iterations", &WheelRailSolution::iterations}, Field{"at_profile_end", &WheelRailSolution::at_profile_end},
+    Field{"status", &WheelRailSolution::status}};
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+constexpr std::string_view force_name = "vertical_force";
+
+std::string text_of(std::string_view description, std::string_view unit, const std::string& shape = "") {
+  std::string text(description);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + shape + " [" + std::string(unit) + "].";
+}
+
+/// A wheel on its rail with what makes another one, for other threads.
+struct PythonWheelRail {
+  WheelRailBodies bodies;
+  WheelRailMethod method;
+  OneAtATime<WheelRail> solver;
+
+  PythonWheelRail(WheelRailBodies given, const WheelRailMethod& how)
+      : bodies(std::move(given)), method(how), solver(bodies, method) {}
+
+  /// With the fields of a right wheel in its own frame.
+  WheelRailSolution solve(WheelRail& with, const WheelState<double>& state, std::optional<double> force) const {
+    WheelRailSolution solution = with.solve(state, force);
+    if (bodies.side == TrackSide::right)
+      for (ContactSolution& patch : solution.fields) mirror(patch);
+    return solution;
+  }
+};
+
+std::vector<InclinedFriction> friction_from(const py::object& friction) {
+  if (py::isinstance<py::tuple>(friction)) {
+    const auto pair = py::reinterpret_borrow<py::tuple>(friction);
+    if (pair.size() != 2) throw Error("friction: must be a number or a pair of arrays, angles and coefficients");
+    const RealArray angles = real_array("friction", pair[0]);
+    const RealArray coefficients = real_array("friction", pair[1], Shape{angles.size()});
+    std::vector<InclinedFriction> all;
+    for (py::ssize_t k = 0; k < angles.size(); ++k) all.push_back({angles.data()[k], coefficients.data()[k]});
+    return all;
+  }
+  const RealArray number = real_array("friction", friction);
+  if (number.size() != 1) throw Error("friction: must be a number or a pair of arrays, angles and coefficients");
+  return {{0, *number.data()}};
+}
+
+std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
+                                                 const ProfileValue& wheel, const std::string& side,
+                                                 const Material& material, const py::object& friction,
+                                                 const std::string& theory, const std::string& shape, int grid,
+                                                 double tolerance) {
+  WheelRailBodies bodies{.rail = rail.profile(),
+                         .wheel = wheel.profile(),
+                         .track = track,
+                         .wheelset = wheelset,
+                         .side = from_word<TrackSide>("side", side),
+                         .material = combine(material, material),
+                         .friction = friction_from(friction)};
+  const WheelRailMethod method{.level = from_word<WheelRailLevel>("theory", theory),
+                               .shape = from_word<PatchShape>("shape", shape),
+                               .elements = grid,
+                               .tolerance = tolerance};
+  return std::make_unique<PythonWheelRail>(std::move(bodies), method);
+}
+
+/// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
+class StateArrays {
+public:
+  /// Throws Error for names that are unknown, for arrays that are no real numbers or do not go together, and unless
+  /// there is either a height or a force.
+  StateArrays(const py::kwargs& given, double nominal_radius) : nominal_radius_(nominal_radius) {
+    std::vector<std::string_view> names = {force_name};
+    for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
+    for (const auto& [key, value] : given) {
+      const auto name = key.cast<std::string>();
+      const auto at = std::find(names.begin(), names.end(), name);
+      if (at == names.end()) throw Error(name + ": no number of the state" + suggestion(name, names));
+      const auto index = static_cast<std::size_t>(at - names.begin());
+      const StateQuantity* quantity = index == 0 ? nullptr : &state_quantities()[index - 1];
+      columns_.push_back({quantity, real_array(name.c_str(), py::reinterpret_borrow<py::object>(value)), nullptr});
+      broadcast(shape_, name.c_str(), columns_.back().values);
+    }
+    for (const auto extent : shape_) count_ *= static_cast<std::size_t>(extent);
+    for (Column& column : columns_) {
+      if (column.values.size() != static_cast<py::ssize_t>(count_)) column.values = spread(column.values, shape_);
+      column.data = column.values.data();
+    }
+    if (has("vertical") == has(force_name)) throw Error("vertical, vertical_force: either of them must be given");
+    pitch_is_given_ = has("pitch_velocity");
+  }
+
+  const Shape& shape() const { return shape_; }
+  std::size_t count() const { return count_; }
+
+  /// Needs no Python.
+  std::pair<WheelState<double>, std::optional<double>> operator[](std::size_t i) const {
+    WheelState<double> state;
+    std::optional<double> force;
+    for (const Column& column : columns_) {
+      if (column.quantity != nullptr)
+        column.quantity->of(state) = column.data[i];
+      else
+        force = column.data[i];
+    }
+    if (!pitch_is_given_) state.pitch_velocity = state.forward_velocity / nominal_radius_;
+    return {state, force};
+  }
+
+private:
+  struct Column {
+    const StateQuantity* quantity; ///< none for the force
+    RealArray values;
+    const double* data;
+  };
+
+  bool has(std::string_view name) const {
+    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
+      return column.quantity != nullptr ? column.quantity->name == name : name == force_name;
+    });
+  }
+
+  double nominal_radius_;
+  bool pitch_is_given_ = false;
+  Shape shape_;
+  std::size_t count_ = 1;
+  std::vector<Column> columns_;
+};
+
+WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
+  const StateArrays states(given, self.bodies.wheelset.nominal_radius);
+  if (!states.shape().empty()) throw Error("solve takes numbers; solve_batch takes arrays");
+  const auto [state, force] = states[0];
+  return self.solver.run(
+      [&, state = state, force = force](WheelRail& solver) { return self.solve(solver, state, force); });
+}
+
+/// Solutions of many states without fields.
+struct SolvedStates {
+  Shape shape;
+  std::vector<WheelRailSolution> solutions;
+
+  std::size_t most_patches() const {
+    std::size_t most = 0;
+    for (const WheelRailSolution& s : solutions) most = std::max(most, s.patches.size());
+    return most;
+  }
+};
+
+SolvedStates solve_batch(PythonWheelRail& self, int threads, const py::kwargs& given) {
+  const StateArrays states(given, self.bodies.wheelset.nominal_radius);
+  SolvedStates solved{states.shape(), std::vector<WheelRailSolution>(states.count())};
+  const int count = thread_count(threads);
+  const py::gil_scoped_release release;
+  const std::size_t chunk = self.method.level == WheelRailLevel::exact ? 1 : 16;
+  run_batch(states.count(), chunk, count, [&]() -> BatchWorker {
+    return [&, solver = std::make_shared<WheelRail>(self.bodies, self.method)](std::size_t first, std::size_t n,
+                                                                               const Progress&) {
+      for (std::size_t i = first; i < first + n; ++i) {
+        const auto [state, force] = states[i];
+        solver->solve(state, force, solved.solutions[i]);
+        solved.solutions[i].fields.clear();
+      }
+    };
+  });
+  return solved;
+}
+
+/// A number of every patch, (..., k) for the k-th one, not a number where a state has fewer.
+py::array patch_array(const SolvedStates& self, double (*value)(const WheelRailPatch&)) {
+  const std::size_t most = self.most_patches();
+  Shape shape = self.shape;
+  shape.push_back(static_cast<py::ssize_t>(most));
+  RealArray out(shape);
+  std::fill_n(out.mutable_data(), out.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < self.solutions.size(); ++i)
+    std::transform(self.solutions[i].patches.begin(), self.solutions[i].patches.end(), out.mutable_data() + i * most,
+                   value);
+  return out;
+}
+
+void bind_inputs(py::module_& module) {
+  auto track = py::class_<Track>(module, "Track", "A track in its nominal place, both rails alike.");
+  track
+      .def(py::init([](double gauge, double gauge_height, double cant,
+                       const std::optional<std::pair<double, double>>& rail_origin) {
+             Track made{.gauge = gauge, .gauge_height = gauge_height, .rail_origin = {}, .cant = cant};
+             if (rail_origin) made.rail_origin = {rail_origin->first, rail_origin->second};
+             return made;
+           }),
+           py::kw_only(), "gauge"_a = 1.435, "gauge_height"_a = 0.014, "cant"_a = 0.0, "rail_origin"_a = py::none(),
+           "gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the\n"
+           "rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's\n"
+           "profile in track axes, in place of the gauge. Values are checked where they are used.")
+      .def_readonly("gauge", &Track::gauge, "Between the gauge points of both rails [m].")
+      .def_readonly("gauge_height", &Track::gauge_height, "Of the gauge points below the rails' tops [m].")
+      .def_readonly("cant", &Track::cant, "Inclination of the rails [rad], positive towards the track's centre.")
+      .def_property_readonly(
+          "rail_origin",
+          [](const Track& self) -> py::object {
+            return self.rail_origin ? py::object(py::make_tuple(self.rail_origin->y, self.rail_origin->z)) : py::none();
+          },
+          "y and z [m] of the left rail's profile in track axes, or None: by the gauge.");
+  add_value(track, {"gauge", "gauge_height", "cant", "rail_origin"});
+
+  auto wheelset = py::class_<Wheelset>(module, "Wheelset", "A wheelset, both wheels alike.");
+  wheelset
+      .def(py::init([](double nominal_radius, double flange_back_distance, double flange_back_position,
+                       std::optional<double> tape_circle) {
+             return Wheelset{flange_back_distance, flange_back_position, nominal_radius, tape_circle};
+           }),
+           py::kw_only(), "nominal_radius"_a = 0.46, "flange_back_distance"_a = 1.36, "flange_back_position"_a = -0.07,
+           "tape_circle"_a = py::none(),
+           "nominal_radius [m] where z = 0 in the profile, or at y = tape_circle [m] of it;\n"
+           "flange_back_distance [m] between the backs of both flanges, which lie at y =\n"
+           "flange_back_position [m] of the profile. Values are checked where they are used.")
+      .def_readonly("nominal_radius", &Wheelset::nominal_radius, "Radius [m].")
+      .def_readonly("flange_back_distance", &Wheelset::flange_back_distance, "Between the backs of both flanges [m].")
+      .def_readonly("flange_back_position", &Wheelset::flange_back_position, "y of the flange's back [m].")
+      .def_readonly("tape_circle", &Wheelset::tape_circle, "y in the profile where the radius is the nominal one [m].");
+  add_value(wheelset, {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"});
+}
+
+void bind_patch(py::module_& module) {
+  auto patch = py::class_<WheelRailPatch>(module, "WheelRailPatch",
+                                          "A patch in which a wheel touches its rail. Forces act on the wheel.");
+  for (const PatchQuantity& q : patch_quantities())
+    patch.def_property_readonly(
+        std::string(q.name).c_str(), [value = q.value](const WheelRailPatch& self) { return value(self); },
+        text_of(q.description, q.unit).c_str());
+  patch.def_readonly("creepage", &WheelRailPatch::creepage, "Creepages [-], [-] and spin [1/m], as one.")
+      .def_readonly("status", &WheelRailPatch::status, "How its calculation ended.");
+  add_value(patch, {"rail_y", "wheel_y", "angle", "normal_force", "fx", "fy", "mz", "status"});
+}
+
+std::string table(const WheelRailSolution& self) {
+  std::vector<TableRow> rows;
+  for (const WheelQuantity& q : wheel_quantities())
+    rows.push_back({std::string(q.name), q.value(self), std::string(q.unit), std::string(q.description)});
+  for (std::size_t k = 0; k < self.patches.size(); ++k)
+    for (const PatchQuantity& q : patch_quantities())
+      rows.push_back({"patch " + std::to_string(k + 1) + ": " + std::string(q.name), q.value(self.patches[k]),
+                      std::string(q.unit), std::string(q.description)});
+  return html_table("Wheel on rail, " + std::string(to_string(self.status)), rows);
+}
+
+void bind_wheel_solution(py::module_& module) {
+  auto solution = py::class_<WheelRailSolution>(
+      module, "WheelRailSolution", "Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.");
+  for (const WheelQuantity& q : wheel_quantities())
+    solution.def_property_readonly(
+        std::string(q.name).c_str(), [value = q.value](const WheelRailSolution& self) { return value(self); },
+        text_of(q.description, q.unit).c_str());
+  solution
+      .def_readonly("patches", &WheelRailSolution::patches,
+                    "The patches as WheelRailPatch, from the gauge to the field side of a left wheel.")
+      .def_readonly("fields", &WheelRailSolution::fields,
+                    "With theory \"exact\" the ContactSolution of each patch, in its frame; else empty.")
+      .def_readonly("at_profile_end", &WheelRailSolution::at_profile_end,
+                    "Whether a patch ends where a profile ends: its forces are too small.")
+      .def_readonly("status", &WheelRailSolution::status, "How the calculation ended.")
+      .def("_repr_html_", &table, "For notebooks, in SI units [-].");
+  add_value(solution, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});
+
+  auto states = py::class_<SolvedStates>(
+      module, "WheelRailArrays",
+      "Forces on a wheel in many states: arrays of the shape that the inputs broadcast to. Those of patches have one\n"
+      "more dimension, for the k-th patch of a state, and are NaN where a state has fewer.");
+  for (const WheelQuantity& q : wheel_quantities())
+    states.def_property_readonly(
+        std::string(q.name).c_str(),
+        [value = q.value](const SolvedStates& self) {
+          RealArray out(self.shape);
+          std::transform(self.solutions.begin(), self.solutions.end(), out.mutable_data(), value);
+          return out;
+        },
+        text_of(q.description, q.unit, ", shape (...)").c_str());
+  for (const PatchQuantity& q : patch_quantities())
+    states.def_property_readonly(
+        ("patch_" + std::string(q.name)).c_str(),
+        [value = q.value](const SolvedStates& self) { return patch_array(self, value); },
+        text_of("of each patch: " + std::string(q.description), q.unit, ", shape (..., k)").c_str());
+  states
+      .def_property_readonly(
+          "status",
+          [](const SolvedStates& self) {
+            py::array_t<std::uint8_t> out(self.shape);
+            std::transform(self.solutions.begin(), self.solutions.end(), out.mutable_data(),
+                           [](const auto& s) { return static_cast<std::uint8_t>(s.status); });
+            return out;
+          },
+          "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
+      .def("__len__", [](const SolvedStates& self) { return self.solutions.size(); });
+  add_description(states, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});
+}
+
+/// The names of the state, for the text of solve.
+std::string state_text() {
+  std::string text = "The WheelRailSolution in a state, given by keywords, 0 where they are left out:\n";
+  for (const StateQuantity& q : state_quantities())
+    text += "    " + std::string(q.name) + " [" + std::string(q.unit) + "]: " + std::string(q.description) + "\n";
+  return text +
+         "    vertical_force [N]: on the wheel, > 0; either this or vertical must be given\n"
+         "pitch_velocity is forward_velocity over the nominal radius unless given. No contact and not converging are\n"
+         "statuses; NaN gives invalid_input. Error for unknown names.";
+}
+
+} // namespace
+
+void bind_wheel_rail(py::module_& module) {
+  bind_inputs(module);
+  bind_patch(module);
+  bind_wheel_solution(module);
+  py::class_<PythonWheelRail>(module, "WheelRail",
+                              "A wheel on a rail by their profiles: finds the patches and solves them. May be used "
+                              "from many threads, one call at a time.")
+      .def(py::init(&make_wheel_rail), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a, "side"_a = "left",
+           "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
+           "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6,
+           "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
+           "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
+           "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
+           "elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force. Error for\n"
+           "values out of range and profiles that do not fit the track or the wheelset.")
+      .def("solve", &solve, state_text().c_str())
+      .def("solve_batch", &solve_batch, "threads"_a = 0,
+           "The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on\n"
+           "so many threads; 0: one for each processor. Ctrl-C ends it.");
+}
+
+} // namespace microslip::python

@@ -1,0 +1,119 @@
+"""A wheel on a rail from Python: numbers and arrays, both sides, both levels, refusals."""
+
+import copy
+import pickle
+import unittest
+from pathlib import Path
+
+import microslip
+import numpy as np
+from tests.compiled import load_tests_if_compiled
+
+PROFILES = Path(__file__).resolve().parents[2] / "examples" / "profiles"
+STATE = {"lateral": 0.0061, "yaw": 0.002, "vertical_force": 80e3, "forward_velocity": 30.0}
+
+
+def wheel_rail(**options):
+    """S1002 on 60E1."""
+    given = {"track": microslip.Track(gauge=1.435, cant=0.05), "rail": microslip.read_profile(PROFILES / "60e1.prr"),
+             "wheelset": microslip.Wheelset(nominal_radius=0.46, flange_back_distance=1.36),
+             "wheel": microslip.read_profile(PROFILES / "s1002.prw")}
+    return microslip.WheelRail(**{**given, **options})
+
+
+class WheelRailTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.pair = wheel_rail()
+
+    def test_a_solution_has_forces_and_patches(self):
+        solution = self.pair.solve(**STATE)
+        self.assertEqual(solution.status, microslip.Status.ok)
+        self.assertAlmostEqual(solution.force_z, 80e3, delta=1)
+        self.assertEqual(len(solution.patches), solution.patch_count)
+        self.assertGreaterEqual(len(solution.patches), 2)
+        angles = [patch.angle for patch in solution.patches]
+        self.assertEqual(angles, sorted(angles, reverse=True))
+        # What the patches bear adds up to what the wheel bears.
+        force_z = sum(p.normal_force * np.cos(p.angle) + p.fy * np.sin(p.angle) for p in solution.patches)
+        self.assertAlmostEqual(force_z, solution.force_z, delta=1)
+        self.assertAlmostEqual(sum(p.fx for p in solution.patches), solution.force_x, delta=1)
+        self.assertAlmostEqual(sum(p.t_gamma for p in solution.patches), solution.t_gamma, delta=1e-9 * solution.t_gamma)
+
+    def test_right_is_the_mirror_image_of_left(self):
+        left = self.pair.solve(**STATE)
+        right = wheel_rail(side="right").solve(**{**STATE, "lateral": -STATE["lateral"], "yaw": -STATE["yaw"]})
+        self.assertEqual(left.force_x, right.force_x)
+        self.assertEqual(left.force_y, -right.force_y)
+        self.assertEqual([p.angle for p in left.patches], [-p.angle for p in right.patches])
+
+    def test_batches_are_what_single_calls_are(self):
+        lateral, yaw = np.linspace(-4e-3, 6e-3, 6), np.array([[0.0], [2e-3]])
+        many = self.pair.solve_batch(lateral=lateral, yaw=yaw, vertical_force=80e3, forward_velocity=30.0)
+        self.assertEqual(many.force_y.shape, (2, 6))
+        self.assertEqual(len(many), 12)
+        one = self.pair.solve(lateral=lateral[4], yaw=2e-3, vertical_force=80e3, forward_velocity=30.0)
+        self.assertEqual(many.force_y[1, 4], one.force_y)
+        self.assertEqual(many.status[1, 4], one.status)
+        count = int(many.patch_count[1, 4])
+        self.assertEqual(count, len(one.patches))
+        np.testing.assert_array_equal(many.patch_fx[1, 4, :count], [p.fx for p in one.patches])
+        self.assertTrue(np.isnan(many.patch_fx[1, 4, count:]).all())
+        again = self.pair.solve_batch(lateral=lateral, yaw=yaw, vertical_force=80e3, forward_velocity=30.0, threads=1)
+        np.testing.assert_array_equal(many.force_x, again.force_x)
+
+    def test_fields_of_the_exact_theory_add_up(self):
+        for side, sign in (("left", 1), ("right", -1)):
+            exact = wheel_rail(theory="exact", grid=16, side=side)
+            solution = exact.solve(**{**STATE, "lateral": sign * STATE["lateral"], "yaw": sign * STATE["yaw"]})
+            self.assertEqual(len(solution.fields), len(solution.patches))
+            for patch, fields in zip(solution.patches, solution.fields):
+                self.assertAlmostEqual((fields.fields.area * fields.fields.py).sum(), patch.fy, delta=1e-6 * patch.normal_force)
+                self.assertTrue((np.diff(fields.fields.y[:, 0]) > 0).all())
+
+    def test_pitch_velocity_is_that_of_pure_rolling_by_default(self):
+        given = self.pair.solve(**STATE, pitch_velocity=30.0 / 0.46)
+        self.assertEqual(given.force_x, self.pair.solve(**STATE).force_x)
+        braked = self.pair.solve(**STATE, pitch_velocity=29.7 / 0.46)
+        self.assertGreater(braked.patches[0].creepage_longitudinal, given.patches[0].creepage_longitudinal)
+
+    def test_heights_are_given_or_found(self):
+        found = self.pair.solve(**STATE)
+        given = self.pair.solve(**{key: value for key, value in STATE.items() if key != "vertical_force"}, vertical=found.vertical)
+        self.assertAlmostEqual(given.force_z, found.force_z, delta=1e-3 * found.force_z)
+        above = self.pair.solve(vertical=0.05, forward_velocity=30.0)
+        self.assertEqual(above.status, microslip.Status.no_contact)
+        self.assertEqual(above.patches, [])
+
+    def test_friction_may_depend_on_the_inclination(self):
+        plain = self.pair.solve(**STATE)
+        self.assertEqual(wheel_rail(friction=([-1.0, 1.0], [0.3, 0.3])).solve(**STATE).force_x, plain.force_x)
+        greased = wheel_rail(friction=([0.2, 0.4], [0.3, 0.05])).solve(**STATE)
+        self.assertNotEqual(greased.force_x, plain.force_x)
+
+    def test_solutions_are_values_and_show_themselves(self):
+        solution = self.pair.solve(**STATE)
+        self.assertEqual(pickle.loads(pickle.dumps(solution)), solution)
+        self.assertEqual(copy.copy(solution), solution)
+        self.assertIn("force_y=", repr(solution))
+        self.assertIn("t_gamma", solution._repr_html_())
+        self.assertIn("patch 2", solution._repr_html_())
+        self.assertEqual(microslip.Track(gauge=1.5), microslip.Track(gauge=1.5))
+        self.assertIn("angle=", repr(solution.patches[0]))
+
+    def test_what_makes_no_sense_is_refused(self):
+        for text, call in (("did you mean lateral", lambda: self.pair.solve(latteral=0.0, vertical_force=1e3)),
+                           ("either of them", lambda: self.pair.solve(lateral=0.0)),
+                           ("either of them", lambda: self.pair.solve(vertical=0.0, vertical_force=1e3)),
+                           ("solve_batch takes arrays", lambda: self.pair.solve(lateral=[0.0, 1.0], vertical_force=1e3)),
+                           ("gauge", lambda: wheel_rail(track=microslip.Track(gauge=-1.0))),
+                           ("must be left or right", lambda: wheel_rail(side="lefft")),
+                           ("must be fastsim2 or exact", lambda: wheel_rail(theory="fastsim")),
+                           ("friction", lambda: wheel_rail(friction=-0.1)),
+                           ("rail", lambda: wheel_rail(rail=microslip.read_profile(PROFILES / "s1002.prw")))):
+            with self.assertRaisesRegex(microslip.Error, text):
+                call()
+        self.assertEqual(self.pair.solve(**{**STATE, "lateral": float("nan")}).status, microslip.Status.invalid_input)
+
+
+load_tests = load_tests_if_compiled([WheelRailTest])
