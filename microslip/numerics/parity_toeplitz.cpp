@@ -1,8 +1,8 @@
 #include "microslip/numerics/parity_toeplitz.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/fftw.hpp"
 #include "microslip/numerics/threads.hpp"
+#include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,133 +10,121 @@
 #include <cstddef>
 #include <numbers>
 
-#include <omp.h>
-
 namespace microslip {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int batch = 8;                           // rows, or columns next to each other, in one call
+constexpr int lanes = block_lanes<double>, line = line_size<double>;
 constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 /// So many rows are summed wave by wave sooner than all of a column are transformed.
 constexpr std::size_t few_rows = 8;
 
 int padded(int m) {
-  return m == 1 ? 1 : fftw::quick_size(2 * m);
+  return m == 1 ? 1 : quick_size(2 * m);
 }
 
-/// z = z + k v, or z + i k v if `turned`, for complex numbers written out in real ones, which the compiler vectorises.
-void add_product(const double* k, bool turned, const double* v, double* z, int size) {
-  if (turned) {
-#pragma omp simd
-    for (int m = 0; m < size; ++m) {
-      z[2 * m] = z[2 * m] - k[m] * v[2 * m + 1];
-      z[2 * m + 1] = z[2 * m + 1] + k[m] * v[2 * m];
+/// z = z + f k v, or z + i f k v if `turned`, for the numbers of a line.
+void add_product(const double* k, double f, bool turned, const double* v, double* z) {
+  if (turned)
+    for (int m = 0; m < lanes; ++m) {
+      z[m] -= f * k[m] * v[lanes + m];
+      z[lanes + m] += f * k[m] * v[m];
     }
-  } else {
-#pragma omp simd
-    for (int m = 0; m < size; ++m) {
-      z[2 * m] = z[2 * m] + k[m] * v[2 * m];
-      z[2 * m + 1] = z[2 * m + 1] + k[m] * v[2 * m + 1];
+  else
+    for (int m = 0; m < lanes; ++m) {
+      z[m] += f * k[m] * v[m];
+      z[lanes + m] += f * k[m] * v[lanes + m];
     }
-  }
 }
 
-/// sum of z w.
-Complex dot(const double* z, const double* w, int size) {
-  double real = 0, imaginary = 0;
-#pragma omp simd reduction(+ : real, imaginary)
-  for (int m = 0; m < size; ++m) {
-    real += z[2 * m] * w[2 * m] - z[2 * m + 1] * w[2 * m + 1];
-    imaginary += z[2 * m] * w[2 * m + 1] + z[2 * m + 1] * w[2 * m];
+/// to = to + w v for the numbers of a line.
+void add_wave(Complex w, const double* v, double* to) {
+  for (int m = 0; m < lanes; ++m) {
+    to[m] += w.real() * v[m] - w.imag() * v[lanes + m];
+    to[lanes + m] += w.real() * v[lanes + m] + w.imag() * v[m];
   }
-  return {real, imaginary};
 }
 
 } // namespace
 
 struct ParityToeplitz::Plans {
-  /// Of a thread.
+  /// Of a thread: lines of all waves of a block's columns, there and back, and what the transforms work in.
   struct Work {
-    fftw::Buffer<Complex> in, out; ///< a batch of rows or columns
-    std::vector<double> kernel;    ///< a column of a kernel's transform, all of it
+    Buffer<double> sum, rows, scratch;
   };
 
   int mx, my, nx, ny;
-  int columns, rows;           ///< of a kernel's transform: kx = 0 .. nx/2, ky = 0 .. ny/2
-  fftw::Buffer<Complex> z;     ///< rows of `columns`, a multiple of `batch` of them
-  std::vector<Complex> loaded; ///< transforms of the grid functions, each with index kx ny + ky
+  int kernel_lines; ///< of a block in a kernel's transform: ky = 0 .. ny/2
+  WaveBlocks<double> waves;
+  ColumnTransforms<double> columns;
+  std::vector<double> loaded; ///< transforms of the grid functions, each block after block of ny lines
   std::vector<Work> works;
-  fftw::RealTransforms of_rows;
-  fftw::Transforms<double> column_forward, column_backward;
 
   Plans(int x, int y, const TransformPlans& plans)
-      : mx(x), my(y), nx(padded(x)), ny(padded(y)), columns(nx / 2 + 1), rows(ny / 2 + 1), of_rows(nx, batch, plans),
-        column_forward(ny, batch, FFTW_FORWARD, plans), column_backward(ny, batch, FFTW_BACKWARD, plans) {
-    z = fftw::allocate<Complex>(static_cast<std::size_t>(in_batches(my)) * batch * columns);
-    const int threads = static_cast<std::size_t>(nx) * ny >= smallest_threaded ? omp_get_max_threads() : 1;
-    const std::size_t size = static_cast<std::size_t>(batch) * std::max(columns, ny);
-    for (int i = 0; i < threads; ++i)
-      works.push_back({fftw::allocate<Complex>(size), fftw::allocate<Complex>(size), std::vector<double>(ny)});
+      : mx(x), my(y), nx(padded(x)), ny(padded(y)), kernel_lines(ny / 2 + 1),
+        waves(my, nx, threads_for(static_cast<std::size_t>(nx) * ny, smallest_threaded), 0, plans), columns(ny, plans) {
+    for (int i = 0; i < waves.threads(); ++i)
+      works.push_back({allocate<double>(columns.work_size()), allocate<double>(columns.work_size()),
+                       allocate<double>(columns.work_size())});
   }
 
-  static int in_batches(int count) { return (count + batch - 1) / batch; }
-  std::size_t loaded_size() const { return static_cast<std::size_t>(columns) * ny; }
-  Complex* row_of_z(int j) const { return z.get() + static_cast<std::size_t>(j) * columns; }
+  std::size_t table_size() const { return static_cast<std::size_t>(kernel_lines) * lanes; }
+  std::size_t column_size() const { return static_cast<std::size_t>(ny) * line; }
+  std::size_t loaded_size() const { return waves.count() * column_size(); }
   template <class Function> void share(int count, const Function& function) {
-    share_out(count, static_cast<int>(works.size()), [&](int b, int thread) { function(b * batch, works[thread]); });
+    share_out(count, waves.threads(), [&](int b, int thread) { function(b, thread); });
   }
+  static double* line_of(double* lines, int j) { return lines + static_cast<std::ptrdiff_t>(j) * line; }
 
   // --- kernels
 
-  /// Some rows of a kernel, whose transforms are real or imaginary.
-  void transform_kernel_rows(int first, bool odd, const KernelRow& kernel, Spectrum& to) {
-    auto* in = reinterpret_cast<double*>(works[0].in.get());
-    std::fill_n(in, static_cast<std::size_t>(batch) * 2 * columns, 0.0);
-    const int count = std::min(batch, my - first);
-    for (int j = 0; j < count; ++j) {
-      double* row = in + static_cast<std::size_t>(j) * 2 * columns;
-      kernel(first + j, {row, static_cast<std::size_t>(mx)});
+  /// Rows of a kernel, whose transforms are real or imaginary, to the first lines of the table.
+  void transform_kernel_rows(bool odd, const KernelRow& kernel, Spectrum& to) {
+    std::vector<double> rows(static_cast<std::size_t>(my + my % 2) * nx);
+    for (int j = 0; j < my; ++j) {
+      double* row = rows.data() + static_cast<std::size_t>(j) * nx;
+      kernel(j, {row, static_cast<std::size_t>(mx)});
+      if (odd) row[0] = 0;
       for (int i = 1; i < mx; ++i) row[nx - i] = odd ? -row[i] : row[i];
     }
-    of_rows.forward(in, works[0].out.get());
-    for (int j = 0; j < count; ++j)
-      for (int i = 0; i < columns; ++i) {
-        const Complex value = works[0].out[static_cast<std::size_t>(j) * columns + i];
-        to[static_cast<std::size_t>(i) * rows + first + j] = odd ? value.imag() : value.real();
-      }
+    const RowPairs<const double> all = {rows.data(), rows.data() + nx, 2 * static_cast<std::size_t>(nx)};
+    share(waves.batches(), [&](int b, int thread) { waves.forward(b, all, nx, thread); });
+    for (int b = 0; b < waves.count(); ++b)
+      for (int j = 0; j < my; ++j)
+        std::copy_n(line_of(waves.block(b), j) + (odd ? lanes : 0), lanes,
+                    &to[b * table_size() + static_cast<std::size_t>(j) * lanes]);
   }
 
-  /// Some columns of that, in pairs as real and imaginary part.
-  void transform_kernel_columns(int kx, bool odd, Spectrum& spectrum) {
-    Complex *in = works[0].in.get(), *out = works[0].out.get();
-    const auto column = [&](int c) {
-      return kx + c < columns ? &spectrum[static_cast<std::size_t>(kx + c) * rows] : nullptr;
-    };
-    std::fill_n(in, static_cast<std::size_t>(batch) * ny, Complex(0));
-    for (int c = 0; c < batch; ++c) {
-      const double *real = column(2 * c), *imaginary = column(2 * c + 1);
-      Complex* to = in + static_cast<std::size_t>(c) * ny;
-      for (int j = odd ? 1 : 0; j < my; ++j) {
-        to[j] = {real != nullptr ? real[j] : 0, imaginary != nullptr ? imaginary[j] : 0};
-        if (j > 0) to[ny - j] = odd ? -to[j] : to[j];
-      }
+  /// The columns of two blocks of that, as real and imaginary part. Odd ones have imaginary transforms.
+  void transform_kernel_columns(int b, bool odd, Spectrum& spectrum) {
+    double* const real = &spectrum[b * table_size()];
+    double* const imaginary = b + 1 < waves.count() ? real + table_size() : nullptr;
+    double *in = works[0].sum.get(), *out = works[0].rows.get();
+    std::fill_n(in, column_size(), 0.0);
+    for (int j = odd ? 1 : 0; j < my; ++j) {
+      const std::size_t entry = static_cast<std::size_t>(j) * lanes;
+      double* to = line_of(in, j);
+      std::copy_n(real + entry, lanes, to);
+      if (imaginary != nullptr) std::copy_n(imaginary + entry, lanes, to + lanes);
+      if (j > 0)
+        std::transform(to, to + line, line_of(in, ny - j), [odd](double value) { return odd ? -value : value; });
     }
-    column_forward.execute(in, out);
-    for (int c = 0; c < 2 * batch; ++c) {
-      double* to = column(c);
-      const Complex* from = out + static_cast<std::size_t>(c / 2) * ny;
-      if (to == nullptr) break;
-      for (int j = 0; j < rows; ++j)
-        to[j] = odd ? (c % 2 == 0 ? from[j].imag() : -from[j].real()) : (c % 2 == 0 ? from[j].real() : from[j].imag());
+    columns.forward({in, line, ny}, lanes, out, works[0].scratch.get());
+    for (int j = 0; j < kernel_lines; ++j) {
+      const double* from = line_of(out, j);
+      const std::size_t entry = static_cast<std::size_t>(j) * lanes;
+      for (int m = 0; m < lanes; ++m) {
+        real[entry + m] = odd ? from[lanes + m] : from[m];
+        if (imaginary != nullptr) imaginary[entry + m] = odd ? -from[m] : from[lanes + m];
+      }
     }
   }
 
   Spectrum spectrum_of(Parity parity, const KernelRow& kernel) {
-    Spectrum found(static_cast<std::size_t>(columns) * rows);
-    for (int j = 0; j < my; j += batch) transform_kernel_rows(j, parity.odd_x, kernel, found);
-    for (int kx = 0; kx < columns; kx += 2 * batch) transform_kernel_columns(kx, parity.odd_y, found);
+    Spectrum found(waves.count() * table_size());
+    transform_kernel_rows(parity.odd_x, kernel, found);
+    for (int b = 0; b < waves.count(); b += 2) transform_kernel_columns(b, parity.odd_y, found);
     const double scale = 1.0 / nx / ny;
     for (double& value : found) value *= scale;
     return found;
@@ -144,76 +132,68 @@ struct ParityToeplitz::Plans {
 
   // --- grid functions
 
-  void transform(std::span<const double> in, Complex* to) {
-    share(in_batches(my), [&](int first, Work& work) {
-      auto* real = reinterpret_cast<double*>(work.in.get());
-      std::fill_n(real, static_cast<std::size_t>(batch) * 2 * columns, 0.0);
-      for (int j = first; j < std::min(first + batch, my); ++j)
-        std::copy_n(in.data() + static_cast<std::size_t>(j) * mx, mx,
-                    real + static_cast<std::size_t>(j - first) * 2 * columns);
-      of_rows.forward(real, row_of_z(first));
-    });
-    share(in_batches(columns), [&](int kx, Work& work) {
-      const int count = std::min(batch, columns - kx);
-      std::fill_n(work.in.get(), static_cast<std::size_t>(batch) * ny, Complex(0));
-      for (int j = 0; j < my; ++j)
-        for (int c = 0; c < count; ++c) work.in[static_cast<std::size_t>(c) * ny + j] = row_of_z(j)[kx + c];
-      column_forward.execute(work.in.get(), work.out.get());
-      std::copy_n(work.out.get(), static_cast<std::size_t>(count) * ny, to + static_cast<std::size_t>(kx) * ny);
+  void transform(std::span<const double> in, double* to) {
+    const RowPairs<const double> rows = {in.data(), in.data() + mx, 2 * static_cast<std::size_t>(mx)};
+    share(waves.batches(), [&](int b, int thread) { waves.forward(b, rows, mx, thread); });
+    share(waves.count(), [&](int b, int thread) {
+      columns.forward({waves.block(b), line, my}, waves.lanes_of(b), to + b * column_size(),
+                      works[thread].scratch.get());
     });
   }
 
-  /// A column of the transform of the terms' sum.
-  void add_terms(std::span<const Term> terms, int kx, Work& work, Complex* sum) const {
-    std::fill_n(sum, ny, Complex(0));
+  /// A block of the transform of the terms' sum.
+  void add_terms(std::span<const Term> terms, int b, double* sum) const {
+    std::fill_n(sum, column_size(), 0.0);
     for (const Term& term : terms) {
       const int power = int(term.parity.odd_x) + int(term.parity.odd_y);
       const double sign = power == 2 ? -1 : 1, mirrored = term.parity.odd_y ? -sign : sign;
-      const double* quarter = term.kernel->data() + static_cast<std::size_t>(kx) * rows;
-      for (int j = 0; j < rows; ++j) work.kernel[j] = sign * quarter[j];
-      for (int j = rows; j < ny; ++j) work.kernel[j] = mirrored * quarter[ny - j];
-      const Complex* v = loaded.data() + term.in * loaded_size() + static_cast<std::size_t>(kx) * ny;
-      add_product(work.kernel.data(), power == 1, reinterpret_cast<const double*>(v), reinterpret_cast<double*>(sum),
-                  ny);
+      const double* quarter = term.kernel->data() + b * table_size();
+      const double* v = loaded.data() + term.in * loaded_size() + b * column_size();
+      for (int j = 0; j < ny; ++j) {
+        const bool given = j < kernel_lines;
+        add_product(quarter + static_cast<std::size_t>(given ? j : ny - j) * lanes, given ? sign : mirrored, power == 1,
+                    v + static_cast<std::size_t>(j) * line, line_of(sum, j));
+      }
     }
   }
 
-  /// exp(2 pi i ky row/ny) for all ky, of each row.
-  std::vector<Complex> waves(std::span<const int> chosen) const {
-    std::vector<Complex> w;
-    for (const int row : chosen)
-      for (int ky = 0; ky < ny; ++ky)
-        w.push_back(std::polar(1.0, 2 * std::numbers::pi * double(static_cast<long>(ky) * row % ny) / ny));
-    return w;
+  /// exp(2 pi i ky row/ny).
+  Complex wave(int ky, int row) const {
+    return std::polar(1.0, 2 * std::numbers::pi * double(static_cast<long>(ky) * row % ny) / ny);
   }
 
-  /// Columns of the product in the chosen rows, to the first rows of z.
+  /// Columns of the product in the chosen rows, to the first lines of the blocks of waves.
   void columns_back(std::span<const Term> terms, std::span<const int> chosen) {
     const bool few = chosen.size() <= few_rows;
-    const std::vector<Complex> w = few ? waves(chosen) : std::vector<Complex>();
-    const auto write = [&](std::size_t row, int kx, Complex value) { row_of_z(static_cast<int>(row))[kx] = value; };
-    share(in_batches(columns), [&](int kx, Work& work) {
-      const int count = std::min(batch, columns - kx);
-      for (int c = 0; c < count; ++c) add_terms(terms, kx + c, work, work.in.get() + static_cast<std::size_t>(c) * ny);
-      if (!few) column_backward.execute(work.in.get(), work.out.get());
-      for (std::size_t r = 0; r < chosen.size(); ++r)
-        for (int c = 0; c < count; ++c) {
-          const std::size_t column = static_cast<std::size_t>(c) * ny;
-          write(r, kx + c,
-                few ? dot(reinterpret_cast<const double*>(work.in.get() + column),
-                          reinterpret_cast<const double*>(w.data() + r * ny), ny)
-                    : work.out[column + chosen[r]]);
+    std::vector<Complex> w;
+    for (std::size_t r = 0; few && r < chosen.size(); ++r)
+      for (int ky = 0; ky < ny; ++ky) w.push_back(wave(ky, chosen[r]));
+    share(waves.count(), [&](int b, int thread) {
+      Work& work = works[thread];
+      add_terms(terms, b, work.sum.get());
+      if (!few) columns.backward(work.sum.get(), {work.rows.get(), line, my}, waves.lanes_of(b), work.scratch.get());
+      for (std::size_t r = 0; r < chosen.size(); ++r) {
+        double* to = line_of(waves.block(b), static_cast<int>(r));
+        if (!few) {
+          std::copy_n(line_of(work.rows.get(), chosen[r]), line, to);
+          continue;
         }
+        std::fill_n(to, line, 0.0);
+        for (int ky = 0; ky < ny; ++ky) add_wave(w[r * ny + ky], line_of(work.sum.get(), ky), to);
+      }
+      for (const int k : {0, nx / 2}) // real rows have no imaginary part there, rounding apart
+        if (k / lanes == b)
+          for (std::size_t r = 0; r < chosen.size(); ++r)
+            line_of(waves.block(b), static_cast<int>(r))[lanes + k % lanes] = 0;
     });
   }
 
   void rows_back(std::size_t count, std::span<double> out) {
-    share(in_batches(static_cast<int>(count)), [&](int first, Work& work) {
-      auto* real = reinterpret_cast<double*>(work.in.get());
-      of_rows.backward(row_of_z(first), real);
-      for (std::size_t j = first; j < std::min(count, static_cast<std::size_t>(first) + batch); ++j)
-        std::copy_n(real + (j - first) * 2 * columns, mx, out.data() + j * mx);
-    });
+    std::vector<double> rows(static_cast<std::size_t>(my + my % 2) * mx);
+    const RowPairs<double> to = {rows.data(), rows.data() + mx, 2 * static_cast<std::size_t>(mx)};
+    const int batches = WaveBlocks<double>::batches_of(static_cast<int>(count));
+    share(batches, [&](int b, int thread) { waves.backward(b, to, mx, thread); });
+    std::copy_n(rows.data(), count * mx, out.data());
   }
 };
 
