@@ -8,10 +8,6 @@
 #include <memory>
 #include <new>
 
-// Fast Fourier transforms, unscaled: n there and back is n times what was. Sequences are transformed many at a time,
-// one in each lane of vector registers: their numbers stand in blocks, where the k-th numbers of `block_lanes`
-// sequences that are side by side make a line, first the real parts, then the imaginary ones.
-
 namespace microslip {
 
 struct AlignedDelete {
@@ -23,7 +19,9 @@ template <class Real> Buffer<Real> allocate(std::size_t n) {
   return Buffer<Real>(static_cast<Real*>(operator new[](n * sizeof(Real), std::align_val_t(64))));
 }
 
-/// Sequences in a block. It does not depend on the instructions that the processor has.
+/// Sequences in a block. Many sequences are transformed at a time, one in each lane of vector registers, and so they
+/// stand in memory: the k-th numbers of those that are side by side make a line, first the real parts, then the
+/// imaginary ones. The number of lanes does not depend on the instructions that the processor has.
 template <class Real> inline constexpr int block_lanes = 64 / sizeof(Real);
 /// Real numbers in a line of a block.
 template <class Real> inline constexpr int line_size = 2 * block_lanes<Real>;
@@ -43,9 +41,10 @@ template <class Real> struct BlockLines {
   int count; ///< of n: the others are zero, or not wanted
 };
 
-/// Transforms of rows of n real numbers to their waves 0 .. n/2 and back. Wave k of a row is in lane k % block_lanes of
-/// the block k / block_lanes, where each row has a line; blocks are `block_stride` numbers apart. Objects may be used
-/// from several threads at once, each with work of its own, which is aligned as that from `allocate`.
+/// Transforms of rows of n real numbers to their waves 0 .. n/2 and back, unscaled: there and back makes n times what
+/// was. Wave k of a row is in lane k % block_lanes of the block k / block_lanes, where each row has a line; blocks are
+/// `block_stride` numbers apart. Objects may be used from several threads at once, each with work of its own, which is
+/// aligned as that from `allocate`.
 template <class Real> class RowTransforms {
 public:
   /// n has no other prime factors than 2, 3 and 5. Throws Error. Cost: that of a few rows.

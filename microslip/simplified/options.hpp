@@ -2,9 +2,9 @@
 
 #include "microslip/contact/motion.hpp"
 #include "microslip/friction/traction_bound.hpp"
+#include "microslip/numerics/instruction_set.hpp"
 #include "microslip/numerics/precision.hpp"
 #include "microslip/simplified/flexibility.hpp"
-#include "microslip/numerics/instruction_set.hpp"
 
 namespace microslip {
 
