@@ -34,11 +34,8 @@ NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid
       .solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1}, tolerance, essential);
 }
 
-/// The traction bound of the elements [Pa].
-std::vector<double> bound_of(const FittedContact& fitted, const EllipticContact& contact) {
-  std::vector<double> bound = fitted.load_share;
-  for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
-  return bound;
+double capacity_of(const EllipticContact& contact) {
+  return contact.friction.static_coefficient() * contact.normal_force;
 }
 
 /// Its mirror image in x.
@@ -164,7 +161,7 @@ ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& co
                                                        const Progress& progress) {
   prepare_classical(contact, progress);
   std::vector<double> bound = normal_.pressure;
-  for (double& g : bound) g *= contact.friction.static_coefficient() * contact.normal_force;
+  for (double& g : bound) g *= capacity_of(contact);
   std::vector<SolutionStep> history;
   ContactSolution out = contact_solution(grid_, roll(contact, motion, bound, progress, history), normal_,
                                          contact.normal_force, motion.kind, contact.rolling_speed);
@@ -207,7 +204,7 @@ ContactSolution EllipticContactSolver::solve_sequence(const EllipticContact& con
 
 ContactSolution EllipticContactSolver::fitted_solution(const SecondOrderSolution& found, const FittedContact& fitted,
                                                        const EllipticContact& contact) const {
-  const std::vector<double> bound = bound_of(fitted, contact);
+  const std::vector<double> bound = friction_bound(fitted, capacity_of(contact));
   return contact_solution(fitted, found,
                           {.bound = bound,
                            .normal_force = contact.normal_force,
@@ -242,7 +239,7 @@ ContactSolution EllipticContactSolver::solve_transient(const EllipticContact& co
                                                        const Progress& progress) {
   prepare_transient(contact, progress);
   const FittedContact& fitted = transient_->contact();
-  const std::vector<double> bound = bound_of(fitted, contact);
+  const std::vector<double> bound = friction_bound(fitted, capacity_of(contact));
   std::vector<SolutionStep> history;
   const SecondOrderInput input{.creepage = mirrored(contact).creepage,
                                .force_x = mirrored(motion).force_x,
