@@ -65,7 +65,7 @@ constexpr std::array all_studies = {
           run_random_problems},
     Study{"refinement", "the test of the refinement paper: its figures 1 to 8, and times beside its Table 1",
           run_refinement},
-    Study{"second-order", "steady rolling at second order: Carter, the refinement paper's test, the 112 cases",
+    Study{"second-order", "rolling at second order: Carter, the refinement paper's test, other rolling, the 112 cases",
           run_second_order},
     Study{"solver-growth", "Table 1 of the refinement paper: how the cost of ConvexGS grows, beside Newton's",
           run_solver_growth},

@@ -51,7 +51,7 @@ constexpr Rule rules[] = {
      "must be classical for bodies of different materials, viscoelastic ones, a layer, falling friction and "
      "temperatures",
      [](Problem p, How m) {
-       // Shifts and transient rolling are classical without being asked.
+       // Shifts and steps that are given are classical without being asked.
        return is_exact(m) && m.discretisation == Discretisation::second_order && needs_sequence(p);
      }},
     {"solution.elements", "bilinear ones need solution.discretisation = \"classical\"",

@@ -140,8 +140,8 @@ void bind_solver(py::module_& module) {
         options.elements = elements;
         return std::make_unique<Solver>(options);
       },
-      "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling\n"
-      "'second_order' or 'classical' (Kalker's, first order; shifts and transient rolling always);\n"
+      "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of rolling\n"
+      "'second_order' or 'classical' (Kalker's, first order; shifts and steps that are given always);\n"
       "elements 'constant' or, classical, 'bilinear';\n",
       "Error if an option is out of range or the grid needs more memory than the machine has.", "mx"_a = 24,
       "my"_a = 24, py::kw_only(), "discretisation"_a = Discretisation::second_order,

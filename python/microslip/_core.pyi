@@ -535,7 +535,7 @@ class EllipticContactSolver:
     elements across the ellipse. Influence coefficients are kept for the next contact with the same
     ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them."""
     def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', elements: Literal["constant", "bilinear"] = 'constant', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of steady rolling
+        """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of rolling
         'second_order' or 'classical' (Kalker's, first order; shifts and steps that are given always);
         elements 'constant' or, classical, 'bilinear';
         direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
