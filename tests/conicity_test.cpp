@@ -110,6 +110,13 @@ TEST(Conicity, OfAConeIsItsInclination) {
   EXPECT_FALSE(kinematic_oscillation(difference, 8.1e-3, base));
 }
 
+TEST(Conicity, OfACylinderIsZero) {
+  const auto motion = kinematic_oscillation(table(8e-3, 20, [](double y) { return 1e-12 * y; }), 4e-3, base);
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->conicity, 0);
+  EXPECT_TRUE(std::isinf(motion->wavelength));
+}
+
 TEST(Conicity, OfACubicFollowsFromTheLemniscate) {
   // y'' = -a y^3: a quarter of the wavelength is K/(A sqrt a), K the lemniscate integral over sqrt(2)
   const double k = 5e4, amplitude = 4e-3, a = k / (1.5 * 0.46);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -47,6 +48,15 @@ void check(const WheelsetBase& base) {
   require_positive("nominal_radius", base.nominal_radius, "m");
 }
 
+/// Whether the radii stay the same on either side of the middle, to rounding.
+bool is_cylindrical(const RollingRadiusDifference& difference, double amplitude) {
+  if (!(difference.from() <= -amplitude && amplitude <= difference.to())) return false;
+  constexpr int points = 200;
+  for (int k = -points; k <= points; ++k)
+    if (std::abs(difference.at(amplitude * k / points)) > 1e-10) return false;
+  return true;
+}
+
 } // namespace
 
 WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, RollRule rule, double yaw, double step) {
@@ -60,7 +70,8 @@ WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, Rol
     if (curve.front().status != Status::ok)
       throw Error("wheelset curve: no contact of both wheels in the middle of the track");
     const int steps = static_cast<int>(std::ceil(std::abs(end) / step - 1e-9));
-    for (int k = 1; k <= steps && refiner.extend(curve, end * k / steps);) ++k;
+    for (int k = 1; k <= steps; ++k)
+      if (!refiner.extend(curve, end * k / steps)) break;
     return curve;
   };
   WheelsetCurve curve = side(from);
@@ -109,6 +120,8 @@ std::optional<KinematicOscillation> kinematic_oscillation(const RollingRadiusDif
                                                           const WheelsetBase& base) {
   require_positive("amplitude", amplitude, "m");
   check(base);
+  if (is_cylindrical(difference, amplitude))
+    return KinematicOscillation{-amplitude, amplitude, std::numeric_limits<double>::infinity(), 0};
   // the extremes, at which the integral is the same: the midpoint by bisection
   const auto excess = [&](double middle) {
     return difference.integral(middle + amplitude) - difference.integral(middle - amplitude);

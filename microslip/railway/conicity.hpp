@@ -61,7 +61,8 @@ struct KinematicOscillation {
 /// S' = dr, S(y_min) = S(y_max), y_max - y_min = 2 amplitudes; half a wavelength is the integral of dy/y' over [y_min,
 /// y_max], with y = (y_min + y_max)/2 + amplitude sin t by the midpoint rule with 4000 points; equivalent conicity
 /// gamma = (2 pi/L)^2 e r0/2 (EN 15302). Empty if the displacements are not covered or no such motion exists, as with
-/// wheels that steer outward. Throws Error for an amplitude or base that is not positive.
+/// wheels that steer outward; cylindrical wheels have the conicity 0 and an infinite wavelength. Throws Error for an
+/// amplitude or base that is not positive.
 std::optional<KinematicOscillation> kinematic_oscillation(const RollingRadiusDifference& difference, double amplitude,
                                                           const WheelsetBase& base);
 

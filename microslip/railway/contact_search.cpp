@@ -80,20 +80,27 @@ Range inclination_at(double alpha, double sine, double cosine, double across) {
   return {all, all};
 }
 
-/// The zero of a monotone function between a and b, where it has opposite signs or is zero: Newton's method within a
-/// bracket. `function` returns value and derivative.
-template <class Function> double monotone_root(double a, double b, bool rising, Function function) {
-  double u = (a + b) / 2;
+/// The zero of a monotone function between a and b, where it has opposite signs or is zero, from a first guess:
+/// Newton's method within a bracket. `function` returns value and derivative.
+template <class Function> double monotone_root(double a, double b, bool rising, double guess, Function function) {
+  double u = std::clamp(guess, a, b);
   for (int k = 0; k < 80; ++k) {
     const auto [value, slope] = function(u);
     if (value == 0) return u;
     ((value > 0) == rising ? b : a) = u;
     double next = u - value / slope;
+    // after a step as small as this Newton's method has the zero to rounding
+    if (std::abs(next - u) <= 1e-10 && next >= a && next <= b) return next;
     if (!(next >= a && next <= b) || k % 8 == 7) next = (a + b) / 2;
     if (std::abs(next - u) <= 4e-16 * (1 + std::abs(u))) return next;
     u = next;
   }
   return u;
+}
+
+/// Where the straight line through (a, f(a)) and (b, f(b)) is zero.
+double secant(double a, double fa, double b, double fb) {
+  return fa == fb ? (a + b) / 2 : a - fa * (b - a) / (fb - fa);
 }
 
 struct ValueAndSlope {
@@ -181,14 +188,13 @@ struct Traversal {
   }
 
   void visit(std::size_t w, std::size_t r) {
-    const ContactSearch::LocusBounds& wheel = bounds(w);
-    const ArcNode& rail_node = rail_arcs.nodes()[r];
+    const ArcNode &wheel_node = wheel_arcs.nodes()[w], &rail_node = rail_arcs.nodes()[r];
     Range inclination = rail.inclination(rail_node);
     inclination = {std::max(inclination.low, -right_angle), std::min(inclination.high, right_angle)};
+    const ContactSearch::LocusBounds& wheel = bounds(w);
     if (!inclination.meets(wheel.inclination)) return;
     if (!rail.y(rail_node).meets(wheel.y)) return;
     if (wheel.z.low - rail.z(rail_node).high > lowest + approach) return;
-    const ArcNode& wheel_node = wheel_arcs.nodes()[w];
     if (wheel_node.count == 1 && rail_node.count == 1) {
       const ProfileArc &wheel_arc = wheel_arcs.arcs()[wheel_node.first], &rail_arc = rail_arcs.arcs()[rail_node.first];
       pair({wheel_arc, 0, 1, wheel_at(wheel_arc, 0), wheel_at(wheel_arc, 1)},
@@ -286,14 +292,15 @@ struct Traversal {
 
   double wheel_over(const WheelPart& w, double y) const {
     if (w.p0.place.y == w.p1.place.y) return w.u0;
-    return monotone_root(w.u0, w.u1, true, [&](double u) {
+    const double guess = secant(w.u0, w.p0.place.y - y, w.u1, w.p1.place.y - y);
+    return monotone_root(w.u0, w.u1, true, guess, [&](double u) {
       const LocusPoint<double> p = wheel_at(w.arc, u);
       return ValueAndSlope{p.place.y - y, p.speed * p.cosine};
     });
   }
 
   double rail_under(const RailPart& r, double y) const {
-    return monotone_root(r.v0, r.v1, true, [&](double v) {
+    return monotone_root(r.v0, r.v1, true, secant(r.v0, r.p0.y - y, r.v1, r.p1.y - y), [&](double v) {
       const RailCurve::Point p = rail.at(r.arc, v);
       return ValueAndSlope{p.y - y, p.speed * p.cosine};
     });
@@ -310,8 +317,8 @@ struct Traversal {
     if (std::abs(high) <= rounding) high = 0;
     if (low * high > 0) return;
     double v = (va + vb) / 2;
-    const RailPart between{r.arc, va, vb, r.p0, r.p1};
-    const double u = monotone_root(ua, ub, high > low, [&](double at) {
+    const RailPart between{r.arc, va, vb, rail.at(r.arc, va), rail.at(r.arc, vb)};
+    const double u = monotone_root(ua, ub, high > low, secant(ua, low, ub, high), [&](double at) {
       const LocusPoint<double> p = wheel_at(w.arc, at);
       v = rail_under(between, p.place.y);
       const RailCurve::Point q = rail.at(r.arc, v);
@@ -387,7 +394,8 @@ struct LocusWalk {
   }
 
   double parameter_under(const ProfileArc& arc, double y) const {
-    return monotone_root(0, 1, true, [&](double v) {
+    const double guess = secant(0, rail.at(arc, 0).y - y, 1, rail.at(arc, 1).y - y);
+    return monotone_root(0, 1, true, guess, [&](double v) {
       const RailCurve::Point p = rail.at(arc, v);
       return ValueAndSlope{p.y - y, p.speed * p.cosine};
     });
