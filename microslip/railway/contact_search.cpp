@@ -13,6 +13,11 @@ constexpr double right_angle = std::numbers::pi / 2;
 constexpr double parallel = 1e-9;
 /// [rad], [m], rounding of inclinations and places.
 constexpr double rounding = 1e-13;
+/// Surfaces whose inclination is within this of the view's direction [rad] are not seen.
+constexpr double grazing = 1e-6;
+/// cos^2 chi, about cos^2 tau: places of the wheel further than 60 degrees from its lowest line are left out. There the
+/// locus of a steep flank under yaw climbs to the axle, where no rail is.
+constexpr double highest_place = 0.25;
 /// Halvings of an arc after which the sign of a derivative need not be proven any more.
 constexpr int finest = 40;
 
@@ -220,8 +225,14 @@ struct Traversal {
     }
     const Range cosine = between_angles(w.p0.cosine, w.p0.sine, w.p1.cosine, w.p1.sine);
     const Range rail_cosine = between_angles(r.p0.cosine, r.p0.sine, r.p1.cosine, r.p1.sine);
-    bool known = w.p0.exists && w.p1.exists;
-    if (known && locus.lean() > 0) known = lean_on(w, speed, turn);
+    if (cosine.high < grazing || rail_cosine.high < grazing) return;
+    bool known = true;
+    if (locus.lean() > 0) {
+      const Range square = square_of_chi(w);
+      if (square.high < highest_place) return;
+      known = square.low > highest_place / 25;
+      if (known) lean_on(w, square, speed, turn);
+    }
     if (known && speed.high < 0) return; // an inner sheet of the locus
     const Range dy = speed * cosine, rail_dy = rail_speed * rail_cosine;
     const Range wheel_y = known ? speed.low >= 0 && cosine.low >= 0 ? Range::between(w.p0.place.y, w.p1.place.y)
@@ -254,19 +265,30 @@ struct Traversal {
     }
   }
 
-  /// Speed and turn of the locus from those of the profile; false where they are not bounded.
-  bool lean_on(const WheelPart& w, Range& speed, Range& turn) const {
+  Range profile_cosine(const WheelPart& w) const {
     const ArcPoint a = w.u0 == 0 ? w.arc.ends[0] : wheel_arcs.at(w.arc, w.u0);
     const ArcPoint b = w.u1 == 1 ? w.arc.ends[1] : wheel_arcs.at(w.arc, w.u1);
-    const Range cosine = between_angles(a.cosine, a.sine, b.cosine, b.sine);
-    if (cosine.low <= 0) return false;
-    const Range square{1 - locus.lean() / (cosine.low * cosine.low), 1 - locus.lean() / (cosine.high * cosine.high)};
-    if (square.low <= 0) return false;
-    const Range chi{std::sqrt(square.low), std::sqrt(square.high)};
-    const Range rho = Range::between(locus.radius() - a.place.z, locus.radius() - b.place.z);
-    speed = speed * chi + locus.lean() * (turn * rho) / (chi * cosine * cosine * cosine);
+    return between_angles(a.cosine, a.sine, b.cosine, b.sine);
+  }
+
+  /// cos^2 chi = 1 - e_x^2/cos^2 alpha; minus infinity where alpha reaches a right angle.
+  Range square_of_chi(const WheelPart& w) const {
+    const Range cosine = profile_cosine(w);
+    const double least = std::min(cosine.low * cosine.low, cosine.high * cosine.high);
+    const double most = std::max(cosine.low * cosine.low, cosine.high * cosine.high);
+    return {cosine.holds(0) ? -std::numeric_limits<double>::infinity() : 1 - locus.lean() / least,
+            1 - locus.lean() / most};
+  }
+
+  /// Speed and turn of the locus from those of the profile (W2).
+  void lean_on(const WheelPart& w, const Range& square, Range& speed, Range& turn) const {
+    const Range cosine = profile_cosine(w), chi{std::sqrt(square.low), std::sqrt(square.high)};
+    const ProfileArc& arc = w.arc;
+    const Range rho{locus.radius() - std::max(arc.ends[0].place.z, arc.ends[1].place.z),
+                    locus.radius() - std::min(arc.ends[0].place.z, arc.ends[1].place.z)};
+    const Range size = cosine.high < 0 ? -1.0 * cosine : cosine; // the locus takes |cos alpha|
+    speed = speed * chi + locus.lean() * (turn * rho) / (chi * size * size * size);
     turn = turn / chi;
-    return true;
   }
 
   void halve(const WheelPart& w, const RailPart& r, int depth) {

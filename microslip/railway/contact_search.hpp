@@ -53,7 +53,8 @@ public:
   /// it about x (y towards z), so that +pi/2 looks at surfaces that face the track's centre. Gaps are vertical then
   /// turned by `view`. In the view from above all gaps change alike with the wheel's height, so one search is enough.
   /// A region where wheel and rail stay parallel counts as one place in its midst. Valid until the next call; does not
-  /// allocate. Empty where no part of the wheel is above the rail.
+  /// allocate. Surfaces along the view and places of the wheel further than 60 degrees from its lowest line are left
+  /// out. Empty where no part of the wheel is above the rail.
   std::span<const ContactPoint> find(const WheelPlacement<double>& placement, double approach, double view = 0);
 
   /// The stretches of the locus of the last search that are inside the rail after the wheel was moved by `lowering` [m]
