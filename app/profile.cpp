@@ -81,7 +81,8 @@ void add_dimensions(QuantityTable& table, const ProfileFindings& findings) {
 }
 
 void print_table(const ProfileFindings& findings) {
-  const auto& [profile, measured, report] = findings.prepared;
+  const auto& profile = findings.prepared.profile;
+  const auto& report = findings.prepared.report;
   QuantityTable table(fmt::format("{}, {}", to_string(profile.role()), report.format));
   table.add("points read", static_cast<double>(report.points_read), "-");
   table.add("points of the spline", static_cast<double>(report.points), "-");
@@ -144,7 +145,8 @@ Json dimensions_document(const ProfileFindings& findings) {
 
 void print_document(const ProfileArguments& arguments, const ProfileFindings& findings,
                     const std::vector<std::string>& files) {
-  const auto& [profile, measured, report] = findings.prepared;
+  const auto& profile = findings.prepared.profile;
+  const auto& report = findings.prepared.report;
   auto document = json_document("profile");
   document["input"] = arguments.file.string();
   document["format"] = report.format;
@@ -263,7 +265,7 @@ void write_result(const ProfileArguments& arguments, const ProfileFindings& find
 void convert(const ProfileArguments& arguments, const PreparedProfile& prepared) {
   const auto format = format_of_ending(arguments.converted, prepared.profile.role());
   OutputFile file(arguments.converted);
-  file.write(profile_text(prepared.profile, format, prepared.report.comment));
+  file.write(profile_text(prepared, format));
   file.commit();
 }
 

@@ -276,8 +276,22 @@ def hertz(draw):
     return microslip.hertz_from_load(microslip.gap_curvatures(*(radius() for _ in range(4))), material(draw), draw.scale(1, 1e6))
 
 
+def profile(draw):
+    """An arc with errors, as a rail or a wheel, and what is asked of it."""
+    angle, radius = np.linspace(-1.2, 1.2, draw.randint(5, 300)), draw.scale(1e-2, 1)
+    noise = draw.choice((0.0, draw.scale(1e-7, 1e-4)))
+    coordinate = lambda values: draw.array(radius * values + [draw.gauss(0, noise) for _ in values])
+    kind = draw.word("rail", "wheel")
+    made = microslip.Profile(coordinate(np.sin(angle)), coordinate(np.cos(angle)), kind,
+                             **draw.some(smoothing_length=lambda: draw.scale(1e-4, 1e-2),
+                                         trim=lambda: (draw.number(-0.1, 0), draw.number(0, 0.1))))
+    s = draw.array(np.linspace(0, made.length, 7))
+    asked = made.gauge_point(draw.scale(1e-3, 0.1)) if kind == "rail" else made.wheel_dimensions(draw.number(-0.1, 0.1))
+    return made, asked, made.report, made.point(s), made.angle(s), made.curvature(s)
+
+
 CALLS = (elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
-         normal_problem, patch_rolling, tangential_problem, interior, hertz)
+         normal_problem, patch_rolling, tangential_problem, interior, hertz, profile)
 
 
 # What is asked of the results.

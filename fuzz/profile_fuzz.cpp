@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(*prepared);
   const auto role = prepared->profile.role();
   for (const auto format : {ProfileFormat::simpack, ProfileFormat::columns}) try {
-      const auto text = profile_text(prepared->profile, format, prepared->report.comment);
+      const auto text = profile_text(*prepared, format);
       check(parse_profile(text, "again", {.format = format, .role = role, .unit = 1e-3}));
     } catch (const Error& error) { // smoothing may have made it cross itself, and the reader may straighten zig-zags
       require(std::string_view(error.what()).starts_with("again:"));

@@ -16,17 +16,10 @@ std::string shortest(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-std::vector<ProfilePoint> points_of(const Profile& profile) {
-  std::vector<ProfilePoint> points;
-  for (const auto& piece : profile.pieces()) points.push_back(piece.c[0]);
-  points.push_back(profile.at(profile.length()).value);
-  return points;
-}
-
 /// Rows of y and z [mm], with these signs.
-std::string rows(const Profile& profile, double y_sign, double z_sign, std::string_view separator) {
+std::string rows(const PreparedProfile& prepared, double y_sign, double z_sign, std::string_view separator) {
   std::string text;
-  for (const auto& p : points_of(profile))
+  for (const auto& p : prepared.points)
     text.append(shortest(y_sign * p.y * 1e3)).append(separator).append(shortest(z_sign * p.z * 1e3)).append("\n");
   return text;
 }
@@ -38,38 +31,39 @@ std::string on_one_line(std::string text, std::string_view without = "") {
   return text;
 }
 
-std::string simpack_text(const Profile& profile, const std::string& comment) {
-  return "header.begin\n  version = 1\n  type    = " + std::string(profile.role() == ProfileRole::rail ? "0" : "1") +
-         "\nheader.end\nspline.begin\n  comment     = '" + on_one_line(comment, "'\"") +
-         "'\n  units.len.f = 1000\n  units.ang.f = 1\n  point.begin\n" + rows(profile, 1, -1, " ") +
+std::string simpack_text(const PreparedProfile& prepared) {
+  return "header.begin\n  version = 1\n  type    = " +
+         std::string(prepared.profile.role() == ProfileRole::rail ? "0" : "1") +
+         "\nheader.end\nspline.begin\n  comment     = '" + on_one_line(prepared.report.comment, "'\"") +
+         "'\n  units.len.f = 1000\n  units.ang.f = 1\n  point.begin\n" + rows(prepared, 1, -1, " ") +
          "  point.end\nspline.end\n";
 }
 
-std::string miniprof_text(const Profile& profile, const std::string& comment) {
-  const bool is_rail = profile.role() == ProfileRole::rail;
-  const auto count = std::to_string(profile.pieces().size() + 1);
-  return "ProgramName=microslip\nComment=" + on_one_line(comment, "\"!%") + "\n" +
+std::string miniprof_text(const PreparedProfile& prepared) {
+  const bool is_rail = prepared.profile.role() == ProfileRole::rail;
+  const auto count = std::to_string(prepared.points.size());
+  return "ProgramName=microslip\nComment=" + on_one_line(prepared.report.comment, "\"!%") + "\n" +
          (is_rail ? "RailGaugePoint=14\n" : "WheelDiameterTaperline=70\n") + "XOffset=0\nYOffset=0\nXYPoints=" + count +
-         "\nColumnDef=X,Y\n\n" + rows(profile, is_rail ? -1 : 1, -1, " ");
+         "\nColumnDef=X,Y\n\n" + rows(prepared, is_rail ? -1 : 1, -1, " ");
 }
 
-std::string columns_text(const Profile& profile, const std::string& comment) {
-  return "# " + on_one_line(comment) + "\n# " + std::string(to_string(profile.role())) +
-         ": y [mm] to the field side, z [mm] up\n" + rows(profile, 1, 1, " ");
+std::string columns_text(const PreparedProfile& prepared) {
+  return "# " + on_one_line(prepared.report.comment) + "\n# " + std::string(to_string(prepared.profile.role())) +
+         ": y [mm] to the field side, z [mm] up\n" + rows(prepared, 1, 1, " ");
 }
 
 } // namespace
 
-std::string profile_text(const Profile& profile, ProfileFormat format, const std::string& comment) {
+std::string profile_text(const PreparedProfile& profile, ProfileFormat format) {
   switch (format) {
   case ProfileFormat::simpack:
-    return simpack_text(profile, comment);
+    return simpack_text(profile);
   case ProfileFormat::miniprof:
-    return miniprof_text(profile, comment);
+    return miniprof_text(profile);
   case ProfileFormat::columns:
     break;
   }
-  return columns_text(profile, comment);
+  return columns_text(profile);
 }
 
 ProfileFormat format_of_ending(const std::filesystem::path& path, ProfileRole role) {

@@ -7,10 +7,10 @@
 
 namespace microslip {
 
-/// The points of a profile's spline as the text of a file, in mm: Simpack with z down, MiniProf with x to the gauge
-/// side for rails, to the field side for wheels and y down, columns in the profile's own axes. Numbers read back to
-/// 1e-15 m. A comment may have no line ends and, for Simpack, no quotes.
-std::string profile_text(const Profile& profile, ProfileFormat format, const std::string& comment = "");
+/// The points of a profile as the text of a file, in mm: Simpack with z down, MiniProf with x to the gauge side for
+/// rails, to the field side for wheels and y down, columns in the profile's own axes. Numbers read back to 1e-16 m.
+/// Line ends in the comment of its report, and quotes where the format has them, become blanks.
+std::string profile_text(const PreparedProfile& profile, ProfileFormat format);
 
 /// The format of a file by its ending: .prr, .prw, .ban and .whl, columns for others. Throws Error for the ending of
 /// the other role.

@@ -62,7 +62,7 @@ public:
     report_.points = points_.size();
     Profile profile(role_, points_, kinks);
     list_kinks(profile, kinks);
-    return {std::move(profile), measured, std::move(report_)};
+    return {std::move(profile), std::move(points_), measured, std::move(report_)};
   }
 
 private:

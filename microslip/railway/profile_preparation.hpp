@@ -26,7 +26,8 @@ struct ProfileTreatment {
 /// A profile and how it came about.
 struct PreparedProfile {
   Profile profile;
-  std::vector<ProfilePoint> measured; ///< the points in its axes before smoothing, one for each of the profile
+  std::vector<ProfilePoint> points;   ///< that its spline is laid through
+  std::vector<ProfilePoint> measured; ///< the same before smoothing
   ProfileReport report;
 };
 

@@ -54,7 +54,8 @@ TYPES_OF_PROPERTIES = {
     "WheelRailArrays.status": "NDArray[numpy.uint8]",
     "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
 }
-RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any",  # a number for numbers, else an array
+RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "angle": "Any", "curvature": "Any",
+           "point": "tuple[Any, Any]",  # a number for numbers, else an array
            "to_dict": "dict[str, Any]"}
 
 
@@ -89,6 +90,8 @@ def argument(text, owner):
     kind = python_type(kind)
     if kind == "str" or name == "body" or (kind == "object" and default != "None" and (owner, name) != ("TangentialProblem", "bound")):
         kind = TYPES_OF_ARGUMENTS.get(f"{owner}.{name}", TYPES_OF_ARGUMENTS.get(name, kind))
+    if kind == "str | None":
+        kind = TYPES_OF_ARGUMENTS.get(name, "str") + " | None"
     if kind == "object":
         kind = "ArrayLike"
     if kind == "Bodies | None":

@@ -66,18 +66,10 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// The points that the spline is laid through.
-std::vector<ProfilePoint> points_of(const Profile& profile) {
-  std::vector<ProfilePoint> points;
-  for (const auto& piece : profile.pieces()) points.push_back(piece.c[0]);
-  points.push_back(profile.at(profile.length()).value);
-  return points;
-}
-
 ProfileState state_from(const ProfileValue& self) {
   const auto kinks = self.profile().kinks();
   return {self.profile().role(),
-          points_of(self.profile()),
+          self.prepared->points,
           self.prepared->measured,
           {kinks.begin(), kinks.end()},
           self.report()};
@@ -98,7 +90,7 @@ void read_state(const pybind11::handle& state, const std::string& name, ProfileV
   read_state(state, name, given);
   Profile profile(given.role, given.points, given.kinks);
   self.prepared = std::make_shared<const PreparedProfile>(
-      PreparedProfile{std::move(profile), std::move(given.measured), std::move(given.report)});
+      PreparedProfile{std::move(profile), std::move(given.points), std::move(given.measured), std::move(given.report)});
 }
 
 namespace {
@@ -146,7 +138,7 @@ void write(const ProfileValue& self, const py::object& path) {
   const std::string name = path_from(path);
   const auto format = format_of_ending(name, self.profile().role());
   OutputFile file(name);
-  file.write(profile_text(self.profile(), format, self.report().comment));
+  file.write(profile_text(*self.prepared, format));
   file.commit();
 }
 
@@ -197,8 +189,8 @@ void bind_report(py::module_& module) {
           "recommended_smoothing_length", [](const ProfileReport& self) { return self.noise.smoothing_length; },
           "Wavelength of smoothing that brings the deviation of curvature down to 3 1/m [m]; 0: none needed.")
       .def_readonly("smoothing_length", &ProfileReport::smoothing_length, "Wavelength of smoothing [m]; 0: none.");
+  report.def("__repr__", &to_text); // before the one of add_value
   add_value(report, {"source", "points"});
-  report.def("__repr__", &to_text);
 }
 
 void bind_dimensions(py::module_& module) {
@@ -234,10 +226,10 @@ void bind_curve(py::class_<ProfileValue>& profile) {
           "length", [](const ProfileValue& self) { return self.profile().length(); },
           "Of the polygon through the points [m], the largest s.")
       .def_property_readonly(
-          "y", [](const ProfileValue& self) { return coordinates(points_of(self.profile()), &ProfilePoint::y); },
+          "y", [](const ProfileValue& self) { return coordinates(self.prepared->points, &ProfilePoint::y); },
           "y of the points that the spline is laid through [m], shape (n).")
       .def_property_readonly(
-          "z", [](const ProfileValue& self) { return coordinates(points_of(self.profile()), &ProfilePoint::z); },
+          "z", [](const ProfileValue& self) { return coordinates(self.prepared->points, &ProfilePoint::z); },
           "z of these points [m], shape (n).")
       .def_property_readonly(
           "measured_y", [](const ProfileValue& self) { return coordinates(self.prepared->measured, &ProfilePoint::y); },

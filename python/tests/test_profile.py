@@ -101,7 +101,7 @@ class ProfileTest(unittest.TestCase):
 
     def test_errors_name_field_value_and_range(self):
         y, z = head()
-        cases = ((lambda: microslip.Profile(y, z[1:], kind="rail"), r"z has shape \(200\): must be \(201\)"),
+        cases = ((lambda: microslip.Profile(y, z[1:], kind="rail"), r"z has shape \(200,\): must be \(201,\)"),
                  (lambda: microslip.Profile(y, z, kind="wheels"), r'kind = "wheels": must be rail or wheel; did you mean wheel'),
                  (lambda: microslip.Profile(y * 1e3, z * 1e3, kind="rail"), "is the unit of length right"),
                  (lambda: microslip.Profile(y, z + np.nan, kind="rail"), r"z of point 1 = nan \[m\]: must be finite"),
