@@ -2,7 +2,28 @@
 
 using namespace microslip::c;
 
+namespace {
+
+constexpr const char* without_case_files = "this library was built without case files";
+
+} // namespace
+
 microslip_code microslip_solve_case(const char* /*text*/, const char* /*name*/, char** json, microslip_error* error) {
   if (json) *json = nullptr;
-  return report(error, MICROSLIP_NO_RESULT, "this library was built without case files");
+  return report(error, MICROSLIP_NO_RESULT, without_case_files);
+}
+
+microslip_code microslip_wheel_rail_create(const char* /*text*/, const char* /*name*/,
+                                           microslip_wheel_rail** wheel_rail, microslip_error* error) {
+  if (wheel_rail) *wheel_rail = nullptr;
+  return report(error, MICROSLIP_NO_RESULT, without_case_files);
+}
+void microslip_wheel_rail_destroy(microslip_wheel_rail* /*wheel_rail*/) {}
+microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* /*wheel_rail*/,
+                                          microslip_wheel_state* /*state*/) {
+  return MICROSLIP_NO_RESULT;
+}
+microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* /*wheel_rail*/, size_t /*count*/,
+                                          const microslip_wheel_state* /*states*/, microslip_wheel_forces* /*forces*/) {
+  return MICROSLIP_NO_RESULT;
 }

@@ -410,6 +410,78 @@ MICROSLIP_API microslip_code microslip_exact_field(microslip_exact* solver, cons
 MICROSLIP_API microslip_code microslip_solve_case(const char* text, const char* name, char** json,
                                                   microslip_error* error);
 
+/* ------------------------------------------------------------------------------------------------ wheel on rail ----
+ */
+
+/* A wheel on a rail by their profiles; see docs/wheel-on-rail.md for axes and signs: x forward, y to the left, z up. */
+typedef struct microslip_wheel_rail microslip_wheel_rail;
+
+/* A state of the wheelset with all that concerns one of its wheels, in the order of the table of case files. */
+typedef struct microslip_wheel_state {
+  double lateral, vertical; /* of the wheelset's centre [m]; vertical above the nominal radius */
+  double roll, yaw;         /* [rad] */
+  double forward_velocity, lateral_velocity, vertical_velocity; /* of the wheelset's centre [m/s] */
+  double roll_velocity, pitch_velocity, yaw_velocity;           /* [rad/s]; pitch > 0 rolls forward */
+  double curvature;                                             /* of the track [1/m], > 0 to the left */
+  /* of the wheel against the axle [m], [rad], [m/s], [rad/s] */
+  double deflection_longitudinal, deflection_lateral, deflection_vertical, deflection_roll, deflection_yaw;
+  double deflection_longitudinal_velocity, deflection_lateral_velocity, deflection_vertical_velocity;
+  double deflection_roll_velocity, deflection_pitch_velocity, deflection_yaw_velocity;
+  /* of the rail from its nominal place [m], [rad], [m/s], [rad/s] */
+  double deviation_lateral, deviation_vertical, deviation_roll;
+  double deviation_lateral_velocity, deviation_vertical_velocity, deviation_roll_velocity;
+  double vertical_force; /* on the wheel [N], > 0: its height is found; 0: `vertical` counts */
+} microslip_wheel_state;
+
+/* A patch in contact. Forces act on the wheel. */
+typedef struct microslip_wheel_patch {
+  double place_x, place_y, place_z;                     /* origin of its frame, on the rail, in track axes [m] */
+  double angle;                                         /* of the contact plane [rad], > 0 rising to the left */
+  double rail_y, wheel_y;                               /* of both profiles there, in their own axes [m] */
+  double rolling_radius;                                /* of the wheel there [m] */
+  double turn;                                          /* of the rail's surface across the patch [rad] */
+  double approach;                                      /* greatest overlap of the undeformed bodies [m] */
+  double rolling_speed;                                 /* V [m/s] */
+  double creepage_longitudinal, creepage_lateral, spin; /* [-], [-], [1/m] */
+  double normal_force, fx, fy, mz;                      /* along and about the frame's axes [N], [N m] */
+  double contact_area, slip_area;                       /* [m^2] */
+  double peak_pressure;                                 /* [Pa] */
+  double frictional_power;                              /* [W] */
+  double t_gamma, t_gamma_with_spin;                    /* |Fx xi| + |Fy eta| (+ |Mz phi|) [N] */
+  int status;                                           /* a microslip_code below 16 */
+} microslip_wheel_patch;
+
+#define MICROSLIP_WHEEL_PATCHES 8
+
+/* What a wheel bears, in track axes; the moment is about its centre. */
+typedef struct microslip_wheel_forces {
+  double force[3];    /* [N] */
+  double moment[3];   /* [N m] */
+  double vertical;    /* height of the wheelset's centre: given, or found for the force [m] */
+  double residual;    /* of the vertical force, relative */
+  int iterations;     /* over the wheel's height */
+  int at_profile_end; /* 1: a patch ends where a profile ends, its forces are too small */
+  int status;         /* a microslip_code below 16 */
+  int patch_count;    /* how many of the patches below there are */
+  microslip_wheel_patch patches[MICROSLIP_WHEEL_PATCHES]; /* from the gauge to the field side of a left wheel */
+} microslip_wheel_forces;
+
+/* Makes one from the text of a case file, whose sections [track], [rail], [wheelset], [wheel] (its side), [material],
+ * [friction] and [solution] say all but the states; `name` is the file's name for messages, and profiles are read from
+ * paths that start at its folder. Refused as by microslip_solve_case. */
+MICROSLIP_API microslip_code microslip_wheel_rail_create(const char* text, const char* name,
+                                                         microslip_wheel_rail** wheel_rail, microslip_error* error);
+/* NULL is allowed. */
+MICROSLIP_API void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail);
+/* The first state of the case file. */
+MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail,
+                                                        microslip_wheel_state* state);
+/* Forces in `count` states, one after another, each with a status. With the theory "fastsim2" it takes no memory and
+ * throws nothing. The code is that of the first state that is not MICROSLIP_OK. */
+MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
+                                                        const microslip_wheel_state* states,
+                                                        microslip_wheel_forces* forces);
+
 #ifdef __cplusplus
 }
 #endif

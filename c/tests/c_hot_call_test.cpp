@@ -4,6 +4,7 @@
 #include "c/tests/c_cases.hpp"
 #include "tests/call_counters.hpp"
 #include "tests/test_cases.hpp"
+#include "tests/wheel_rail_text.hpp"
 
 #include <vector>
 
@@ -47,6 +48,27 @@ TEST(CHotCall, TakesNoMemoryNorLockWritesNothingAndThrowsNothing) {
     EXPECT_EQ(alone, MICROSLIP_INVALID_INPUT);
     microslip_fastsim2_destroy(solver);
   }
+}
+
+TEST(CHotCall, AWheelOnARailAtTheCoarseLevelAsWell) {
+  microslip_wheel_rail* wheel_rail = nullptr;
+  const microslip_code made = microslip_wheel_rail_create(wheel_rail_text.c_str(), "w.toml", &wheel_rail, nullptr);
+  if (made == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
+  ASSERT_EQ(made, MICROSLIP_OK);
+  std::vector<microslip_wheel_state> states(60);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    microslip_wheel_rail_state(wheel_rail, &states[k]);
+    states[k].lateral = -0.007 + 0.00025 * static_cast<double>(k);
+    states[k].yaw = k % 3 == 0 ? 0.01 : 0;
+    if (k % 11 == 5) states[k].vertical_force = 0, states[k].vertical = 0.05;
+    if (k % 11 == 6) states[k].vertical_force = -1;
+    if (k % 11 == 7) states[k].yaw = not_a_number;
+  }
+  std::vector<microslip_wheel_forces> forces(states.size());
+  expect_silent([&] { microslip_wheel_rail_solve(wheel_rail, states.size(), states.data(), forces.data()); });
+  EXPECT_EQ(forces[0].status, MICROSLIP_OK);
+  EXPECT_EQ(forces[7].status, MICROSLIP_INVALID_INPUT);
+  microslip_wheel_rail_destroy(wheel_rail);
 }
 
 TEST(CHotCall, CountersSeeIntoTheLibrary) {

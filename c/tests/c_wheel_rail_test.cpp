@@ -1,0 +1,115 @@
+// A wheel on a rail through C: the library's numbers for the same case, state by state.
+
+#include "microslip.h"
+
+#include "io/wheel_rail_case.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "tests/wheel_rail_text.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+struct Handle {
+  microslip_wheel_rail* pointer = nullptr;
+  microslip_error error = {};
+  microslip_code code;
+
+  explicit Handle(const std::string& text)
+      : code(microslip_wheel_rail_create(text.c_str(), "w.toml", &pointer, &error)) {}
+  ~Handle() { microslip_wheel_rail_destroy(pointer); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+};
+
+TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
+  const Handle handle(wheel_rail_text);
+  ASSERT_EQ(handle.code, MICROSLIP_OK) << handle.error.text;
+  microslip_wheel_state state;
+  ASSERT_EQ(microslip_wheel_rail_state(handle.pointer, &state), MICROSLIP_OK);
+  EXPECT_EQ(state.lateral, 0.0061);
+  EXPECT_EQ(state.vertical_force, 80e3);
+  EXPECT_EQ(state.pitch_velocity, 30.0 / 0.46);
+
+  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  WheelRail solver(bodies_of(input), input.method);
+  // Each number of the state by its name in C is that of the name in the table.
+  const std::pair<const char*, double microslip_wheel_state::*> some[] = {
+      {"lateral", &microslip_wheel_state::lateral},
+      {"yaw", &microslip_wheel_state::yaw},
+      {"yaw_velocity", &microslip_wheel_state::yaw_velocity},
+      {"curvature", &microslip_wheel_state::curvature},
+      {"deflection_lateral", &microslip_wheel_state::deflection_lateral},
+      {"deflection_yaw_velocity", &microslip_wheel_state::deflection_yaw_velocity},
+      {"deviation_lateral", &microslip_wheel_state::deviation_lateral},
+      {"deviation_roll_velocity", &microslip_wheel_state::deviation_roll_velocity}};
+  for (const auto& [name, member] : some) {
+    microslip_wheel_state moved = state;
+    moved.*member += 1e-4;
+    microslip_wheel_forces forces;
+    ASSERT_EQ(microslip_wheel_rail_solve(handle.pointer, 1, &moved, &forces), MICROSLIP_OK) << name;
+    LoadedWheelState expected = input.states.front();
+    for (const StateQuantity& q : state_quantities())
+      if (q.name == name) q.of(expected.state) += 1e-4;
+    const WheelRailSolution solution = solver.solve(expected.state, expected.vertical_force);
+    EXPECT_EQ(forces.force[0], solution.force.x) << name;
+    EXPECT_EQ(forces.force[1], solution.force.y) << name;
+    EXPECT_EQ(forces.moment[2], solution.moment.z) << name;
+    EXPECT_EQ(forces.vertical, solution.vertical) << name;
+    ASSERT_EQ(forces.patch_count, static_cast<int>(solution.patches.size())) << name;
+    for (int k = 0; k < forces.patch_count; ++k) {
+      const WheelRailPatch& patch = solution.patches[static_cast<std::size_t>(k)];
+      EXPECT_EQ(forces.patches[k].place_y, patch.place.y);
+      EXPECT_EQ(forces.patches[k].spin, patch.creepage.spin);
+      EXPECT_EQ(forces.patches[k].fy, patch.fs);
+      EXPECT_EQ(forces.patches[k].mz, patch.moment);
+      EXPECT_EQ(forces.patches[k].t_gamma_with_spin, t_gamma_with_spin(patch));
+      EXPECT_EQ(forces.patches[k].status, MICROSLIP_OK);
+    }
+  }
+}
+
+TEST(CWheelRail, StructsHaveAllNumbersOfTheTables) {
+  EXPECT_EQ(offsetof(microslip_wheel_state, vertical_force), state_quantities().size() * sizeof(double));
+  EXPECT_EQ(offsetof(microslip_wheel_patch, status), patch_quantities().size() * sizeof(double));
+}
+
+TEST(CWheelRail, SolvesManyStatesAndTellsOfTheFirstThatIsNotSolved) {
+  const Handle handle(wheel_rail_text);
+  microslip_wheel_state state;
+  microslip_wheel_rail_state(handle.pointer, &state);
+  std::vector<microslip_wheel_state> states(4, state);
+  states[1].vertical_force = 0, states[1].vertical = 0.05;
+  states[2].yaw = std::numeric_limits<double>::quiet_NaN();
+  std::vector<microslip_wheel_forces> forces(4);
+  EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 4, states.data(), forces.data()), MICROSLIP_NO_CONTACT);
+  EXPECT_EQ(forces[0].status, MICROSLIP_OK);
+  EXPECT_EQ(forces[1].status, MICROSLIP_NO_CONTACT);
+  EXPECT_EQ(forces[1].patch_count, 0);
+  EXPECT_EQ(forces[2].status, MICROSLIP_INVALID_INPUT);
+  EXPECT_EQ(forces[3].force[0], forces[0].force[0]);
+  EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 0, nullptr, nullptr), MICROSLIP_OK);
+}
+
+TEST(CWheelRail, RefusesWhatMakesNoSense) {
+  const Handle wrong(with_part(wheel_rail_text, "gauge =", "gage ="));
+  EXPECT_EQ(wrong.code, MICROSLIP_INVALID_OPTION);
+  EXPECT_EQ(std::string(wrong.error.text), "w.toml:3: track.gage: unknown key; did you mean gauge?");
+  EXPECT_EQ(wrong.pointer, nullptr);
+  microslip_error error;
+  EXPECT_EQ(microslip_wheel_rail_create(wheel_rail_text.c_str(), "w.toml", nullptr, &error), MICROSLIP_NULL_POINTER);
+  microslip_wheel_forces forces;
+  EXPECT_EQ(microslip_wheel_rail_solve(nullptr, 1, nullptr, &forces), MICROSLIP_NULL_POINTER);
+  EXPECT_EQ(microslip_wheel_rail_state(nullptr, nullptr), MICROSLIP_NULL_POINTER);
+  microslip_wheel_rail_destroy(nullptr);
+}
+
+} // namespace
+} // namespace microslip

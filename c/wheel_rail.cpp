@@ -1,0 +1,144 @@
+#include "c/guarded_call.hpp"
+#include "io/wheel_rail_case.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+using namespace microslip;
+using namespace microslip::c;
+
+struct microslip_wheel_rail {
+  WheelRail solver;
+  LoadedWheelState first; ///< of the case file
+  WheelRailSolution solution = {};
+};
+
+namespace {
+
+// Members in the order of the tables of quantities.
+using StateNumber = double microslip_wheel_state::*;
+constexpr StateNumber state_numbers[] = {&microslip_wheel_state::lateral,
+                                         &microslip_wheel_state::vertical,
+                                         &microslip_wheel_state::roll,
+                                         &microslip_wheel_state::yaw,
+                                         &microslip_wheel_state::forward_velocity,
+                                         &microslip_wheel_state::lateral_velocity,
+                                         &microslip_wheel_state::vertical_velocity,
+                                         &microslip_wheel_state::roll_velocity,
+                                         &microslip_wheel_state::pitch_velocity,
+                                         &microslip_wheel_state::yaw_velocity,
+                                         &microslip_wheel_state::curvature,
+                                         &microslip_wheel_state::deflection_longitudinal,
+                                         &microslip_wheel_state::deflection_lateral,
+                                         &microslip_wheel_state::deflection_vertical,
+                                         &microslip_wheel_state::deflection_roll,
+                                         &microslip_wheel_state::deflection_yaw,
+                                         &microslip_wheel_state::deflection_longitudinal_velocity,
+                                         &microslip_wheel_state::deflection_lateral_velocity,
+                                         &microslip_wheel_state::deflection_vertical_velocity,
+                                         &microslip_wheel_state::deflection_roll_velocity,
+                                         &microslip_wheel_state::deflection_pitch_velocity,
+                                         &microslip_wheel_state::deflection_yaw_velocity,
+                                         &microslip_wheel_state::deviation_lateral,
+                                         &microslip_wheel_state::deviation_vertical,
+                                         &microslip_wheel_state::deviation_roll,
+                                         &microslip_wheel_state::deviation_lateral_velocity,
+                                         &microslip_wheel_state::deviation_vertical_velocity,
+                                         &microslip_wheel_state::deviation_roll_velocity};
+
+using PatchNumber = double microslip_wheel_patch::*;
+constexpr PatchNumber patch_numbers[] = {&microslip_wheel_patch::place_x,
+                                         &microslip_wheel_patch::place_y,
+                                         &microslip_wheel_patch::place_z,
+                                         &microslip_wheel_patch::angle,
+                                         &microslip_wheel_patch::rail_y,
+                                         &microslip_wheel_patch::wheel_y,
+                                         &microslip_wheel_patch::rolling_radius,
+                                         &microslip_wheel_patch::turn,
+                                         &microslip_wheel_patch::approach,
+                                         &microslip_wheel_patch::rolling_speed,
+                                         &microslip_wheel_patch::creepage_longitudinal,
+                                         &microslip_wheel_patch::creepage_lateral,
+                                         &microslip_wheel_patch::spin,
+                                         &microslip_wheel_patch::normal_force,
+                                         &microslip_wheel_patch::fx,
+                                         &microslip_wheel_patch::fy,
+                                         &microslip_wheel_patch::mz,
+                                         &microslip_wheel_patch::contact_area,
+                                         &microslip_wheel_patch::slip_area,
+                                         &microslip_wheel_patch::peak_pressure,
+                                         &microslip_wheel_patch::frictional_power,
+                                         &microslip_wheel_patch::t_gamma,
+                                         &microslip_wheel_patch::t_gamma_with_spin};
+
+WheelState<double> state_of(const microslip_wheel_state& given) noexcept {
+  WheelState<double> state;
+  for (std::size_t k = 0; k < std::size(state_numbers); ++k) state_quantities()[k].of(state) = given.*state_numbers[k];
+  return state;
+}
+
+void store(const WheelRailPatch& from, microslip_wheel_patch& to) noexcept {
+  for (std::size_t k = 0; k < std::size(patch_numbers); ++k) to.*patch_numbers[k] = patch_quantities()[k].value(from);
+  to.status = code_of(from.status);
+}
+
+void store(const WheelRailSolution& from, microslip_wheel_forces& to) noexcept {
+  to = {.force = {from.force.x, from.force.y, from.force.z},
+        .moment = {from.moment.x, from.moment.y, from.moment.z},
+        .vertical = from.vertical,
+        .residual = from.residual,
+        .iterations = from.iterations,
+        .at_profile_end = from.at_profile_end ? 1 : 0,
+        .status = code_of(from.status),
+        .patch_count = static_cast<int>(std::min<std::size_t>(from.patches.size(), MICROSLIP_WHEEL_PATCHES)),
+        .patches = {}};
+  for (int k = 0; k < to.patch_count; ++k) store(from.patches[static_cast<std::size_t>(k)], to.patches[k]);
+}
+
+} // namespace
+
+microslip_code microslip_wheel_rail_create(const char* text, const char* name, microslip_wheel_rail** wheel_rail,
+                                           microslip_error* error) {
+  return guarded(error, [&] {
+    require_pointer("wheel_rail", wheel_rail);
+    *wheel_rail = nullptr;
+    const WheelRailCase input = parse_wheel_rail_case(require_pointer("text", text), require_pointer("name", name));
+    auto made = std::make_unique<microslip_wheel_rail>(
+        microslip_wheel_rail{WheelRail(bodies_of(input), input.method), input.states.front()});
+    made->solution.patches.reserve(MICROSLIP_WHEEL_PATCHES); // solving takes no memory then
+    *wheel_rail = made.release();
+  });
+}
+
+void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail) {
+  delete wheel_rail;
+}
+
+microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, microslip_wheel_state* state) {
+  if (!wheel_rail || !state) return MICROSLIP_NULL_POINTER;
+  const auto& [first, force] = wheel_rail->first;
+  for (std::size_t k = 0; k < std::size(state_numbers); ++k)
+    state->*state_numbers[k] = state_quantities()[k].value(first);
+  state->vertical_force = force.value_or(0);
+  return MICROSLIP_OK;
+}
+
+microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
+                                          const microslip_wheel_state* states, microslip_wheel_forces* forces) {
+  if (!wheel_rail || ((!states || !forces) && count > 0)) return MICROSLIP_NULL_POINTER;
+  microslip_code code = MICROSLIP_OK;
+  return guarded(nullptr, [&] {
+    for (std::size_t k = 0; k < count; ++k) {
+      const double force = states[k].vertical_force;
+      const std::optional<double> prescribed = force == 0 ? std::nullopt : std::optional(force);
+      wheel_rail->solver.solve(state_of(states[k]), prescribed, wheel_rail->solution);
+      store(wheel_rail->solution, forces[k]);
+      if (code == MICROSLIP_OK) code = static_cast<microslip_code>(forces[k].status);
+    }
+    return code;
+  });
+}
