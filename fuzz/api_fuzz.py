@@ -21,6 +21,7 @@ import numpy as np
 
 import microslip
 
+PROFILES = Path(__file__).resolve().parents[1] / "examples" / "profiles"
 ODD_NUMBERS = (0.0, -1.0, 1e-300, 1e-30, 1e30, 1e300, math.inf, -math.inf, math.nan)
 
 
@@ -290,7 +291,29 @@ def profile(draw):
     return made, asked, made.report, made.point(s), made.angle(s), made.curvature(s)
 
 
-CALLS = (elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
+def wheel_rail(draw):
+    """S1002 on 60E1 anywhere near the track, on either side and at both levels."""
+    rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
+    pair = microslip.WheelRail(
+        track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,
+        wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel, **draw.some(
+            side=lambda: draw.word("left", "right"), theory=lambda: draw.word("fastsim2", "exact"),
+            shape=lambda: draw.word("flat", "curved"), grid=lambda: draw.count(6, 12), friction=lambda: draw.number(0, 0.6),
+            tolerance=lambda: draw.scale(1e-8, 1e-3)))
+    state = {"vertical_force": draw.scale(100, 2e5), "forward_velocity": draw.number(-80, 80)}
+    state.update(draw.some(lateral=lambda: draw.number(-0.015, 0.015), yaw=lambda: draw.number(-0.05, 0.05),
+                           roll=lambda: draw.number(-0.02, 0.02), pitch_velocity=lambda: draw.number(-200, 200),
+                           lateral_velocity=lambda: draw.number(-1, 1), yaw_velocity=lambda: draw.number(-1, 1),
+                           curvature=lambda: draw.number(-0.01, 0.01), deflection_lateral=lambda: draw.number(-1e-3, 1e-3),
+                           deviation_vertical=lambda: draw.number(-1e-3, 1e-3)))
+    if draw.random() < 0.7:
+        return pair.solve(**state)
+    state["lateral"] = draw.array(np.array([draw.number(-0.01, 0.01) for _ in range(3)]))
+    many = pair.solve_batch(**state, threads=draw.count(0, 2))
+    return None if np.any(many.status) else (many.force_x, many.force_y)
+
+
+CALLS = (wheel_rail, wheel_rail, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
          normal_problem, patch_rolling, tangential_problem, interior, hertz, profile)
 
 

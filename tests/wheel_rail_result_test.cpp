@@ -125,7 +125,7 @@ TEST(WheelRailResult, WarnsOfWhatIsNotToBeTrusted) {
     return all;
   };
   EXPECT_EQ(warnings_of(with_part(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0")), "");
-  const auto flange = with_part(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0075");
+  const auto flange = with_part(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0068");
   EXPECT_NE(warnings_of(flange).find("degrees within a flat patch"), std::string::npos);
   EXPECT_EQ(warnings_of(with_part(flange, "\"fastsim2\"", "\"fastsim2\"\nshape = \"curved\"")), "");
   const auto cut = with_part(with_part(wheel_rail_text, "[rail]", "[rail]\ntrim = [-0.1, 0.001]"), "lateral = 0.0061",

@@ -118,11 +118,14 @@ def patches_picture(result, patches):
 
 
 def draw_tractions(axes, cells, longest):
-    """Arrows some 1.5 mm apart."""
-    chosen = np.zeros(cells.state.shape, dtype=bool)
-    rows, columns = (max(1, round(1.5 / size)) for size in (cells.height, np.median(cells.apart)))
-    chosen[rows // 2::rows, columns // 2::columns] = True
-    chosen &= cells.state != EXTERIOR
+    """Arrows some 1.5 mm apart, about the contact's middle."""
+    inside = cells.state != EXTERIOR
+    chosen = np.zeros(inside.shape, dtype=bool)
+    if inside.any():
+        rows, columns = (max(1, round(1.5 / size)) for size in (cells.height, np.median(cells.apart)))
+        row, column = (int(np.median(indices)) for indices in np.nonzero(inside))
+        chosen[row % rows::rows, column % columns::columns] = True
+    chosen &= inside
     axes.quiver(cells.y[chosen], cells.x[chosen], cells.py[chosen], cells.px[chosen], angles="xy", scale_units="xy",
                 scale=longest / 2.0, width=0.003, color=BLACK)
 
