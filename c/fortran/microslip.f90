@@ -54,6 +54,44 @@ module microslip
     real(c_double) :: jacobian(4, 3) = 0
   end type
 
+  integer, parameter, public :: microslip_wheel_patches = 8
+
+  !> What is not given is zero.
+  type, bind(c), public :: microslip_wheel_state
+    real(c_double) :: lateral = 0, vertical = 0
+    real(c_double) :: roll = 0, yaw = 0
+    real(c_double) :: forward_velocity = 0, lateral_velocity = 0, vertical_velocity = 0
+    real(c_double) :: roll_velocity = 0, pitch_velocity = 0, yaw_velocity = 0
+    real(c_double) :: curvature = 0
+    real(c_double) :: deflection_longitudinal = 0, deflection_lateral = 0, deflection_vertical = 0
+    real(c_double) :: deflection_roll = 0, deflection_yaw = 0
+    real(c_double) :: deflection_longitudinal_velocity = 0, deflection_lateral_velocity = 0
+    real(c_double) :: deflection_vertical_velocity = 0
+    real(c_double) :: deflection_roll_velocity = 0, deflection_pitch_velocity = 0, deflection_yaw_velocity = 0
+    real(c_double) :: deviation_lateral = 0, deviation_vertical = 0, deviation_roll = 0
+    real(c_double) :: deviation_lateral_velocity = 0, deviation_vertical_velocity = 0, deviation_roll_velocity = 0
+    real(c_double) :: vertical_force = 0
+  end type
+
+  type, bind(c), public :: microslip_wheel_patch
+    real(c_double) :: place_x = 0, place_y = 0, place_z = 0
+    real(c_double) :: angle = 0
+    real(c_double) :: rail_y = 0, wheel_y = 0
+    real(c_double) :: rolling_radius = 0, turn = 0, approach = 0, rolling_speed = 0
+    real(c_double) :: creepage_longitudinal = 0, creepage_lateral = 0, spin = 0
+    real(c_double) :: normal_force = 0, fx = 0, fy = 0, mz = 0
+    real(c_double) :: contact_area = 0, slip_area = 0, peak_pressure = 0, frictional_power = 0
+    real(c_double) :: t_gamma = 0, t_gamma_with_spin = 0
+    integer(c_int) :: status = 0
+  end type
+
+  type, bind(c), public :: microslip_wheel_forces
+    real(c_double) :: force(3) = 0, moment(3) = 0
+    real(c_double) :: vertical = 0, residual = 0
+    integer(c_int) :: iterations = 0, at_profile_end = 0, status = 0, patch_count = 0
+    type(microslip_wheel_patch) :: patches(microslip_wheel_patches)
+  end type
+
   type, bind(c), public :: microslip_bodies
     real(c_double) :: rolling_radius(2), transverse_radius(2)
     real(c_double) :: young_modulus(2), poisson_ratio(2)
@@ -356,6 +394,36 @@ module microslip
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
+
+    !> `text` and `name` end with c_null_char.
+    function microslip_wheel_rail_create(text, name, wheel_rail, error) bind(c) result(code)
+      import
+      character(kind=c_char), intent(in) :: text(*), name(*)
+      type(c_ptr), intent(out) :: wheel_rail
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_wheel_rail_destroy(wheel_rail) bind(c)
+      import
+      type(c_ptr), value :: wheel_rail
+    end subroutine
+
+    function microslip_wheel_rail_state(wheel_rail, state) bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      type(microslip_wheel_state), intent(inout) :: state
+      integer(c_int) :: code
+    end function
+
+    function microslip_wheel_rail_solve(wheel_rail, count, states, forces) bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      integer(c_size_t), value :: count
+      type(microslip_wheel_state), intent(in) :: states(*)
+      type(microslip_wheel_forces), intent(inout) :: forces(*)
+      integer(c_int) :: code
+    end function
   end interface
 
   public :: microslip_contact_check, microslip_polach_friction, microslip_hertz_from_load
@@ -369,6 +437,8 @@ module microslip
   public :: microslip_exact_create, microslip_exact_destroy
   public :: microslip_exact_solve, microslip_exact_differentiate, microslip_exact_get
   public :: microslip_exact_quantity, microslip_exact_field, microslip_solve_case
+  public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
+  public :: microslip_wheel_rail_solve
   public :: microslip_version, microslip_code_text, microslip_error_text, microslip_text
 
 contains
