@@ -2,7 +2,9 @@
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
+#include "microslip/numerics/transforms.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -76,15 +78,65 @@ TEST(EvenToeplitz, CirculantInverseIsPositiveAndNearTheInverse) {
   }
 }
 
+/// On grids as long as a period, where the kernel does not reach beyond the next elements.
+TEST(EvenToeplitz, CirculantInverseIsThatOfTheRepeatedKernel) {
+  const auto next_only = [](int i, int j) {
+    constexpr double entries[2][2] = {{1, 0.2}, {0.1, 0.05}};
+    return i < 2 && j < 2 ? entries[j][i] : 0;
+  };
+  for (const int mx : {8, 12, 48})
+    for (const int my : {8, 20}) {
+      ASSERT_EQ(quick_size(mx), mx);
+      ASSERT_EQ(quick_size(my), my);
+      const Field in = random_field(static_cast<std::size_t>(mx) * my);
+      Field solution(in.size());
+      EvenToeplitz(mx, my, [&](int j, std::span<double> entries) {
+        for (std::size_t i = 0; i < entries.size(); ++i) entries[i] = next_only(static_cast<int>(i), j);
+      }).apply_circulant_inverse(in, solution);
+      for (int j = 0; j < my; ++j)
+        for (int i = 0; i < mx; ++i) {
+          double sum = 0;
+          for (int l = -1; l <= 1; ++l)
+            for (int k = -1; k <= 1; ++k)
+              sum += next_only(std::abs(k), std::abs(l)) *
+                     solution[static_cast<std::size_t>((j + l + my) % my) * mx + (i + k + mx) % mx];
+          EXPECT_NEAR(sum, in[static_cast<std::size_t>(j) * mx + i], 1e-13) << mx << " x " << my;
+        }
+    }
+}
+
+/// They share memory.
+TEST(EvenToeplitz, ProductsOfTheTwoKindsDoNotDisturbEachOther) {
+  for (const int mx : {1, 5, 37})
+    for (const int my : {1, 6, 29}) {
+      const Field in = random_field(static_cast<std::size_t>(mx) * my);
+      Field first(in.size()), inverse(in.size()), again(in.size());
+      EvenToeplitz matrix(mx, my, kernel_row);
+      matrix.apply(in, first);
+      matrix.apply_circulant_inverse(in, inverse);
+      matrix.apply(in, again);
+      EXPECT_EQ(again, first);
+      matrix.apply_circulant_inverse(in, again);
+      EXPECT_EQ(again, inverse);
+    }
+}
+
 TEST(EvenToeplitz, ThreadsDoNotMatter) {
   constexpr int m = 301; // large enough for several
   const Field in = random_field(std::size_t{m} * m);
+  const auto both_products = [&] {
+    EvenToeplitz matrix(m, m, kernel_row);
+    std::array<Field, 2> out = {Field(in.size()), Field(in.size())};
+    matrix.apply(in, out[0]);
+    matrix.apply_circulant_inverse(in, out[1]);
+    return out;
+  };
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
-  const Field one = product(m, m, in);
+  const auto one = both_products();
   for (const int threads : {2, 3}) {
     omp_set_num_threads(threads);
-    EXPECT_EQ(product(m, m, in), one);
+    EXPECT_EQ(both_products(), one);
   }
   omp_set_num_threads(before);
 }

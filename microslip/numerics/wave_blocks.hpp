@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace microslip {
@@ -19,6 +20,17 @@ public:
     std::fill_n(blocks_.get(), size(), Real(0));
     const std::size_t work = std::max(transforms_.work_size(), lines * line_size<Real>);
     for (int i = 0; i < threads; ++i) works_.push_back(allocate<Real>(work));
+  }
+  WaveBlocks(WaveBlocks&&) noexcept = default;
+
+  /// The same rows with n numbers, of which there are no more than here, for no more threads, in the same memory: what
+  /// is put into one is lost in the other.
+  WaveBlocks shorter(int n, int threads, const TransformPlans& plans) const {
+    WaveBlocks result = *this;
+    result.waves_ = n / 2 + 1;
+    result.transforms_ = RowTransforms<Real>(n, plans);
+    result.works_.resize(threads);
+    return result;
   }
 
   int threads() const { return static_cast<int>(works_.size()); }
@@ -47,6 +59,8 @@ public:
   }
 
 private:
+  WaveBlocks(const WaveBlocks&) = default;
+
   static constexpr int lanes = block_lanes<Real>, batch = RowTransforms<Real>::most_rows;
 
   static std::size_t pairs(int b) { return static_cast<std::size_t>(b) * (batch / 2); }
@@ -56,8 +70,8 @@ private:
 
   int rows_, waves_;
   RowTransforms<Real> transforms_;
-  Buffer<Real> blocks_;
-  std::vector<Buffer<Real>> works_;
+  std::shared_ptr<Real[]> blocks_;
+  std::vector<std::shared_ptr<Real[]>> works_;
 };
 
 } // namespace microslip

@@ -35,7 +35,7 @@ public:
   }
   /// Diagonal entry [m/Pa].
   double diagonal() const { return diagonal_; }
-  /// Of both kinds, which cost the same.
+  /// Of both kinds; those with the near inverse cost a quarter.
   long products() const { return zz_.products(); }
 
 private:

@@ -22,6 +22,7 @@ using Field = std::vector<double>;
 
 double dot(const Field& a, const Field& b) {
   double sum = 0;
+#pragma omp simd reduction(+ : sum)
   for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
   return sum;
 }
@@ -88,18 +89,21 @@ private:
 
   void scale_to_force(Field& pressure) const {
     double force = 0;
-    for (const double p : pressure) force += p;
+#pragma omp simd reduction(+ : force)
+    for (std::size_t k = 0; k < pressure.size(); ++k) force += pressure[k];
     const double scale = value_ / (force * grid_.element_area());
     for (double& p : pressure) p *= scale;
   }
 
   /// e = h - delta + u; with the force given delta is such that e is zero on the average.
   void find_distance() {
-    double sum = 0;
-    int n = 0;
+    double sum = 0, n = 0;
+#pragma omp simd reduction(+ : sum, n)
     for (std::size_t k = 0; k < distance_.size(); ++k) {
-      distance_[k] = gap_[k] + displacement_[k];
-      if (pressure_[k] > 0) sum += distance_[k], ++n;
+      const double e = gap_[k] + displacement_[k], in_contact = pressure_[k] > 0 ? 1 : 0;
+      distance_[k] = e;
+      sum += in_contact * e;
+      n += in_contact;
     }
     if (by_force_) approach_ = sum / n;
     for (double& e : distance_) e -= approach_;
@@ -107,36 +111,45 @@ private:
 
   double find_residual() const {
     double worst = 0, largest = 0;
+#pragma omp simd reduction(max : worst, largest)
     for (std::size_t k = 0; k < distance_.size(); ++k) {
-      worst = std::max(worst, pressure_[k] > 0 ? std::abs(distance_[k]) : -distance_[k]);
-      largest = std::max(largest, std::abs(displacement_[k]));
+      const double e = pressure_[k] > 0 ? std::abs(distance_[k]) : -distance_[k], u = std::abs(displacement_[k]);
+      worst = e > worst ? e : worst;
+      largest = u > largest ? u : largest;
     }
     return worst / largest;
   }
 
   /// The elements whose pressure may change, in contact or overlapping. Whether they are others than before.
   bool find_free() {
-    bool changed = false;
+    int changes = 0;
+#pragma omp simd reduction(| : changes)
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      const char now = pressure_[k] > 0 || distance_[k] < 0;
-      changed = changed || now != free_[k];
+      const char now = static_cast<char>(static_cast<int>(pressure_[k] > 0) | static_cast<int>(distance_[k] < 0));
+      changes |= now ^ free_[k];
       free_[k] = now;
     }
-    return changed;
+    return changes != 0;
   }
 
   /// Zero where the pressure may not change; with the force given, no mean where it may.
   void project(Field& field) const {
-    double sum = 0;
-    int n = 0;
-    for (std::size_t k = 0; k < field.size(); ++k)
-      if (free_[k]) sum += field[k], ++n;
+    double sum = 0, n = 0;
+#pragma omp simd reduction(+ : sum, n)
+    for (std::size_t k = 0; k < field.size(); ++k) {
+      const double is_free = free_[k];
+      sum += is_free * field[k];
+      n += is_free;
+    }
     const double mean = by_force_ ? sum / n : 0;
+#pragma omp simd
     for (std::size_t k = 0; k < field.size(); ++k) field[k] = free_[k] ? field[k] - mean : 0;
   }
 
   /// Of the energy along a change of the pressure, where positive is downhill.
-  double slope(const Field& change) const { return -dot(distance_, change); }
+  double slope(const Field& change) const {
+    return -dot(distance_, change);
+  }
 
   void find_gradient(Field& downhill) const {
     for (std::size_t k = 0; k < downhill.size(); ++k) downhill[k] = -distance_[k];
@@ -156,15 +169,16 @@ private:
 
   /// The pressure after a step of some length along the direction, without its negative part. Whether there was one.
   bool find_trial(double length) {
-    bool clipped = false;
+    double least = 0;
+#pragma omp simd reduction(min : least)
     for (std::size_t k = 0; k < trial_.size(); ++k) {
       const double p = pressure_[k] + length * direction_[k];
-      clipped = clipped || p < 0;
-      trial_[k] = std::max(0.0, p);
+      least = p < least ? p : least;
+      trial_[k] = p > 0 ? p : 0;
     }
     if (by_force_) scale_to_force(trial_);
     for (std::size_t k = 0; k < trial_.size(); ++k) step_[k] = trial_[k] - pressure_[k];
-    return clipped;
+    return least < 0;
   }
 
   /// How much of the step the pressure can make before it is zero somewhere.
