@@ -1,5 +1,6 @@
 #include "microslip/numerics/gmres.hpp"
 
+#include "microslip/numerics/precision.hpp"
 #include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <experimental/simd>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace microslip {
@@ -17,19 +19,19 @@ using Weights = std::vector<double>;
 template <class Real> using Basis = std::vector<std::vector<Real>>;
 
 /// In many sums, so that none has to wait for the one before it.
-template <class Real> Real dot(std::span<const Real> a, std::span<const Real> b) {
+template <class Stored, class Real> Real dot(std::span<const Stored> a, std::span<const Real> b) {
   using Lanes = simd::fixed_size_simd<Real, 16>;
   Lanes sums = 0;
   std::size_t i = 0;
   for (; i + Lanes::size() <= a.size(); i += Lanes::size())
     sums += Lanes(&a[i], simd::element_aligned) * Lanes(&b[i], simd::element_aligned);
   Real sum = reduce(sums);
-  for (; i < a.size(); ++i) sum += a[i] * b[i];
+  for (; i < a.size(); ++i) sum += Real(a[i]) * b[i];
   return sum;
 }
-template <class Real> void add_scaled(Real factor, std::span<const Real> a, std::span<Real> to) {
+template <class Stored, class Real> void add_scaled(Real factor, std::span<const Stored> a, std::span<Real> to) {
 #pragma omp simd
-  for (std::size_t i = 0; i < a.size(); ++i) to[i] += factor * a[i];
+  for (std::size_t i = 0; i < a.size(); ++i) to[i] += factor * Real(a[i]);
 }
 template <class Real> void scale(double factor, std::span<Real> a) {
   for (Real& value : a) value *= static_cast<Real>(factor);
@@ -59,25 +61,26 @@ struct Blocks {
 template <class Real> double norm(const std::vector<Real>& v) {
   const Blocks blocks(v.size());
   double sum = 0;
-  for (int b = 0; b < blocks.count; ++b) sum += dot(blocks.part(b, v), blocks.part(b, v));
+  for (int b = 0; b < blocks.count; ++b) sum += dot<Real, Real>(blocks.part(b, v), blocks.part(b, v));
   return std::sqrt(sum);
 }
 
 /// Takes the components along the first `count` basis vectors off `v` and adds them to `components`: Gram and Schmidt's
 /// classical method, block by block, so that each basis vector is read twice only. The sums are formed in an order that
 /// does not depend on the number of threads.
-template <class Real>
-void orthogonalise(const Basis<Real>& basis, std::size_t count, std::vector<Real>& v, std::span<double> components) {
+template <class Stored, class Real>
+void orthogonalise(const Basis<Stored>& basis, std::size_t count, std::vector<Real>& v, std::span<double> components) {
   const Blocks blocks(v.size());
   Weights sums(blocks.count * count), total(count);
   share_out(blocks.count, blocks.threads, [&](int b, int) {
-    for (std::size_t i = 0; i < count; ++i) sums[b * count + i] = dot(blocks.part(b, basis[i]), blocks.part(b, v));
+    for (std::size_t i = 0; i < count; ++i)
+      sums[b * count + i] = dot<Stored, Real>(blocks.part(b, basis[i]), blocks.part(b, v));
   });
   for (std::size_t i = 0; i < count; ++i)
     for (int b = 0; b < blocks.count; ++b) total[i] += sums[b * count + i];
   share_out(blocks.count, blocks.threads, [&](int b, int) {
     for (std::size_t i = 0; i < count; ++i)
-      add_scaled(static_cast<Real>(-total[i]), blocks.part(b, basis[i]), blocks.part(b, std::span(v)));
+      add_scaled<Stored, Real>(static_cast<Real>(-total[i]), blocks.part(b, basis[i]), blocks.part(b, std::span(v)));
   });
   for (std::size_t i = 0; i < count; ++i) components[i] += total[i];
 }
@@ -129,35 +132,67 @@ private:
 template <class Real>
 typename Gmres<Real>::Result Gmres<Real>::solve(const Product& matrix, std::span<const Real> b, std::span<Real> x,
                                                 double tolerance, int most) {
-  const auto vector = [&](std::size_t k) -> std::vector<Real>& {
-    if (basis_.size() <= k) basis_.emplace_back();
-    basis_[k].resize(b.size());
-    return basis_[k];
+  return b.size() < many_unknowns ? solve_in(basis_, matrix, b, x, tolerance, most)
+                                  : solve_in(narrow_, matrix, b, x, tolerance, most);
+}
+
+template <class Real>
+template <class Stored>
+typename Gmres<Real>::Result Gmres<Real>::solve_in(Basis<Stored>& basis, const Product& matrix, std::span<const Real> b,
+                                                   std::span<Real> x, double tolerance, int most) {
+  constexpr bool narrow = !std::is_same_v<Stored, Real>;
+  const auto room = [&b](auto& vector) -> auto& {
+    vector.resize(b.size());
+    return vector;
   };
-  std::copy(b.begin(), b.end(), vector(0).begin());
-  const double size = norm(basis_[0]);
+  const auto stored = [&](std::size_t k) -> std::vector<Stored>& {
+    if (basis.size() <= k) basis.emplace_back();
+    return room(basis[k]);
+  };
+  // Where a vector of the basis is made, and where one is for a product.
+  const auto made = [&](std::size_t k) -> std::vector<Real>& {
+    if constexpr (narrow)
+      return room(next_);
+    else
+      return stored(k);
+  };
+  const auto keep = [&]([[maybe_unused]] std::size_t k) {
+    if constexpr (narrow) convert(next_, 1, stored(k));
+  };
+  const auto known = [&](std::size_t k) -> const std::vector<Real>& {
+    if constexpr (narrow) {
+      convert(basis[k], 1, room(in_));
+      return in_;
+    } else {
+      return basis[k];
+    }
+  };
+  std::vector<Real>& first = made(0);
+  std::copy(b.begin(), b.end(), first.begin());
+  const double size = norm(first);
   if (!(size > 0)) {
     std::fill(x.begin(), x.end(), Real(0));
     return {0, size, {}};
   }
-  scale(1 / size, std::span(basis_[0]));
+  scale(1 / size, std::span(first));
+  keep(0);
 
   Triangle triangle(size);
   double residual = size, largest = 0; // largest: |A v| so far
   int k = 0;
   for (; k < most && residual > tolerance * size; ++k) {
-    std::vector<Real>& next = vector(k + 1);
-    matrix(basis_[k], next);
+    std::vector<Real>& next = made(k + 1);
+    matrix(known(k), next);
     Weights column(k + 2);
-    orthogonalise(basis_, k + 1, next, column);
+    orthogonalise(basis, k + 1, next, column);
     double length = norm(next);
     const double image = std::sqrt(std::inner_product(column.begin(), column.end(), column.begin(), length * length));
     if (length < 0.1 * image) { // once more where little is left: it has the rounding errors of what was taken off
-      orthogonalise(basis_, k + 1, next, column);
+      orthogonalise(basis, k + 1, next, column);
       length = norm(next);
     }
     largest = std::max(largest, image);
-    const double rounding = 50 * std::numeric_limits<Real>::epsilon() * largest;
+    const double rounding = 50 * std::numeric_limits<Stored>::epsilon() * largest;
     const bool closed = !(length > rounding); // the space holds its own image: it has nothing more to give
     column[k + 1] = closed ? 0 : length;
     residual = triangle.add(std::move(column), rounding);
@@ -166,19 +201,21 @@ typename Gmres<Real>::Result Gmres<Real>::solve(const Product& matrix, std::span
       break;
     }
     scale(1 / length, std::span(next));
+    keep(k + 1);
   }
   Weights weights = triangle.solve();
-  combine(weights, basis_, x);
+  combine(weights, basis, x);
   return {k, residual, std::move(weights)};
 }
 
-template <class Real> void combine(std::span<const double> weights, const Basis<Real>& vectors, std::span<Real> sum) {
+template <class Stored, class Real>
+void combine(std::span<const double> weights, const Basis<Stored>& vectors, std::span<Real> sum) {
   const Blocks blocks(sum.size());
   share_out(blocks.count, blocks.threads, [&](int b, int) {
     const std::span<Real> part = blocks.part(b, sum);
     std::fill(part.begin(), part.end(), Real(0));
     for (std::size_t k = 0; k < weights.size(); ++k)
-      add_scaled(static_cast<Real>(weights[k]), blocks.part(b, vectors[k]), part);
+      add_scaled<Stored, Real>(static_cast<Real>(weights[k]), blocks.part(b, vectors[k]), part);
   });
 }
 
@@ -186,5 +223,6 @@ template class Gmres<double>;
 template class Gmres<float>;
 template void combine(std::span<const double>, const Basis<double>&, std::span<double>);
 template void combine(std::span<const double>, const Basis<float>&, std::span<float>);
+template void combine(std::span<const double>, const Basis<float>&, std::span<double>);
 
 } // namespace microslip

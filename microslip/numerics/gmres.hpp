@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
@@ -8,6 +9,9 @@ namespace microslip {
 
 /// That Newton's methods allow for one linear system: how long a basis grows.
 inline constexpr int most_gmres_products = 300;
+
+/// So many unknowns are many: memory counts, and vectors of the basis are kept in single precision.
+inline constexpr std::size_t many_unknowns = std::size_t(1) << 19;
 
 /// The generalised minimal residual method (Saad & Schultz 1986) for A x = b with any square matrix, given by its
 /// product. The object keeps the memory of its basis, which grows as needed and is used again. In double or in single
@@ -25,16 +29,22 @@ public:
   };
 
   /// Starts from x = 0 and stops when |b - A x| <= tolerance |b| or after `most` products. Cost: products, and for k of
-  /// them 2 k^2 operations with vectors.
+  /// them 2 k^2 operations with vectors. With many_unknowns |b - A x| is known, and reached, to about 1e-7 |b| only.
   Result solve(const Product& matrix, std::span<const Real> b, std::span<Real> x, double tolerance, int most);
 
 private:
+  template <class Stored>
+  Result solve_in(std::vector<std::vector<Stored>>& basis, const Product& matrix, std::span<const Real> b,
+                  std::span<Real> x, double tolerance, int most);
+
   std::vector<std::vector<Real>> basis_;
+  std::vector<std::vector<float>> narrow_; ///< in its place with many unknowns,
+  std::vector<Real> in_, next_;            ///< and a vector of it, and the next one, as products have them
 };
 
 /// sum = the sum of weights[k] vectors[k]; there may be more vectors than weights. Long vectors use OpenMP's threads;
 /// results do not depend on their number.
-template <class Real>
-void combine(std::span<const double> weights, const std::vector<std::vector<Real>>& vectors, std::span<Real> sum);
+template <class Stored, class Real>
+void combine(std::span<const double> weights, const std::vector<std::vector<Stored>>& vectors, std::span<Real> sum);
 
 } // namespace microslip

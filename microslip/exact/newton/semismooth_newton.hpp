@@ -39,15 +39,17 @@ public:
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
   /// v and, unless `response_of_v` is empty, its response, which costs no product more: it is summed of those that the
-  /// products had. `before_product` is called before each of them. Returns |F' v - right|.
+  /// products had; only with many_unknowns, which have no room for these, it costs one. `before_product` is called
+  /// before each of them. Returns |F' v - right|.
   template <class BeforeProduct>
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
                std::span<Real> response_of_v, const BeforeProduct& before_product) {
+    const bool sums = !response_of_v.empty() && right.size() < many_unknowns;
     std::size_t count = 0;
     const auto product = [&](std::span<const Real> in, std::span<Real> out) {
       before_product();
       if (responses_of_products_.size() <= count) responses_of_products_.emplace_back();
-      Field& response = responses_of_products_[response_of_v.empty() ? 0 : count++];
+      Field& response = responses_of_products_[sums ? count++ : 0];
       response.resize(responses_);
       std::copy(in.begin(), in.end(), change_.begin());
       problem_.precondition(change_);
@@ -56,7 +58,11 @@ public:
     };
     const auto result = gmres_.solve(product, right, v, tolerance, most);
     problem_.precondition(v);
-    if (!response_of_v.empty()) combine(result.weights, responses_of_products_, response_of_v);
+    if (sums) combine(result.weights, responses_of_products_, response_of_v);
+    if (!sums && !response_of_v.empty()) {
+      before_product();
+      problem_.respond(v, response_of_v);
+    }
     return result.residual;
   }
 
