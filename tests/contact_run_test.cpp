@@ -129,6 +129,18 @@ TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
       std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
 }
 
+TEST(ContactRun, NothingGoesOnFromACaseThatWasEnded) {
+  const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
+  std::istringstream stream(first_shift + next + next + first_shift);
+  InputReader reader(stream, "a.inp");
+  contact_program::Run run;
+  EXPECT_EQ(run.run(*reader.next()).kind, Kind::solved);
+  const Case second = *reader.next();
+  EXPECT_THROW(run.run(second, [](double) { return false; }), Stopped);
+  EXPECT_EQ(run.run(*reader.next()).kind, Kind::refused);
+  EXPECT_EQ(run.run(*reader.next(), [](double) { return true; }).kind, Kind::solved);
+}
+
 TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
   const std::string corrected = with_corrected_coefficients(first_shift);
   const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";

@@ -132,8 +132,8 @@ TEST(Gmres, WeightsGiveWhateverWasFoundWithTheProducts) {
   const auto result = Gmres<double>().solve(product, b, x, 1e-4, 60);
   ASSERT_GT(asked.size(), 3u);
   ASSERT_EQ(result.weights.size(), asked.size());
-  combine<double>(result.weights, asked, sum);
-  combine<double>(result.weights, images, image_sum);
+  combine<double, double>(result.weights, asked, sum);
+  combine<double, double>(result.weights, images, image_sum);
   const Vector image = a * x;
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(sum[i], x[i], 1e-14);

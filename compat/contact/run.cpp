@@ -29,19 +29,21 @@ int element_state(const Outcome& outcome, std::size_t element) {
   return outcome.solution.tangential.state[element] == CellState::adhesion ? 1 : 2;
 }
 
-Outcome Run::solve(const Case& c, Sequence& sequence) {
+Outcome Run::solve(const Case& c, Sequence& sequence, const Progress& progress) {
   Outcome outcome;
   outcome.step = contact_step(c);
+  outcome.step.motion.progress = progress;
   CarriedSprings springs = sequence.springs.value_or(CarriedSprings());
+  sequence.springs.reset();
   outcome.solution = c.digits.is_simplified() ? solve_simplified(c, outcome.step, sequence.steps, springs)
                                               : sequence.steps.solve(outcome.step);
-  sequence.springs.reset();
   if (c.digits.is_simplified()) sequence.springs = std::move(springs);
   if (outcome.step.frictionless) sequence.springs = CarriedSprings();
   outcome.totals = printed_totals(c, outcome.step, outcome.solution);
   outcome.temperature = temperatures_of(outcome.step, outcome.solution);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
-  outcome.interior = interior_blocks(c, outcome.step, outcome.solution, sequence.interior);
+  outcome.interior = interior_blocks(c, outcome.step, outcome.solution, sequence.interior, progress);
+  outcome.step.motion.progress = {};
   outcome.notes = left_out(c, outcome.step);
   if (outcome.solution.normal.touches_border)
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");
@@ -50,7 +52,7 @@ Outcome Run::solve(const Case& c, Sequence& sequence) {
   return outcome;
 }
 
-Outcome Run::run(const Case& c) {
+Outcome Run::run(const Case& c, const Progress& progress) {
   Sequence& sequence = sequences_[c.sequence];
   auto reasons = unsupported(c);
   if (reasons.empty() && c.digits.is_skipped()) {
@@ -64,7 +66,8 @@ Outcome Run::run(const Case& c) {
     reasons.push_back(written(c.digits.pvtime) + " (it goes on from case " + std::to_string(sequence.lost) +
                       ", which has left no tractions)");
   if (reasons.empty()) try {
-      Outcome outcome = solve(c, sequence);
+      sequence.lost = c.number; // unless it is solved
+      Outcome outcome = solve(c, sequence, progress);
       sequence.lost = outcome.solution.status == Status::invalid_input || c.digits.is_simplified() ? c.number : 0;
       return outcome;
     } catch (const Error& error) {

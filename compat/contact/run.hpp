@@ -36,7 +36,9 @@ int element_state(const Outcome& outcome, std::size_t element);
 /// something unsupported is refused, and so is one that goes on from the tractions of a refused one; all others run.
 class Run {
 public:
-  Outcome run(const Case& c);
+  /// `progress` is told of a case's solution; false throws Stopped, and what it throws is passed on. No case can go on
+  /// from one that was ended.
+  Outcome run(const Case& c, const Progress& progress = {});
 
 private:
   struct Sequence {
@@ -47,7 +49,7 @@ private:
         CarriedSprings(); ///< of the last case if it was FASTSIM's, or without friction
   };
 
-  Outcome solve(const Case& c, Sequence& sequence);
+  Outcome solve(const Case& c, Sequence& sequence, const Progress& progress);
 
   std::map<std::pair<int, int>, Sequence> sequences_;
 };

@@ -95,7 +95,7 @@ InteriorLayers& InteriorSequence::layers_of(const InteriorBody& body, Body numbe
 
 std::vector<InteriorState> InteriorSequence::states(const InteriorBody& body1, const InteriorBody& body2,
                                                     const ElementGrid& elements, const SurfaceTractions& tractions,
-                                                    const InteriorGrid& points) {
+                                                    const InteriorGrid& points, const Progress& progress) {
   const auto columns = centres(points.x, elements.x0, elements.dx, elements.mx);
   const auto rows = centres(points.y, elements.y0, elements.dy, elements.my);
   const bool transforms = columns && rows && points.x.size() * points.y.size() >= several;
@@ -103,6 +103,7 @@ std::vector<InteriorState> InteriorSequence::states(const InteriorBody& body1, c
   std::array<std::optional<InteriorField>, 2> fields;
   std::vector<InteriorState> all;
   for (const double z : points.z) {
+    go_on(progress, static_cast<double>(all.size()) / static_cast<double>(points.count()));
     const std::size_t n = z < 0 ? 1 : 0;
     const InteriorBody& body = z < 0 ? body2 : body1;
     const Body number = z < 0 ? Body::second : Body::first;

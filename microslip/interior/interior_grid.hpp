@@ -2,6 +2,7 @@
 
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/interior/interior_field.hpp"
+#include "microslip/progress.hpp"
 
 #include <array>
 #include <optional>
@@ -34,11 +35,12 @@ struct InteriorBody {
 /// several points below elements' centres, else by InteriorField. Errors as theirs.
 ///
 /// Keeps what InteriorLayers keeps: where bodies and elements are those of the call before, depths that have occurred
-/// cost transforms of the tractions only.
+/// cost transforms of the tractions only. `progress` is told between the planes; false throws Stopped.
 class InteriorSequence {
 public:
   std::vector<InteriorState> states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
-                                    const SurfaceTractions& tractions, const InteriorGrid& points);
+                                    const SurfaceTractions& tractions, const InteriorGrid& points,
+                                    const Progress& progress = {});
 
 private:
   struct OfBody {

@@ -23,9 +23,9 @@ constexpr double smallest_share = 1e-2;            // of the kernel at 0, in its
 int padded(int m) {
   return m == 1 ? 1 : quick_size(2 * m);
 }
-/// Hardly more than the side.
-int tight(int m) {
-  return m == 1 ? 1 : quick_size(m);
+/// Hardly more than the side. In a single row, as a line contact has it, the inverse falls too slowly for that.
+int tight(int m, int across) {
+  return m == 1 || across == 1 ? padded(m) : quick_size(m);
 }
 
 int threads_of(int nx, int ny) {
@@ -140,7 +140,7 @@ struct EvenToeplitz::Plans {
   long products = 0;
 
   Plans(int mx, int my, const KernelRow& kernel, const TransformPlans& plans)
-      : matrix(mx, my, padded(mx), padded(my), plans), inverse(matrix, tight(mx), tight(my), plans) {
+      : matrix(mx, my, padded(mx), padded(my), plans), inverse(matrix, tight(mx, my), tight(my, mx), plans) {
     matrix.find_spectrum(kernel, plans, [](double value, double) { return value; });
     inverse.find_spectrum(kernel, plans,
                           [](double value, double at_zero) { return 1 / std::max(value, smallest_share * at_zero); });

@@ -64,7 +64,8 @@ public:
       const std::scoped_lock lock(busy_);
       const contact_program::Case* c = reader_.next();
       if (c == nullptr) return false;
-      out = {c->number, c->line, run_.run(*c)};
+      SignalCheck signals;
+      out = {c->number, c->line, run_.run(*c, signals.progress())};
       return true;
     }();
     if (!found) throw py::stop_iteration();

@@ -48,8 +48,8 @@ public:
       residual_ = find_residual();
       if (residual_ <= tolerance) return finish(k, Status::ok);
       if (k == 1) first = residual_;
-      const bool stopped = progress && !progress(digits_done(first, residual_, tolerance));
-      if (stopped || k >= most_iterations || !step()) return finish(k, Status::not_converged);
+      const Progress on = [&](double) { return !progress || progress(digits_done(first, residual_, tolerance)); };
+      if (!on(0) || k >= most_iterations || !step(on)) return finish(k, Status::not_converged);
     }
   }
 
@@ -190,9 +190,11 @@ private:
   }
 
   /// To the trial, so that the elements without pressure there leave the contact, or to the least energy on the way.
-  /// False if no way leads downhill, which is so when rounding is all that is left.
-  bool step() {
+  /// False if no way leads downhill, which is so when rounding is all that is left, or if the progress function does
+  /// not want to go on between its two products.
+  bool step(const Progress& progress) {
     find_direction();
+    if (!progress(0)) return false;
     bool clipped = find_trial(length_);
     if (!(slope(step_) > 0)) {
       find_gradient(direction_);
