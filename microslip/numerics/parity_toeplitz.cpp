@@ -188,12 +188,9 @@ struct ParityToeplitz::Plans {
     });
   }
 
-  void rows_back(std::size_t count, std::span<double> out) {
-    std::vector<double> rows(static_cast<std::size_t>(my + my % 2) * mx);
-    const RowPairs<double> to = {rows.data(), rows.data() + mx, 2 * static_cast<std::size_t>(mx)};
-    const int batches = WaveBlocks<double>::batches_of(static_cast<int>(count));
-    share(batches, [&](int b, int thread) { waves.backward(b, to, mx, thread); });
-    std::copy_n(rows.data(), count * mx, out.data());
+  void rows_back(int count, std::span<double> out) {
+    const RowPairs<double> to = {out.data(), out.data() + mx, 2 * static_cast<std::size_t>(mx)};
+    share(WaveBlocks<double>::batches_of(count), [&](int b, int thread) { waves.backward(b, count, to, mx, thread); });
   }
 };
 
@@ -218,7 +215,7 @@ void ParityToeplitz::load(std::span<const std::span<const double>> in) {
 
 void ParityToeplitz::apply(std::span<const Term> terms, std::span<const int> rows, std::span<double> out) {
   plans_->columns_back(terms, rows);
-  plans_->rows_back(rows.size(), out);
+  plans_->rows_back(static_cast<int>(rows.size()), out);
 }
 
 } // namespace microslip

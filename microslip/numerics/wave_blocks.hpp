@@ -54,8 +54,11 @@ public:
   void forward_batch(int b, const RowPairs<const Real>& rows, int length, int thread) {
     transforms_.forward(rows, rows_of(b), length, first_line(b), block_size(), work(thread));
   }
-  void backward(int b, const RowPairs<Real>& all, int length, int thread) {
-    transforms_.backward(first_line(b), block_size(), all.from_pair(pairs(b)), rows_of(b), length, work(thread));
+  void backward(int b, const RowPairs<Real>& all, int length, int thread) { backward(b, rows_, all, length, thread); }
+  /// Of the first `rows` rows only.
+  void backward(int b, int rows, const RowPairs<Real>& all, int length, int thread) {
+    transforms_.backward(first_line(b), block_size(), all.from_pair(pairs(b)), std::min(batch, rows - b * batch),
+                         length, work(thread));
   }
 
 private:
