@@ -6,7 +6,7 @@ and a line at the margin ends with `;` or `}`. Comments are `///` in C++ and `/*
 
 import re
 
-SKIPPED = re.compile(r"^(#|namespace [\w:]+ \{$|\} // namespace|extern \"C\" \{|\}$|using namespace )")
+SKIPPED = re.compile(r"^(#|//(?!/)|namespace [\w:]+ \{$|\} // namespace|extern \"C\" \{|\}$|using namespace )")
 BODY = re.compile(r"(?<=[\w)]) \{")  # not that of a default, = {}
 FORWARD = re.compile(r"(class|struct) \w+;$")
 NAME = re.compile(r"(?:class|struct|enum(?: class)?|union|concept)\s+(\w+)|using\s+(\w+)\s*=|\b(operator\S+?|~?\w+)\s*\(|(\w+)\s*(?:\{.*\}|=.*)?;")
@@ -70,7 +70,7 @@ def name_of(code):
 def declarations(text):
     """All declarations of a header at namespace level, as (name, prose, code); comments that stand alone have no name."""
     found, comment, code, depth, in_comment = [], [], [], 0, False
-    for line in text.splitlines():
+    for line in re.sub(r"\\\n", " ", text).splitlines():  # macros go on after a backslash
         opens = not code and (line.startswith("///") or line.startswith("/*"))
         if opens or in_comment:
             comment.append(line)
@@ -79,7 +79,7 @@ def declarations(text):
             if comment:
                 found.append(("", uncommented(comment), []))
             comment = []
-        elif not code and (SKIPPED.match(line) or line.endswith("\\")):
+        elif not code and SKIPPED.match(line):
             comment = [] if line.startswith("#") else comment
         else:
             code.append(line)

@@ -1033,11 +1033,11 @@ class Profile:
     @property
     def report(self) -> ProfileReport:
         """The ProfileReport."""
-    def point(self, s: ArrayLike) -> tuple:
+    def point(self, s: ArrayLike) -> tuple[Any, Any]:
         """y and z [m] of the curve at s [m], a number or an array, shape (...); straight lines beyond its ends."""
-    def angle(self, s: ArrayLike) -> object:
+    def angle(self, s: ArrayLike) -> Any:
         """Inclination [rad] of the curve at s [m], from y towards z."""
-    def curvature(self, s: ArrayLike) -> object:
+    def curvature(self, s: ArrayLike) -> Any:
         """Curvature [1/m] at s [m], positive where the curve turns from y towards z."""
     def wheel_dimensions(self, tape_line: float | None = None) -> WheelDimensions:
         """WheelDimensions by EN 15313 from the tape line's y [m]; None: 0 if the profile begins about 70 mm on the
@@ -1140,7 +1140,7 @@ class RollingCase:
     @property
     def text(self) -> str:
         """The text of the file."""
-    def exact_solver(self, *, cells: int | None = None, discretisation: str | None = None) -> EllipticContactSolver:
+    def exact_solver(self, *, cells: int | None = None, discretisation: Literal["second_order", "classical"] | None = None) -> EllipticContactSolver:
         """An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-],
         on its grid or with `cells` elements across the ellipse in each direction. Error if it cannot
         have that discretisation."""
@@ -1843,7 +1843,7 @@ def read_case(path: str | os.PathLike[str]) -> RollingCase:
     file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown
     ones [-]."""
 
-def read_profile(path: str | os.PathLike[str], *, kind: str | None = None, format: str | None = None, unit: float | None = None, scale: float = 1.0, y_axis: str | None = None, z_axis: str | None = None, section: int = 1, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> Profile:
+def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"] | None = None, format: Literal["simpack", "miniprof", "columns"] | None = None, unit: float | None = None, scale: float = 1.0, y_axis: Literal["field", "gauge"] | None = None, z_axis: Literal["up", "down"] | None = None, section: int = 1, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> Profile:
     """The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z. What the file does not
     say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z is
     positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses one
