@@ -2,7 +2,6 @@
 
 #include "io/json_result.hpp"
 #include "io/option_words.hpp"
-#include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/railway/wheel_locus.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
@@ -216,8 +215,6 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
   for (const auto& [state, force] : input.states) {
     go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
     result.solutions.push_back(solver.solve(state, force));
-    if (input.side == TrackSide::right)
-      for (ContactSolution& patch : result.solutions.back().fields) mirror(patch);
   }
   go_on(progress, 1);
   add_status(input, result);

@@ -29,7 +29,7 @@ ElementGrid grid_around(const Sphere& s, int n) {
 
 /// Patches each around a sphere, in a plane.
 struct Setting {
-  std::vector<std::vector<double>> gaps, angles;
+  std::vector<std::vector<double>> gaps, angles, shears;
   std::vector<CoarsePatch> patches;
 
   Setting(const std::vector<Sphere>& spheres, int n, double angle = 0) {
@@ -40,13 +40,15 @@ struct Setting {
         for (int i = 0; i < n; ++i) h.push_back(s.gap(grid.x(i), s.y + grid.y(j)));
       gaps.push_back(h);
       angles.emplace_back(n, angle);
+      shears.emplace_back(n, 0.0);
     }
     for (std::size_t k = 0; k < spheres.size(); ++k)
       patches.push_back({grid_around(spheres[k], n),
                          {0, spheres[k].y * std::cos(angle), spheres[k].y * std::sin(angle)},
                          angle,
                          gaps[k],
-                         angles[k]});
+                         angles[k],
+                         shears[k]});
   }
 };
 

@@ -86,6 +86,8 @@ TEST(WheelRail, IsTheSameInAMirror) {
       EXPECT_EQ(a.vertical, b.vertical);
       ASSERT_EQ(a.patches.size(), b.patches.size());
       EXPECT_EQ(a.patches[0].creepage.spin, -b.patches[0].creepage.spin);
+      ASSERT_EQ(a.fields.size(), b.fields.size());
+      for (std::size_t i = 0; i < a.fields.size(); ++i) EXPECT_EQ(a.fields[i].totals.fy, -b.fields[i].totals.fy);
     }
   }
 }
@@ -126,6 +128,17 @@ TEST(WheelRail, BearsTheVerticalForceThatItIsGiven) {
       const auto again = contact.solve(there);
       EXPECT_NEAR(again.force.z, force, 1e-5 * force);
     }
+}
+
+TEST(WheelRail, BearsTheVerticalForceOnCurvedPatches) {
+  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
+    WheelRail contact(pair(), {.level = level, .shape = PatchShape::curved, .elements = 10});
+    for (double y = -4e-3; y <= 8e-3; y += 2e-3) {
+      const auto s = contact.solve(running(y, 3e-3, 1e-3), 80e3);
+      EXPECT_EQ(s.status, Status::ok) << y;
+      EXPECT_NEAR(s.force.z, 80e3, 1e-4 * 80e3) << y;
+    }
+  }
 }
 
 TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {

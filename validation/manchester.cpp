@@ -190,18 +190,18 @@ bool run_manchester(const StudyOptions& options, std::ostream& out) {
     const auto& cases = found[exact];
     report.heading(exact ? "Exact level, 24 elements across each contact" : "Level fastsim2");
     count(
-        report, "height [mm]", cases, [](const Compared& c) { return c.height; }, 3e-4, exact ? 41 : 38);
+        report, "height [mm]", cases, [](const Compared& c) { return c.height; }, 3e-4, exact ? 40 : 37);
     count(
-        report, "place on the rail [mm]", cases, [](const Compared& c) { return c.place; }, 0.005, 36);
+        report, "place on the rail [mm]", cases, [](const Compared& c) { return c.place; }, 0.005, 37);
     count(
-        report, "inclination [rad]", cases, [](const Compared& c) { return c.angle; }, 2e-4, 40);
+        report, "inclination [rad]", cases, [](const Compared& c) { return c.angle; }, 2e-4, 41);
     count(
-        report, "creepages, relative", cases, [](const Compared& c) { return c.creepage; }, 2e-3, exact ? 39 : 38);
+        report, "creepages, relative", cases, [](const Compared& c) { return c.creepage; }, 2e-3, 39);
     count(
-        report, "forces, in mu Fn", cases, [](const Compared& c) { return c.force(); }, 0.005, exact ? 40 : 34);
+        report, "forces, in mu Fn", cases, [](const Compared& c) { return c.force(); }, 0.005, exact ? 39 : 34);
     count(
         report, "peak pressure, relative", cases, [](const Compared& c) { return c.pressure; }, exact ? 0.02 : 0.05,
-        exact ? 41 : 40);
+        exact ? 41 : 42);
   }
   return report.all_met();
 }

@@ -64,7 +64,10 @@ Vec2 ContactPatch::extent() const {
 }
 
 double ContactPatch::vertical_share() const {
-  return std::cos(outline.frame.angle) + shear * std::sin(outline.frame.angle);
+  double vertical = 0;
+  for (int j = 0; j < coarse_rows; ++j)
+    vertical += loaded[j].load * std::cos(row[j].angle) + forces[j].fy * std::sin(row[j].angle);
+  return vertical / normal_force();
 }
 
 void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, const PatchFrame& frame,
@@ -176,13 +179,11 @@ double CoarseContact::roll() {
     load_rows(patch, normal_.pressure().subspan(k * coarse_elements, coarse_elements));
     (rolls_forward() ? forward_ : backward_)
         .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, patch.loaded, patch.forces);
-    double lateral = 0, load = 0;
     for (int j = 0; j < coarse_rows; ++j) {
-      const double sine = std::sin(patch.row[j].angle);
-      change += (patch.forces[j].fy - patch.shear * patch.loaded[j].load) * sine;
-      lateral += patch.forces[j].fy, load += patch.loaded[j].load;
+      const double load = patch.loaded[j].load, lateral = patch.forces[j].fy;
+      change += (lateral - patch.shear[j] * load) * std::sin(patch.row[j].angle);
+      patch.shear[j] = load > 0 ? lateral / load : 0;
     }
-    patch.shear = load > 0 ? lateral / load : 0;
   }
   return change;
 }
@@ -223,7 +224,7 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
   out.status = Status::no_contact;
   if (!std::isfinite(clearance)) return;
   double lowering = vertical_force ? clearance + hertzian_lowering(lowest, *vertical_force) : 0;
-  for (ContactPatch& patch : patches_) patch.shear = 0;
+  for (ContactPatch& patch : patches_) patch.shear.fill(0);
   bool warm = false;
   Secant secant;
   Bracket bracket;

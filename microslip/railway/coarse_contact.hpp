@@ -26,9 +26,9 @@ struct ContactPatch {
   std::array<PatchRow, coarse_rows> row;
   std::array<double, coarse_rows> angles;
   std::array<double, coarse_columns> x;
-  double least_gap = 0; ///< [m]
-  double speed = 0;     ///< V [m/s]
-  double shear = 0;     ///< force along s over the normal force [-]
+  double least_gap = 0;                  ///< [m]
+  double speed = 0;                      ///< V [m/s]
+  std::array<double, coarse_rows> shear; ///< force along s over the normal force [-]
   std::array<LoadedRow, coarse_rows> loaded;
   std::array<RowForces, coarse_rows> forces;
 
@@ -36,7 +36,7 @@ struct ContactPatch {
   double normal_force() const;
   /// Lengths of the contact along x and s by its rows [m].
   Vec2 extent() const;
-  /// Vertical force for each newton of normal force.
+  /// Vertical force for each newton of the rows' loads.
   double vertical_share() const;
 };
 

@@ -109,9 +109,9 @@ void CoarseNormal::set_up(const CombinedMaterial& material, std::span<const Coar
       const double root = std::sqrt(patch.grid.element_area());
       root_area_[first + k] = root;
       gap_[first + k] = root * patch.gaps[k];
-      const double angle = patch.angles[k / patch.grid.mx];
+      const double angle = patch.angles[k / patch.grid.mx], shear = patch.shear[k / patch.grid.mx];
       slope_[first + k] = root * std::cos(angle);
-      weight_[first + k] = root * (std::cos(angle) + patch.shear * std::sin(angle));
+      weight_[first + k] = root * (std::cos(angle) + shear * std::sin(angle));
     }
     first += patch.gaps.size();
   }

@@ -19,7 +19,7 @@ struct CoarsePatch {
   double angle = 0;               ///< of s against the track's y [rad]
   std::span<const double> gaps;   ///< h [m] of the elements, negative where the undeformed bodies overlap
   std::span<const double> angles; ///< of each row's own plane against the track's y [rad]
-  double shear = 0;               ///< force along s over the normal force [-]: it bears some of the vertical one
+  std::span<const double> shear; ///< of each row the force along s over the normal one [-]: it bears some of the weight
 };
 
 /// The normal problem of all patches of a wheel in one: p >= 0, e = h - zeta cos(angle) + A p >= 0, p e = 0, with zeta

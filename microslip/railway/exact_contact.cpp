@@ -16,6 +16,7 @@ struct Loaded {
   ExactPatch exact;
   double force;     ///< normal [N]
   double stiffness; ///< its change with the approach, at first after Hertz [N/m]
+  double share;     ///< vertical force for each newton of it
   ExactPatch::Rolled rolled{};
   double force_before = 0, approach_before = 0; ///< of the last step
 };
@@ -60,7 +61,7 @@ double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material,
   constexpr int most_steps = 12;
   constexpr double tolerance = 1e-6;
   if (loaded.size() == 1 && vertical_force) {
-    loaded.front().force = *vertical_force / loaded.front().patch->vertical_share();
+    loaded.front().force = *vertical_force / loaded.front().share;
     return zeta;
   }
   std::vector<double> missing(loaded.size()), by_zeta(loaded.size());
@@ -76,7 +77,7 @@ double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material,
       missing[k] = now - one.force;
       by_zeta[k] = one.stiffness * std::cos(one.patch->outline.frame.angle);
       largest = std::max(largest, now), error = std::max(error, std::abs(missing[k]));
-      vertical += one.force * one.patch->vertical_share();
+      vertical += one.force * one.share;
     }
     const double short_of = vertical_force ? *vertical_force - vertical : 0;
     if (std::max(error, std::abs(short_of)) <= tolerance * largest) break;
@@ -84,8 +85,8 @@ double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material,
     const std::vector<double> lowered = with_coupling(loaded, material, by_zeta);
     double direct_vertical = 0, lowered_vertical = 0;
     for (std::size_t k = 0; k < loaded.size(); ++k) {
-      direct_vertical += direct[k] * loaded[k].patch->vertical_share();
-      lowered_vertical += lowered[k] * loaded[k].patch->vertical_share();
+      direct_vertical += direct[k] * loaded[k].share;
+      lowered_vertical += lowered[k] * loaded[k].share;
     }
     const double more = vertical_force ? (short_of - direct_vertical) / lowered_vertical : 0;
     for (std::size_t k = 0; k < loaded.size(); ++k)
@@ -93,6 +94,17 @@ double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material,
     zeta += more;
   }
   return zeta;
+}
+
+/// Of the tractions on a patch, each along the axes of its row.
+double vertical_force_of(const Loaded& one) {
+  const ContactSolution& s = one.rolled.solution;
+  double sum = 0;
+  for (std::size_t i = 0; i < s.elements.size(); ++i) {
+    const double angle = one.exact.row(static_cast<int>(i) / one.exact.grid().mx).angle;
+    sum += (s.fields.pressure[i] * std::cos(angle) + s.fields.traction.y[i] * std::sin(angle)) * s.elements.area[i];
+  }
+  return sum;
 }
 
 void sum(const CoarseContact& coarse, std::vector<Loaded>& loaded, WheelRailSolution& out) {
@@ -137,7 +149,7 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
     loaded.push_back({&patch,
                       ExactPatch(coarse.surface(), patch.outline, method.shape, extent.x / method.elements,
                                  extent.y / method.elements, patch.least_gap, patch.speed),
-                      load, -1.5 * load / patch.least_gap});
+                      load, -1.5 * load / patch.least_gap, patch.vertical_share()});
   }
   if (loaded.empty()) {
     out.status = Status::no_contact;
@@ -152,9 +164,8 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
     for (Loaded& one : loaded) {
       if (!(one.force > 0)) continue;
       one.rolled = one.exact.roll(bodies.material, one.force, friction, direction);
-      const double shear = one.force > 0 ? one.rolled.solution.totals.fy / one.force : 0;
-      const double sine = std::sin(one.patch->outline.frame.angle);
-      change += std::abs((shear - std::exchange(one.patch->shear, shear)) * sine) * one.force;
+      const double share = vertical_force_of(one) / one.force;
+      change += std::abs(share - std::exchange(one.share, share)) * one.force;
     }
     if (loaded.size() == 1) lowering = loaded[0].rolled.approach / std::cos(loaded[0].patch->outline.frame.angle);
     out.residual = vertical_force ? change / *vertical_force : 0;

@@ -1,5 +1,6 @@
 #include "microslip/railway/wheel_rail.hpp"
 
+#include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/exact_contact.hpp"
@@ -47,6 +48,7 @@ void mirror(WheelRailSolution& out) {
     for (double* odd :
          {&patch.place.y, &patch.angle, &patch.creepage.lateral, &patch.creepage.spin, &patch.fs, &patch.moment})
       *odd = -*odd;
+  for (ContactSolution& fields : out.fields) mirror(fields);
 }
 
 /// The variable of a state.

@@ -6,7 +6,6 @@
 #include "binding/value.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
-#include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
@@ -79,14 +78,6 @@ struct PythonWheelRail {
 
   PythonWheelRail(WheelRailBodies given, const WheelRailMethod& how)
       : bodies(std::move(given)), method(how), solver(bodies, method) {}
-
-  /// With the fields of a right wheel in its own frame.
-  WheelRailSolution solve(WheelRail& with, const WheelState<double>& state, std::optional<double> force) const {
-    WheelRailSolution solution = with.solve(state, force);
-    if (bodies.side == TrackSide::right)
-      for (ContactSolution& patch : solution.fields) mirror(patch);
-    return solution;
-  }
 };
 
 std::vector<InclinedFriction> friction_from(const py::object& friction) {
@@ -190,8 +181,7 @@ WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
   const StateArrays states(given, self.bodies.wheelset.nominal_radius);
   if (!states.shape().empty()) throw Error("solve takes numbers; solve_batch takes arrays");
   const auto [state, force] = states[0];
-  return self.solver.run(
-      [&, state = state, force = force](WheelRail& solver) { return self.solve(solver, state, force); });
+  return self.solver.run([&, state = state, force = force](WheelRail& solver) { return solver.solve(state, force); });
 }
 
 /// Solutions of many states without fields.
