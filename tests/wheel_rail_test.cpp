@@ -278,6 +278,9 @@ TEST(WheelRail, RefusesWhatMakesNoSense) {
   bad.friction = {{0.1, 0.3}, {0.1, 0.4}};
   EXPECT_NE(error_of(bad).find("friction angle"), std::string::npos);
   bad = pair();
+  bad.friction = {{0, 0}};
+  EXPECT_EQ(error_of(bad), "none");
+  EXPECT_NE(error_of(bad, {.level = WheelRailLevel::exact}).find("friction = 0"), std::string::npos);
   bad.material.dissimilarity = 0.1;
   EXPECT_NE(error_of(bad).find("dissimilarity"), std::string::npos);
   EXPECT_NE(error_of(pair(), {.elements = 0}).find("elements"), std::string::npos);

@@ -8,8 +8,6 @@
 namespace microslip {
 namespace {
 
-constexpr double nowhere = 1; ///< gap beyond the profiles [m]
-
 /// V: the mean of the speeds at which the contact moves over the rail and over the wheel [m/s].
 double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place) {
   const double over_rail = p.wheel.velocity.x - p.rail.velocity_at(place).x;
@@ -54,7 +52,7 @@ double ContactPatch::normal_force() const {
 }
 
 Vec2 ContactPatch::extent() const {
-  double x_low = nowhere, x_high = -nowhere, s = 0;
+  double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low, s = 0;
   for (const LoadedRow& part : loaded) {
     if (!(part.load > 0)) continue;
     x_low = std::min(x_low, part.centre - part.half_length), x_high = std::max(x_high, part.centre + part.half_length);
@@ -105,12 +103,13 @@ void CoarseContact::put(const WheelState<double>& state, double vertical) {
   placement_ = place(nominal_, there);
 }
 
-/// Outlines, gaps and coarse_rows of all patches when the wheel was lowered from where it was searched.
+/// Outlines, gaps and rows of all patches when the wheel was lowered from where it was searched.
 void CoarseContact::find_patches(double lowering) {
   const auto found = search_.regions(lowering);
   regions_.assign(found.begin(), found.end());
-  // Should there be more than can be, the shortest are left out.
-  if (regions_.size() > most_patches) {
+  // Should there be more than can be, the shortest are left out, and the solution is not one.
+  left_out_ = regions_.size() > most_patches;
+  if (left_out_) {
     const auto length = [](const ContactRegion& r) { return r.outer.s_wheel - r.inner.s_wheel; };
     std::nth_element(regions_.begin(), regions_.begin() + most_patches, regions_.end(),
                      [length](const ContactRegion& a, const ContactRegion& b) { return length(a) > length(b); });
@@ -138,14 +137,14 @@ void CoarseContact::find_gaps(ContactPatch& patch) {
   for (int j = 0; j < coarse_rows; ++j) {
     near = patch.row[j] = surface.row(patch.outline.frame, method_.shape, patch.grid.y(j), near);
     const std::span<double> gaps(&patch.gaps[static_cast<std::size_t>(j) * coarse_columns], coarse_columns);
-    surface.find_gaps(patch.row[j], patch.x, nowhere, gaps);
+    surface.find_gaps(patch.row[j], patch.x, gaps);
     near.wheel_s = patch.row[j].wheel_s;
     patch.angles[j] = patch.row[j].angle;
     for (const double h : gaps) patch.least_gap = std::min(patch.least_gap, h);
   }
 }
 
-/// Loads and extents of the coarse_rows from the pressures of their coarse_elements: the half-length is that of a
+/// Loads and extents of the rows from the pressures of their elements: the half-length is that of a
 /// semi-ellipse with the same moment of inertia.
 void CoarseContact::load_rows(ContactPatch& patch, std::span<const double> pressure) {
   const double area = patch.grid.element_area();
@@ -171,7 +170,7 @@ void CoarseContact::load_rows(ContactPatch& patch, std::span<const double> press
   }
 }
 
-/// FASTSIM2 on all patches_; returns by how much the vertical part of the tangential forces changes [N].
+/// FASTSIM2 on all patches; returns by how much the vertical part of the tangential forces changes [N].
 double CoarseContact::roll() {
   double change = 0;
   for (std::size_t k = 0; k < count_; ++k) {
@@ -194,7 +193,7 @@ void CoarseContact::move(const WheelState<double>& state) {
   roll();
 }
 
-/// The lowest place of the gap, in a search_ that finds all places at most `depth` above it; its gap is infinite if
+/// The lowest place of the gap, in a search that finds all places at most `depth` above it; its gap is infinite if
 /// the wheel is nowhere above the rail.
 ContactPoint CoarseContact::lowest_point(double depth) {
   ContactPoint lowest;
@@ -243,11 +242,11 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
     }
     const CoarseNormal::Result found = normal_.solve(bodies_.material, views_, vertical_force, warm);
     const double change = roll();
-    if (found.status != Status::ok) out.status = found.status;
+    if (found.status != Status::ok || left_out_) out.status = Status::not_converged;
     if (!vertical_force) return;
     warm = true;
     out.residual = (std::abs(found.stiffness * found.lowering) + std::abs(change)) / *vertical_force;
-    if (out.residual <= method_.tolerance && found.status == Status::ok) {
+    if (out.residual <= method_.tolerance && found.status == Status::ok && !left_out_) {
       out.status = Status::ok;
       break;
     }

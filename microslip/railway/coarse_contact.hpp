@@ -15,7 +15,7 @@ namespace microslip {
 /// Elements of a patch at the coarse level, across the overlap.
 inline constexpr int coarse_columns = 10, coarse_rows = 10;
 inline constexpr std::size_t coarse_elements = coarse_columns * coarse_rows;
-/// Patches of a wheel that are told apart; should there be more, the shortest are left out.
+/// Patches of a wheel that are told apart; should there be more, the status is not_converged.
 inline constexpr std::size_t most_patches = 6;
 
 /// A patch while it is being solved: its elements at the coarse level, and its rows.
@@ -94,6 +94,7 @@ private:
   std::vector<ContactPatch> patches_;
   std::vector<CoarsePatch> views_;
   std::size_t count_ = 0; ///< patches in use
+  bool left_out_ = false; ///< there were more
   WheelPlacement<double> placement_{};
 };
 

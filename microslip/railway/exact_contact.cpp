@@ -160,6 +160,8 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
   double lowering = 0;
   for (int round = 0; round < most_rounds; ++round) {
     lowering = share_load(loaded, bodies.material, vertical_force, lowering);
+    double missing = vertical_force.value_or(0);
+    for (const Loaded& one : loaded) missing -= vertical_force ? one.force * one.share : 0;
     double change = 0;
     for (Loaded& one : loaded) {
       if (!(one.force > 0)) continue;
@@ -168,7 +170,7 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
       change += std::abs(share - std::exchange(one.share, share)) * one.force;
     }
     if (loaded.size() == 1) lowering = loaded[0].rolled.approach / std::cos(loaded[0].patch->outline.frame.angle);
-    out.residual = vertical_force ? change / *vertical_force : 0;
+    out.residual = vertical_force ? (change + std::abs(missing)) / *vertical_force : 0;
     out.status = Status::not_converged;
     // Beyond this the discretisation's error is larger by far.
     if (out.residual < std::max(method.tolerance, 1e-5)) {

@@ -8,8 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr double nowhere = 1; ///< gap beyond the profiles [m]
-constexpr int margin = 4;     ///< elements ahead and behind: second order needs three
+constexpr int margin = 4; ///< elements ahead and behind: second order needs three
 
 } // namespace
 
@@ -31,34 +30,26 @@ ExactPatch::ExactPatch(const PatchSurface& surface, const PatchOutline& outline,
   PatchRow near = surface.first_row(frame, outline.wheel_s);
   for (int j = 0; j < my; ++j) {
     PatchRow row = surface.row(frame, shape, grid_.y(j), near);
-    surface.find_gaps(row, x, nowhere, std::span(gaps_).subspan(static_cast<std::size_t>(j) * mx, mx));
+    surface.find_gaps(row, x, std::span(gaps_).subspan(static_cast<std::size_t>(j) * mx, mx));
     near = row;
     rows_.push_back(row);
     creepage_.push_back(surface.creepage(frame, shape, row, contact_gap, speed));
   }
-}
-
-double ExactPatch::least_gap() const {
-  return *std::min_element(gaps_.begin(), gaps_.end());
+  least_ = *std::min_element(gaps_.begin(), gaps_.end());
+  for (double& h : gaps_) h -= least_;
 }
 
 double ExactPatch::normal_force(const CombinedMaterial& material, double approach) const {
-  const double least = least_gap();
-  if (!(approach > least)) return 0;
-  std::vector<double> above = gaps_;
-  for (double& h : above) h -= least;
+  if (!(approach > least_)) return 0;
   return NormalProblem(material, grid_)
-      .solve(above, {NormalLoad::Given::approach, approach - least}, 1e-7)
+      .solve(gaps_, {NormalLoad::Given::approach, approach - least_}, 1e-7)
       .normal_force;
 }
 
 ExactPatch::Rolled ExactPatch::roll(const CombinedMaterial& material, double normal_force,
                                     const std::function<double(double angle)>& friction,
                                     RollingDirection direction) const {
-  const double least = least_gap();
-  std::vector<double> above = gaps_;
-  for (double& h : above) h -= least;
-  PatchRolling rolling(material, grid_, above, {NormalLoad::Given::force, normal_force}, direction);
+  PatchRolling rolling(material, grid_, gaps_, {NormalLoad::Given::force, normal_force}, direction);
   const auto row_at = [this](double y) {
     const double j = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0);
     return std::pair{static_cast<std::size_t>(j), j - std::floor(j)};
@@ -81,7 +72,7 @@ ExactPatch::Rolled ExactPatch::roll(const CombinedMaterial& material, double nor
   };
   Rolled out;
   out.solution = rolling.solve(motion);
-  out.approach = out.solution.approach + least;
+  out.approach = out.solution.approach + least_;
   return out;
 }
 

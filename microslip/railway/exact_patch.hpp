@@ -34,12 +34,11 @@ public:
               const std::function<double(double angle)>& friction, RollingDirection direction) const;
 
 private:
-  double least_gap() const;
-
   ElementGrid grid_;
   std::vector<PatchRow> rows_;
   std::vector<Creepage> creepage_; ///< of each row about (0, s)
-  std::vector<double> gaps_;
+  double least_ = 0;               ///< the least gap, < 0 where the bodies overlap [m]
+  std::vector<double> gaps_;       ///< over the least one [m]
   double speed_;
 };
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int most_steps = 30;
 constexpr double exact = 1e-13; // [m]
+constexpr double nowhere = 1;   // gap beyond the profiles [m]
 
 /// Newton's method over a profile's pieces, with steps of no more than a few pieces: at a kink the slope jumps.
 double limited(double step) {
@@ -47,9 +48,9 @@ PatchRow PatchSurface::row(const PatchFrame& frame, PatchShape shape, double s, 
   return row;
 }
 
-void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, double far, std::span<double> gaps) const {
+void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, std::span<double> gaps) const {
   if (!row.inside) {
-    std::fill(gaps.begin(), gaps.end(), far);
+    std::fill(gaps.begin(), gaps.end(), nowhere);
     return;
   }
   // A point of the row's normal line has the wheel's coordinates q + n d; on its surface q_y + n d_y = y_w(s) and
@@ -72,7 +73,7 @@ void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, double fa
       found = std::abs(dn) < exact && std::abs(ds) < 1e3 * exact;
     }
     const bool on_wheel = found && s >= 0 && s <= wheel_->length();
-    gaps[i] = on_wheel ? n : far;
+    gaps[i] = on_wheel ? n : nowhere;
     if (i == x.size() / 2 && on_wheel) row.wheel_s = s;
     if (!found) n = 0, s = row.wheel_s;
   }

@@ -54,9 +54,9 @@ public:
   PatchRow first_row(const PatchFrame& frame, double wheel_s) const;
 
   /// Distances h [m] of the wheel from the rail along the row's normal at x [m] of the frame, negative where they
-  /// overlap; ascending x. `far` where there is no wheel or no rail. Newton's method for each point from its
+  /// overlap; ascending x; a metre where there is no wheel or no rail. Newton's method for each point from its
   /// neighbour; updates the row's wheel_s. Cost some 50 ns for each.
-  void find_gaps(PatchRow& row, std::span<const double> x, double far, std::span<double> gaps) const;
+  void find_gaps(PatchRow& row, std::span<const double> x, std::span<double> gaps) const;
 
   /// Velocity of the wheel over the rail, as creepages about the row's point for the rolling speed V [m/s]: (e_x (v_w -
   /// v_r), e_s (v_w - v_r), n (omega_w - omega_r))/V. On a flat patch these are those of the frame's plane; on a curved

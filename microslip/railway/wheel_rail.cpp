@@ -22,6 +22,7 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   if (bodies.friction.empty()) throw Error("friction: no coefficient is given");
   for (std::size_t k = 0; k < bodies.friction.size(); ++k) {
     require_between("friction", bodies.friction[k].coefficient, "-", 0, FrictionLaw::largest_coefficient);
+    if (method.level == WheelRailLevel::exact) require_positive("friction", bodies.friction[k].coefficient, "-");
     require_finite("friction angle", bodies.friction[k].angle, "rad");
     if (k > 0 && !(bodies.friction[k].angle > bodies.friction[k - 1].angle))
       throw Error("friction angle", bodies.friction[k].angle, "rad", "larger than the one before");
