@@ -8,6 +8,11 @@
 namespace microslip {
 namespace {
 
+/// Rows of a wheel that are told apart, and cells of each for FASTSIM2; should there be more, the status is
+/// not_converged.
+constexpr std::size_t most_rows = 128;
+constexpr int cells = 10;
+
 /// V: the mean of the speeds at which the contact moves over the rail and over the wheel [m/s].
 double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place) {
   const double over_rail = p.wheel.velocity.x - p.rail.velocity_at(place).x;
@@ -15,58 +20,24 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
   return (std::abs(over_rail) + std::abs(by_turning)) / 2;
 }
 
-/// Secant steps to the zero of a function whose slope is about -1, as the lowering that is still needed.
-struct Secant {
-  double before = 0, value_before = 0;
-  bool known = false;
-
-  double next(double here, double value) {
-    const double slope = known ? (value - value_before) / (here - before) : -1;
-    before = here, value_before = value, known = true;
-    return here - value / (slope < -0.5 && slope > -2 ? slope : -1);
+/// Finds by how much the wheel is lowered from where it first touches, from by how much more it should be: by secants,
+/// as the slope is about -1, and where these do not settle in the bracket that they leave.
+class Descent {
+public:
+  double next(double here, double missing, bool settles) {
+    if (!settles) (missing > 0 ? low_ : high_) = here;
+    const double slope = known_ ? (missing - missing_before_) / (here - before_) : -1;
+    before_ = here, missing_before_ = missing, known_ = true;
+    const double there = std::max(here - missing / (slope < -0.25 && slope > -4 ? slope : -1), 0.1 * here);
+    return settles || (there > low_ && there < high_) ? there : std::isfinite(high_) ? (low_ + high_) / 2 : 2 * low_;
   }
+
+private:
+  double before_ = 0, missing_before_ = 0, low_ = 0, high_ = std::numeric_limits<double>::infinity();
+  bool known_ = false;
 };
-
-/// Where a monotone function's zero is known to lie; proposed steps that leave it are replaced by half the interval.
-struct Bracket {
-  double low = 0, high = std::numeric_limits<double>::infinity();
-
-  double next(double here, double step) {
-    (step > 0 ? low : high) = here;
-    const double there = here + step;
-    return there > low && there < high ? there : (low + high) / 2;
-  }
-};
-
-ElementGrid cover(const PatchOutline& o) {
-  const double dx = (o.x_high - o.x_low) / coarse_columns, dy = (o.s_high - o.s_low) / coarse_rows;
-  return {.mx = coarse_columns, .my = coarse_rows, .x0 = o.x_low + dx / 2, .y0 = o.s_low + dy / 2, .dx = dx, .dy = dy};
-}
 
 } // namespace
-
-double ContactPatch::normal_force() const {
-  double sum = 0;
-  for (const LoadedRow& part : loaded) sum += part.load;
-  return sum;
-}
-
-Vec2 ContactPatch::extent() const {
-  double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low, s = 0;
-  for (const LoadedRow& part : loaded) {
-    if (!(part.load > 0)) continue;
-    x_low = std::min(x_low, part.centre - part.half_length), x_high = std::max(x_high, part.centre + part.half_length);
-    s += part.width;
-  }
-  return {x_high - x_low, s};
-}
-
-double ContactPatch::vertical_share() const {
-  double vertical = 0;
-  for (int j = 0; j < coarse_rows; ++j)
-    vertical += loaded[j].load * std::cos(row[j].angle) + forces[j].fy * std::sin(row[j].angle);
-  return vertical / normal_force();
-}
 
 void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, const PatchFrame& frame,
                       const Vec3<double>& centre, WheelRailPatch& patch) {
@@ -82,9 +53,12 @@ void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, cons
 CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMethod& method)
     : bodies_(bodies), method_(method),
       nominal_(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel)),
-      search_(bodies.rail, bodies.wheel), patches_(most_patches) {
-  regions_.reserve(100);
-  views_.reserve(most_patches);
+      search_(bodies.rail, bodies.wheel), rows_(bodies.rail, bodies.wheel, most_rows), normal_(most_rows),
+      hertz_(most_rows), forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward),
+      shear_(most_rows), speed_(most_rows), load_(most_rows), half_length_(most_rows), centre_(most_rows),
+      loaded_(most_rows), forces_(most_rows) {
+  normal_rows_.reserve(most_rows);
+  patches_.reserve(most_rows);
 }
 
 double CoarseContact::friction(double angle) const {
@@ -103,93 +77,92 @@ void CoarseContact::put(const WheelState<double>& state, double vertical) {
   placement_ = place(nominal_, there);
 }
 
-/// Outlines, gaps and rows of all patches when the wheel was lowered from where it was searched.
-void CoarseContact::find_patches(double lowering) {
-  const auto found = search_.regions(lowering);
-  regions_.assign(found.begin(), found.end());
-  // Should there be more than can be, the shortest are left out, and the solution is not one.
-  left_out_ = regions_.size() > most_patches;
-  if (left_out_) {
-    const auto length = [](const ContactRegion& r) { return r.outer.s_wheel - r.inner.s_wheel; };
-    std::nth_element(regions_.begin(), regions_.begin() + most_patches, regions_.end(),
-                     [length](const ContactRegion& a, const ContactRegion& b) { return length(a) > length(b); });
-    regions_.resize(most_patches);
+/// Regions and rows of the wheel when it was lowered from where it first touches. False if there are too many rows.
+bool CoarseContact::place_rows(double depth) {
+  depth_ = depth;
+  regions_ = search_.regions(clearance_ + depth);
+  const bool all = rows_.place(placement_, regions_, points_, clearance_ + depth, depth);
+  normal_rows_.clear();
+  for (const ContactRow& row : rows_.rows()) {
+    normal_rows_.push_back(row.normal);
+    normal_rows_.back().shear = shear_[normal_rows_.size() - 1];
   }
-  count_ = 0;
-  views_.clear();
-  for (const ContactRegion& region : regions_) {
-    ContactPatch& patch = patches_[count_];
-    patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region);
-    if (!(patch.outline.s_high > patch.outline.s_low) || !(patch.outline.x_high > patch.outline.x_low)) continue;
-    patch.grid = cover(patch.outline);
-    find_gaps(patch);
-    views_.push_back(patch.view());
-    ++count_;
-  }
+  return all;
 }
 
-void CoarseContact::find_gaps(ContactPatch& patch) {
-  const PatchSurface surface = this->surface();
-  for (int i = 0; i < coarse_columns; ++i) patch.x[i] = patch.grid.x(i);
-  PatchRow near = surface.first_row(patch.outline.frame, patch.outline.wheel_s);
-  patch.least_gap = 0;
-  patch.speed = rolling_speed(placement_, patch.outline.frame.origin);
-  for (int j = 0; j < coarse_rows; ++j) {
-    near = patch.row[j] = surface.row(patch.outline.frame, method_.shape, patch.grid.y(j), near);
-    const std::span<double> gaps(&patch.gaps[static_cast<std::size_t>(j) * coarse_columns], coarse_columns);
-    surface.find_gaps(patch.row[j], patch.x, gaps);
-    near.wheel_s = patch.row[j].wheel_s;
-    patch.angles[j] = patch.row[j].angle;
-    for (const double h : gaps) patch.least_gap = std::min(patch.least_gap, h);
-  }
-}
-
-/// Loads and extents of the rows from the pressures of their elements: the half-length is that of a
-/// semi-ellipse with the same moment of inertia.
-void CoarseContact::load_rows(ContactPatch& patch, std::span<const double> pressure) {
-  const double area = patch.grid.element_area();
-  const PatchSurface surface = this->surface();
-  for (int j = 0; j < coarse_rows; ++j) {
-    double sum = 0, first = 0, second = 0;
-    for (int i = 0; i < coarse_columns; ++i) {
-      const double p = pressure[static_cast<std::size_t>(j) * coarse_columns + i], x = patch.x[i];
-      sum += p, first += p * x, second += p * x * x;
+/// Loads of the rows in their places: after Hertz, by the rows' own normal problem, or in between.
+CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_force, int steps) {
+  const double hertzian = hertz_.fit(rows_.rows());
+  // In between it is the forces in the same place that are mixed.
+  const std::optional<double> goal = vertical_force;
+  if (hertzian > 0 && hertzian < 1) vertical_force.reset();
+  Loads found{0, 0, true};
+  const auto add = [&](double share, std::span<const double> loads, std::span<const double> half_lengths,
+                       auto&& centre) {
+    for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
+      load_[k] += share * loads[k];
+      half_length_[k] += share * half_lengths[k], centre_[k] += share * centre(k);
     }
-    LoadedRow& row = patch.loaded[j];
-    row = {.y = patch.grid.y(j),
-           .width = patch.grid.dy,
-           .centre = 0,
-           .half_length = patch.grid.dx,
-           .load = 0,
-           .friction = friction(patch.row[j].angle)};
-    row.creepage = surface.creepage(patch.outline.frame, method_.shape, patch.row[j], patch.least_gap, patch.speed);
-    if (!(sum > 0)) continue;
-    row.load = sum * area, row.centre = first / sum;
-    row.half_length =
-        2 * std::sqrt(std::max(second / sum - row.centre * row.centre, 0.0) + patch.grid.dx * patch.grid.dx / 12);
+  };
+  const std::size_t n = normal_rows_.size();
+  std::fill_n(load_.begin(), n, 0.0), std::fill_n(half_length_.begin(), n, 0.0), std::fill_n(centre_.begin(), n, 0.0);
+  if (hertzian > 0) {
+    found.lowering = hertzian * hertz_.load(bodies_.material, normal_rows_, vertical_force);
+    found.stiffness = hertzian * hertz_.stiffness();
+    add(hertzian, hertz_.loads(), hertz_.half_lengths(), [&](std::size_t k) { return hertz_.centres()[k]; });
+  }
+  if (hertzian < 1) {
+    const RowNormal::Result rest = normal_.solve(bodies_.material, normal_rows_, vertical_force, warm_, steps);
+    warm_ = true;
+    found.lowering += (1 - hertzian) * rest.lowering, found.stiffness += (1 - hertzian) * rest.stiffness;
+    found.converged = rest.status == Status::ok;
+    add(1 - hertzian, normal_.loads(), normal_.half_lengths(), [&](std::size_t k) { return normal_rows_[k].place.x; });
+  }
+  if (goal && !vertical_force) {
+    double vertical = 0;
+    for (std::size_t k = 0; k < n; ++k) vertical += load_[k] * normal_rows_[k].vertical_weight();
+    found.lowering = (*goal - vertical) / found.stiffness;
+  }
+  return found;
+}
+
+/// Rows as FASTSIM2 takes them, with their creepages about x = 0 of the track axes.
+void CoarseContact::load_rows() {
+  const PatchSurface surface = this->surface();
+  for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
+    const ContactRow& row = rows_.rows()[k];
+    const NormalRow& normal = normal_rows_[k];
+    const double load = load_[k] * normal.width;
+    loaded_[k] = {.y = row.at.s,
+                  .width = normal.width,
+                  .centre = centre_[k],
+                  .half_length = half_length_[k],
+                  .load = load,
+                  .friction = friction(normal.angle),
+                  .joined = row.joined};
+    if (!(load > 0)) continue;
+    speed_[k] = rolling_speed(placement_, normal.place);
+    loaded_[k].creepage = surface.creepage({}, PatchShape::curved, row.at, normal.gap, speed_[k]);
   }
 }
 
-/// FASTSIM2 on all patches; returns by how much the vertical part of the tangential forces changes [N].
+/// FASTSIM2 on all rows; returns by how much the vertical part of the tangential forces changes [N].
 double CoarseContact::roll() {
+  load_rows();
+  const std::span<const LoadedRow> loaded(loaded_.data(), normal_rows_.size());
+  (rolls_forward() ? forward_ : backward_)
+      .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, loaded, forces_);
   double change = 0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    ContactPatch& patch = patches_[k];
-    load_rows(patch, normal_.pressure().subspan(k * coarse_elements, coarse_elements));
-    (rolls_forward() ? forward_ : backward_)
-        .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, patch.loaded, patch.forces);
-    for (int j = 0; j < coarse_rows; ++j) {
-      const double load = patch.loaded[j].load, lateral = patch.forces[j].fy;
-      change += (lateral - patch.shear[j] * load) * std::sin(patch.row[j].angle);
-      patch.shear[j] = load > 0 ? lateral / load : 0;
-    }
+  for (std::size_t k = 0; k < loaded.size(); ++k) {
+    const double load = loaded[k].load, lateral = forces_[k].fy;
+    change += (lateral - shear_[k] * load) * std::sin(normal_rows_[k].angle);
+    shear_[k] = load > 0 ? lateral / load : 0;
   }
   return change;
 }
 
 void CoarseContact::move(const WheelState<double>& state) {
   put(state, state.vertical);
-  for (ContactPatch& patch : patches()) patch.speed = rolling_speed(placement_, patch.outline.frame.origin);
   roll();
 }
 
@@ -198,7 +171,8 @@ void CoarseContact::move(const WheelState<double>& state) {
 ContactPoint CoarseContact::lowest_point(double depth) {
   ContactPoint lowest;
   lowest.gap = std::numeric_limits<double>::infinity();
-  for (const ContactPoint& point : search_.find(placement_, depth))
+  points_ = search_.find(placement_, depth);
+  for (const ContactPoint& point : points_)
     if (point.gap < lowest.gap) lowest = point;
   return lowest;
 }
@@ -215,47 +189,85 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
 
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
-  constexpr int most_iterations = 50, plain_iterations = 10;
+  constexpr int most_iterations = 50, plain_iterations = 12, most_steps = 40;
   put(state, state.vertical);
   double searched = 3e-4;
   ContactPoint lowest = lowest_point(searched);
-  const double clearance = lowest.gap;
+  clearance_ = lowest.gap;
   out.status = Status::no_contact;
-  if (!std::isfinite(clearance)) return;
-  double lowering = vertical_force ? clearance + hertzian_lowering(lowest, *vertical_force) : 0;
-  for (ContactPatch& patch : patches_) patch.shear.fill(0);
-  bool warm = false;
-  Secant secant;
-  Bracket bracket;
-  out.status = vertical_force ? Status::not_converged : Status::ok;
+  if (!std::isfinite(clearance_)) return;
+  double depth = vertical_force ? hertzian_lowering(lowest, *vertical_force) : -clearance_;
+  std::fill(shear_.begin(), shear_.end(), 0.0);
+  Descent descent;
+  warm_ = false;
   for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
-    if (lowering - clearance > searched) {
+    if (depth > searched) {
       put(state, state.vertical);
-      searched = 2 * (lowering - clearance);
+      searched = 2 * depth;
       lowest_point(searched);
     }
-    put(state, state.vertical - lowering);
-    find_patches(lowering);
-    if (count_ == 0) {
+    put(state, state.vertical - clearance_ - depth);
+    const bool all_rows = place_rows(depth);
+    if (normal_rows_.empty()) {
       out.status = Status::no_contact;
       return;
     }
-    const CoarseNormal::Result found = normal_.solve(bodies_.material, views_, vertical_force, warm);
+    // With the height given, rows stay; else they move with it, and so a few steps are enough.
+    const bool first = out.iterations == 1, settles = out.iterations < plain_iterations;
+    const Loads found = find_loads(vertical_force, !vertical_force || !settles ? most_steps : first ? 4 : 2);
     const double change = roll();
-    if (found.status != Status::ok || left_out_) out.status = Status::not_converged;
+    out.status = found.converged && all_rows ? Status::ok : Status::not_converged;
     if (!vertical_force) return;
-    warm = true;
     out.residual = (std::abs(found.stiffness * found.lowering) + std::abs(change)) / *vertical_force;
-    if (out.residual <= method_.tolerance && found.status == Status::ok && !left_out_) {
-      out.status = Status::ok;
-      break;
-    }
-    const double missing = found.lowering - change / found.stiffness;
-    // Plain steps converge but where patches come and go; then the zero is bracketed.
-    lowering = out.iterations < plain_iterations ? std::max(secant.next(lowering, missing), clearance)
-                                                 : bracket.next(lowering, missing);
+    if (out.residual <= method_.tolerance && (out.status == Status::ok || !all_rows)) break;
+    out.status = Status::not_converged;
+    depth = descent.next(depth, found.lowering - change / found.stiffness, settles);
   }
-  out.vertical = state.vertical - lowering;
+  out.vertical = state.vertical - clearance_ - depth;
+}
+
+/// How much of a patch's last row is in contact, if the load falls linearly from the row before: with the fraction t
+/// their loads are as t^2/2 to t + 1/2.
+double fraction_of_last(double load, double before) {
+  const double ratio = before > 0 ? load / before : 1;
+  return std::min(ratio + std::sqrt(ratio * ratio + ratio), 1.0);
+}
+
+/// The loaded rows of a region.
+ContactPatch CoarseContact::patch_of(const ContactRegion& region, std::size_t first, std::size_t count) const {
+  ContactPatch patch;
+  patch.first = first, patch.count = count;
+  double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low, vertical = 0;
+  for (std::size_t k = first; k < first + count; ++k) {
+    const LoadedRow& row = loaded_[k];
+    if (!(row.load > 0)) continue;
+    const double angle = normal_rows_[k].angle;
+    patch.normal_force += row.load;
+    vertical += row.load * std::cos(angle) + forces_[k].fy * std::sin(angle);
+    x_low = std::min(x_low, row.centre - row.half_length), x_high = std::max(x_high, row.centre + row.half_length);
+    const bool inner = k > first && load_[k - 1] > 0, outer = k + 1 < first + count && load_[k + 1] > 0;
+    const double fraction = inner == outer ? 1 : fraction_of_last(load_[k], load_[inner ? k - 1 : k + 1]);
+    patch.extent.y += fraction * row.width;
+  }
+  if (!(patch.normal_force > 0)) return patch;
+  patch.vertical_share = vertical / patch.normal_force;
+  patch.extent.x = x_high - x_low;
+  patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region);
+  patch.speed = rolling_speed(placement_, patch.outline.frame.origin);
+  for (const ContactPoint& point : points_.subspan(region.first, region.count))
+    patch.least_gap = std::min(patch.least_gap, (point.gap - clearance_ - depth_) * std::cos(point.inclination));
+  return patch;
+}
+
+std::span<const ContactPatch> CoarseContact::patches() {
+  patches_.clear();
+  const std::span<const ContactRow> rows = rows_.rows();
+  for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
+    while (next < rows.size() && rows[next].region == rows[first].region) ++next;
+    const ContactPatch patch = patch_of(regions_[static_cast<std::size_t>(rows[first].region)], first, next - first);
+    if (patch.normal_force > 0) patches_.push_back(patch);
+  }
+  return patches_;
 }
 
 WheelRailPatch CoarseContact::describe(const ContactPatch& patch) const {
@@ -274,29 +286,29 @@ WheelRailPatch CoarseContact::describe(const ContactPatch& patch) const {
   return out;
 }
 
-void CoarseContact::sum(WheelRailSolution& out) const {
+void CoarseContact::sum(WheelRailSolution& out) {
   WheelForces wheel;
   const Vec3<double> centre = placement_.wheel.frame.origin;
   out.patches.clear();
-  for (std::size_t k = 0; k < count_; ++k) {
-    const ContactPatch& patch = patches_[k];
+  for (const ContactPatch& patch : patches()) {
     WheelRailPatch sum = describe(patch);
-    for (int j = 0; j < coarse_rows; ++j) {
-      const LoadedRow& row = patch.loaded[j];
+    for (std::size_t k = patch.first; k < patch.first + patch.count; ++k) {
+      const LoadedRow& row = loaded_[k];
       if (!(row.load > 0)) continue;
-      const RowForces& f = patch.forces[j];
-      wheel.add({f.fx, f.fy, row.load}, patch.row[j], row.centre, patch.outline.frame, centre, sum);
+      const RowForces& f = forces_[k];
+      const PatchRow& at = rows_.rows()[k].at;
+      wheel.add({f.fx, f.fy, row.load}, at, row.centre, patch.outline.frame, centre, sum);
       // The row's own moment, beyond that of its forces at its centre.
       const double own = f.mz - row.centre * f.fy;
       sum.moment += own;
-      wheel.moment = wheel.moment + own * patch.row[j].normal();
+      wheel.moment = wheel.moment + own * at.normal();
       sum.contact_area += 2 * row.half_length * row.width, sum.slip_area += f.slip_area;
       sum.frictional_power -=
-          patch.speed * (row.creepage.longitudinal * f.fx + row.creepage.lateral * f.fy + row.creepage.spin * f.mz);
+          speed_[k] * (row.creepage.longitudinal * f.fx + row.creepage.lateral * f.fy + row.creepage.spin * f.mz);
       // Of a semi-ellipse along the row.
       sum.peak_pressure = std::max(sum.peak_pressure, 2 * row.load / (std::numbers::pi * row.half_length * row.width));
     }
-    if (sum.normal_force != 0) out.patches.push_back(sum);
+    out.patches.push_back(sum);
   }
   out.force = wheel.force, out.moment = wheel.moment;
   for (const ContactRegion& region : regions_)

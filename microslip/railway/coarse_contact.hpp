@@ -1,43 +1,27 @@
 #pragma once
 
-#include "microslip/railway/coarse_normal.hpp"
+#include "microslip/railway/contact_rows.hpp"
+#include "microslip/railway/hertzian_rows.hpp"
 #include "microslip/railway/patch_outline.hpp"
+#include "microslip/railway/row_normal.hpp"
 #include "microslip/railway/wheel_rail_types.hpp"
 #include "microslip/simplified/loaded_rows.hpp"
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace microslip {
 
-/// Elements of a patch at the coarse level, across the overlap.
-inline constexpr int coarse_columns = 10, coarse_rows = 10;
-inline constexpr std::size_t coarse_elements = coarse_columns * coarse_rows;
-/// Patches of a wheel that are told apart; should there be more, the status is not_converged.
-inline constexpr std::size_t most_patches = 6;
-
-/// A patch while it is being solved: its elements at the coarse level, and its rows.
+/// A patch that was found by its rows.
 struct ContactPatch {
   PatchOutline outline;
-  ElementGrid grid;
-  std::array<double, coarse_elements> gaps;
-  std::array<PatchRow, coarse_rows> row;
-  std::array<double, coarse_rows> angles;
-  std::array<double, coarse_columns> x;
-  double least_gap = 0;                  ///< [m]
-  double speed = 0;                      ///< V [m/s]
-  std::array<double, coarse_rows> shear; ///< force along s over the normal force [-]
-  std::array<LoadedRow, coarse_rows> loaded;
-  std::array<RowForces, coarse_rows> forces;
-
-  CoarsePatch view() const { return {grid, outline.frame.origin, outline.frame.angle, gaps, angles, shear}; }
-  double normal_force() const;
-  /// Lengths of the contact along x and s by its rows [m].
-  Vec2 extent() const;
-  /// Vertical force for each newton of the rows' loads.
-  double vertical_share() const;
+  double least_gap = 0;             ///< along the normal where the overlap is deepest, < 0 [m]
+  double speed = 0;                 ///< V [m/s]
+  double normal_force = 0;          ///< sum of the rows' loads [N]
+  double vertical_share = 1;        ///< vertical force for each newton of them
+  Vec2 extent;                      ///< lengths of the contact along x and s by its rows [m]
+  std::size_t first = 0, count = 0; ///< of its rows
 };
 
 /// Forces on a wheel, summed over points of its patches.
@@ -49,8 +33,8 @@ struct WheelForces {
            WheelRailPatch& patch);
 };
 
-/// A left wheel on its rail with few elements: where it touches, how high it is, and its forces by FASTSIM2. Allocates
-/// nothing after it was made.
+/// A left wheel on its rail by rows: where it touches, how high it is, and its forces by FASTSIM2. Allocates nothing
+/// after it was made.
 class CoarseContact {
 public:
   /// The bodies must outlive it.
@@ -58,15 +42,16 @@ public:
   CoarseContact(const CoarseContact&) = delete;
   CoarseContact& operator=(const CoarseContact&) = delete;
 
-  /// Lowers the wheel until the patches bear the vertical force [N], or leaves it where it is. Fills in height, status,
+  /// Lowers the wheel until its rows bear the vertical force [N], or leaves it where it is. Fills in height, status,
   /// residual and iterations.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out);
   /// The wheel in the place and with the pressures of the last solve but with other velocities: new tangential forces.
   void move(const WheelState<double>& state);
   /// Forces and patches of the last solve, with profile ends.
-  void sum(WheelRailSolution& out) const;
+  void sum(WheelRailSolution& out);
 
-  std::span<ContactPatch> patches() { return {patches_.data(), count_}; }
+  /// The loaded patches of the last solve; valid until the next one.
+  std::span<const ContactPatch> patches();
   PatchSurface surface() const { return {bodies_.rail, bodies_.wheel, placement_}; }
   bool rolls_forward() const { return placement_.wheel.velocity.x >= 0; }
   /// mu at an inclination [rad].
@@ -76,10 +61,16 @@ public:
 
 private:
   void put(const WheelState<double>& state, double vertical);
-  void find_patches(double lowering);
-  void find_gaps(ContactPatch& patch);
-  void load_rows(ContactPatch& patch, std::span<const double> pressure);
+  bool place_rows(double depth);
+  struct Loads {
+    double lowering = 0;   ///< by how much the wheel is still to be lowered [m]
+    double stiffness = 0;  ///< change of the vertical force with that [N/m]
+    bool converged = true; ///< the rows' own normal problem
+  };
+  Loads find_loads(std::optional<double> vertical_force, int steps);
+  void load_rows();
   double roll();
+  ContactPatch patch_of(const ContactRegion& region, std::size_t first, std::size_t count) const;
   ContactPoint lowest_point(double depth);
   double hertzian_lowering(const ContactPoint& point, double vertical_force) const;
 
@@ -87,14 +78,20 @@ private:
   WheelRailMethod method_;
   NominalPlacement nominal_;
   ContactSearch search_;
-  CoarseNormal normal_{most_patches * coarse_elements};
-  LoadedRowSolver forward_{coarse_columns, coarse_rows},
-      backward_{coarse_columns, coarse_rows, RollingDirection::backward};
-  std::vector<ContactRegion> regions_;
+  ContactRows rows_;
+  RowNormal normal_;
+  HertzianRows hertz_;
+  bool warm_ = false; ///< the normal problem has a solution in a place near by
+  LoadedRowSolver forward_, backward_;
+  std::vector<NormalRow> normal_rows_;
+  std::vector<double> shear_, speed_;               ///< of the rows: force along s over the load, V [m/s]
+  std::vector<double> load_, half_length_, centre_; ///< of the rows: q [N/m], a, x [m]
+  std::vector<LoadedRow> loaded_;
+  std::vector<RowForces> forces_;
+  std::span<const ContactPoint> points_;
+  std::span<const ContactRegion> regions_;
   std::vector<ContactPatch> patches_;
-  std::vector<CoarsePatch> views_;
-  std::size_t count_ = 0; ///< patches in use
-  bool left_out_ = false; ///< there were more
+  double clearance_ = 0, depth_ = 0; ///< [m] from where the wheel was searched to its first touch, and from there
   WheelPlacement<double> placement_{};
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 /// A loaded patch of the coarse level and its elements for the exact theory.
 struct Loaded {
-  ContactPatch* patch;
+  const ContactPatch* patch;
   ExactPatch exact;
   double force;     ///< normal [N]
   double stiffness; ///< its change with the approach, at first after Hertz [N/m]
@@ -142,14 +142,13 @@ void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const Whe
                  std::optional<double> vertical_force, WheelRailSolution& out) {
   constexpr int most_rounds = 6;
   std::vector<Loaded> loaded;
-  for (ContactPatch& patch : coarse.patches()) {
-    const double load = patch.normal_force();
-    if (!(load > 0)) continue;
-    const Vec2 extent = patch.extent();
+  for (const ContactPatch& patch : coarse.patches()) {
+    const double load = patch.normal_force;
+    const Vec2 extent = patch.extent;
     loaded.push_back({&patch,
                       ExactPatch(coarse.surface(), patch.outline, method.shape, extent.x / method.elements,
                                  extent.y / method.elements, patch.least_gap, patch.speed),
-                      load, -1.5 * load / patch.least_gap, patch.vertical_share()});
+                      load, -1.5 * load / patch.least_gap, patch.vertical_share});
   }
   if (loaded.empty()) {
     out.status = Status::no_contact;

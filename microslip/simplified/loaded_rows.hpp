@@ -18,6 +18,7 @@ struct LoadedRow {
   double load = 0;        ///< normal force of the row [N], >= 0
   double friction = 0;    ///< mu [-], >= 0
   Creepage creepage = {}; ///< about (0, y): w = (xi, eta + phi x)
+  bool joined = true;     ///< to the row before, without a hole between them
 };
 
 /// Tangential forces of a row on body 1 and their moment about (0, y). The frictional power is -V (xi fx + eta fy + phi
@@ -34,6 +35,10 @@ struct RowForces {
 /// blended ones of the ellipse with the moments of inertia of the load, that is a = sqrt(5 <(x - xc)^2>), b likewise,
 /// and of the creepages at the load's centre; what rows move beyond that resists as spin does.
 ///
+/// Rows in neighbouring patches may be given together. A row sees as the load of its patch that of each other row times
+/// min(1, 2 q/q'), q' the lesser of both rows' loads per width and q the least on the way between them: all of it
+/// within one hump, none beyond a hole, in between where two patches are about to merge.
+///
 /// Forces are continuous in all that is given, and mu times the load of a row that slides. Calls marked noexcept
 /// allocate nothing.
 class LoadedRowSolver {
@@ -45,7 +50,7 @@ public:
   ~LoadedRowSolver();
 
   /// Forces of at most `most_rows` rows into as many places; rows without load have none. Moduli are those of
-  /// the combined material, G [Pa] and nu [-]. Cost O(cells rows).
+  /// the combined material, G [Pa] and nu [-]. Cost O(cells rows + rows^2).
   void solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
              std::span<RowForces> forces) noexcept;
 
