@@ -574,5 +574,23 @@ TEST(NormalProblem, RefusesInputThatMakesNoSense) {
   EXPECT_THROW(problem.solve({}, by_force(1)), Error);
 }
 
+TEST(NormalProblem, ComesToTheSameSolutionFromAPressureNearby) {
+  const HertzContact hertz = hertz_from_ellipse(0.005, 0.003, steel, 82e3);
+  const ElementGrid grid = ElementGrid::across_ellipse(hertz.a, hertz.b, 48, 4);
+  const Field gap = paraboloid(grid, hertz.gap);
+  NormalProblem problem(steel, grid);
+  for (const NormalLoad::Given given : {NormalLoad::Given::force, NormalLoad::Given::approach}) {
+    const double value = given == NormalLoad::Given::force ? hertz.normal_force : hertz.approach;
+    const NormalSolution before = problem.solve(gap, {given, 0.999 * value});
+    const NormalSolution cold = problem.solve(gap, {given, value});
+    const NormalSolution warm = problem.solve_from(before.pressure, gap, {given, value});
+    ASSERT_EQ(warm.status, Status::ok);
+    EXPECT_NEAR(warm.normal_force, cold.normal_force, 1e-6 * cold.normal_force);
+    EXPECT_NEAR(warm.approach, cold.approach, 1e-6 * cold.approach);
+    EXPECT_NEAR(warm.peak_pressure, cold.peak_pressure, 1e-5 * cold.peak_pressure);
+    EXPECT_LT(warm.products, 0.8 * static_cast<double>(cold.products));
+  }
+}
+
 } // namespace
 } // namespace microslip

@@ -319,5 +319,43 @@ TEST(PatchRolling, SlidesAtTheFrictionOfEachRow) {
   EXPECT_GT(std::abs(s.totals.mz), 1e-3 * capacity * radius);
 }
 
+TEST(PatchRolling, TakesASolvedNormalProblemAndTractionsNearby) {
+  const ElementGrid grid = grid_over(1.3 * radius, 1.3 * radius, 20, 0.3, 0.4);
+  const Field gap = gap_on(egg, grid);
+  const NormalSolution normal = NormalProblem(steel, grid).solve(gap, {NormalLoad::Given::force, load});
+  for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward}) {
+    const ContactSolution from_gap = rolling(egg, grid, load, direction).solve(mixed);
+    PatchRolling patch(steel, grid, normal, direction);
+    const ContactSolution first = patch.solve(mixed);
+    EXPECT_NEAR(first.totals.fx, from_gap.totals.fx, 1e-6 * friction * load);
+    EXPECT_NEAR(first.totals.fy, from_gap.totals.fy, 1e-6 * friction * load);
+
+    PatchRollingMotion again = mixed;
+    again.creepage.longitudinal *= 1.001;
+    const ContactSolution cold = patch.solve(again);
+    again.start = first.fields.traction;
+    const ContactSolution warm = patch.solve(again);
+    EXPECT_NEAR(warm.totals.fx, cold.totals.fx, 2e-5 * friction * load);
+    EXPECT_NEAR(warm.totals.fy, cold.totals.fy, 2e-5 * friction * load);
+    EXPECT_LT(warm.report.newton_steps, cold.report.newton_steps);
+  }
+}
+
+TEST(PatchRolling, KeepsItsElementsUnderAnotherLoad) {
+  const ElementGrid grid = grid_over(1.3 * radius, 1.3 * radius, 20, 0.3, 0.4);
+  const Field gap = gap_on(egg, grid);
+  NormalProblem normal(steel, grid);
+  PatchRolling patch(steel, grid, normal.solve(gap, {NormalLoad::Given::force, load}));
+  const NormalSolution more = normal.solve(gap, {NormalLoad::Given::force, 1.001 * load});
+  PatchRolling fitted(steel, grid, more);
+  patch.reload(more);
+  const ContactSolution a = patch.solve(mixed), b = fitted.solve(mixed);
+  double normal_force = 0;
+  for (std::size_t k = 0; k < a.elements.size(); ++k) normal_force += a.fields.pressure[k] * a.elements.area[k];
+  EXPECT_NEAR(normal_force, 1.001 * load, 1e-7 * load);
+  EXPECT_NEAR(a.totals.fx, b.totals.fx, 1e-3 * friction * load);
+  EXPECT_NEAR(a.totals.fy, b.totals.fy, 1e-3 * friction * load);
+}
+
 } // namespace
 } // namespace microslip

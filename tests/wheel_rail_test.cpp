@@ -154,6 +154,39 @@ TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
   }
 }
 
+TEST(WheelRail, ChangesNothingAtOnceWherePatchesBecomeOne) {
+  // At 4.948 mm two regions touch whose frames are 2 mm and .03 rad apart; at 3 mm one patch stays one.
+  WheelRail contact(pair(), {.level = WheelRailLevel::exact});
+  for (const double middle : {4.9484e-3, 3e-3}) {
+    Vec3<double> before;
+    for (int k = -3; k <= 3; ++k) {
+      const auto s = contact.solve(running(middle + k * 1e-6, 2e-3), 50e3);
+      ASSERT_EQ(s.status, Status::ok);
+      EXPECT_LE(s.residual, 1e-6);
+      if (k > -3) {
+        EXPECT_NEAR(s.force.x, before.x, 0.005 * friction * 50e3);
+        EXPECT_NEAR(s.force.y, before.y, 0.005 * friction * 50e3);
+      }
+      before = s.force;
+    }
+  }
+}
+
+TEST(WheelRail, SharesTheLoadOfTwoPatchesAtTheExactLevel) {
+  // Held in the height in which they bear a vertical force, the patches bear it again.
+  WheelRail contact(pair(), {.level = WheelRailLevel::exact});
+  WheelState<double> state = running(5.2e-3, 2e-3);
+  const auto s = contact.solve(state, 10e3);
+  ASSERT_EQ(s.status, Status::ok);
+  ASSERT_EQ(s.patches.size(), 2U);
+  state.vertical = s.vertical;
+  const auto held = contact.solve(state);
+  ASSERT_EQ(held.patches.size(), 2U);
+  EXPECT_NEAR(held.force.z, 10e3, 1e-3 * 10e3);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_NEAR(held.patches[k].normal_force, s.patches[k].normal_force, 2e-3 * s.patches[k].normal_force);
+}
+
 TEST(WheelRail, HasBothLevelsNearEachOther) {
   WheelRail fast(pair()), exact(pair(), {.level = WheelRailLevel::exact, .elements = 20});
   for (double y = -4e-3; y <= 4e-3; y += 2e-3) {

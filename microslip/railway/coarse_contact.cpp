@@ -226,32 +226,18 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
   out.vertical = state.vertical - clearance_ - depth;
 }
 
-/// How much of a patch's last row is in contact, if the load falls linearly from the row before: with the fraction t
-/// their loads are as t^2/2 to t + 1/2.
-double fraction_of_last(double load, double before) {
-  const double ratio = before > 0 ? load / before : 1;
-  return std::min(ratio + std::sqrt(ratio * ratio + ratio), 1.0);
-}
-
-/// The loaded rows of a region.
+/// The rows of a region.
 ContactPatch CoarseContact::patch_of(const ContactRegion& region, std::size_t first, std::size_t count) const {
   ContactPatch patch;
-  patch.first = first, patch.count = count;
-  double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low, vertical = 0;
+  patch.first = first;
+  patch.loaded = {&loaded_[first], count}, patch.rows = rows_.rows().subspan(first, count);
+  double vertical = 0;
   for (std::size_t k = first; k < first + count; ++k) {
-    const LoadedRow& row = loaded_[k];
-    if (!(row.load > 0)) continue;
     const double angle = normal_rows_[k].angle;
-    patch.normal_force += row.load;
-    vertical += row.load * std::cos(angle) + forces_[k].fy * std::sin(angle);
-    x_low = std::min(x_low, row.centre - row.half_length), x_high = std::max(x_high, row.centre + row.half_length);
-    const bool inner = k > first && load_[k - 1] > 0, outer = k + 1 < first + count && load_[k + 1] > 0;
-    const double fraction = inner == outer ? 1 : fraction_of_last(load_[k], load_[inner ? k - 1 : k + 1]);
-    patch.extent.y += fraction * row.width;
+    patch.normal_force += loaded_[k].load;
+    vertical += loaded_[k].load * std::cos(angle) + forces_[k].fy * std::sin(angle);
   }
-  if (!(patch.normal_force > 0)) return patch;
-  patch.vertical_share = vertical / patch.normal_force;
-  patch.extent.x = x_high - x_low;
+  if (patch.normal_force > 0) patch.vertical_share = vertical / patch.normal_force;
   patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region);
   patch.speed = rolling_speed(placement_, patch.outline.frame.origin);
   for (const ContactPoint& point : points_.subspan(region.first, region.count))
@@ -264,25 +250,23 @@ std::span<const ContactPatch> CoarseContact::patches() {
   const std::span<const ContactRow> rows = rows_.rows();
   for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
     while (next < rows.size() && rows[next].region == rows[first].region) ++next;
-    const ContactPatch patch = patch_of(regions_[static_cast<std::size_t>(rows[first].region)], first, next - first);
-    if (patch.normal_force > 0) patches_.push_back(patch);
+    patches_.push_back(patch_of(regions_[static_cast<std::size_t>(rows[first].region)], first, next - first));
   }
   return patches_;
 }
 
-WheelRailPatch CoarseContact::describe(const ContactPatch& patch) const {
-  const PatchFrame& frame = patch.outline.frame;
+WheelRailPatch CoarseContact::describe(const PatchOutline& outline, double least_gap, double speed) const {
+  const PatchFrame& frame = outline.frame;
   WheelRailPatch out;
   out.place = frame.origin, out.angle = frame.angle;
-  const ProfilePoint on_wheel = bodies_.wheel.at(patch.outline.wheel_s).value;
+  const ProfilePoint on_wheel = bodies_.wheel.at(outline.wheel_s).value;
   out.rail_y = bodies_.rail.at(frame.rail_s).value.y, out.wheel_y = on_wheel.y;
   out.rolling_radius = placement_.radius - on_wheel.z;
-  out.turn = patch.outline.turn;
-  out.approach = -patch.least_gap;
-  out.rolling_speed = patch.speed;
+  out.turn = outline.turn;
+  out.approach = -least_gap;
+  out.rolling_speed = speed;
   const PatchSurface surface = this->surface();
-  out.creepage = surface.creepage(frame, PatchShape::flat, surface.first_row(frame, patch.outline.wheel_s),
-                                  patch.least_gap, patch.speed);
+  out.creepage = surface.creepage(frame, PatchShape::flat, surface.first_row(frame, outline.wheel_s), least_gap, speed);
   return out;
 }
 
@@ -291,8 +275,9 @@ void CoarseContact::sum(WheelRailSolution& out) {
   const Vec3<double> centre = placement_.wheel.frame.origin;
   out.patches.clear();
   for (const ContactPatch& patch : patches()) {
-    WheelRailPatch sum = describe(patch);
-    for (std::size_t k = patch.first; k < patch.first + patch.count; ++k) {
+    if (!(patch.normal_force > 0)) continue;
+    WheelRailPatch sum = describe(patch.outline, patch.least_gap, patch.speed);
+    for (std::size_t k = patch.first; k < patch.first + patch.loaded.size(); ++k) {
       const LoadedRow& row = loaded_[k];
       if (!(row.load > 0)) continue;
       const RowForces& f = forces_[k];

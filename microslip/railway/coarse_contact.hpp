@@ -16,12 +16,13 @@ namespace microslip {
 /// A patch that was found by its rows.
 struct ContactPatch {
   PatchOutline outline;
-  double least_gap = 0;             ///< along the normal where the overlap is deepest, < 0 [m]
-  double speed = 0;                 ///< V [m/s]
-  double normal_force = 0;          ///< sum of the rows' loads [N]
-  double vertical_share = 1;        ///< vertical force for each newton of them
-  Vec2 extent;                      ///< lengths of the contact along x and s by its rows [m]
-  std::size_t first = 0, count = 0; ///< of its rows
+  std::span<const LoadedRow> loaded; ///< its rows
+  std::span<const ContactRow> rows;  ///< where these are
+  double least_gap = 0;              ///< along the normal where the overlap is deepest, < 0 [m]
+  double speed = 0;                  ///< V [m/s]
+  double normal_force = 0;           ///< sum of the rows' loads [N]
+  double vertical_share = 1;         ///< vertical force for each newton of them
+  std::size_t first = 0;             ///< of its rows among those of the wheel
 };
 
 /// Forces on a wheel, summed over points of its patches.
@@ -50,14 +51,14 @@ public:
   /// Forces and patches of the last solve, with profile ends.
   void sum(WheelRailSolution& out);
 
-  /// The loaded patches of the last solve; valid until the next one.
+  /// The patches of the last solve, those without load as well; valid until the next one.
   std::span<const ContactPatch> patches();
   PatchSurface surface() const { return {bodies_.rail, bodies_.wheel, placement_}; }
   bool rolls_forward() const { return placement_.wheel.velocity.x >= 0; }
   /// mu at an inclination [rad].
   double friction(double angle) const;
   /// What a patch is, apart from its forces.
-  WheelRailPatch describe(const ContactPatch& patch) const;
+  WheelRailPatch describe(const PatchOutline& outline, double least_gap, double speed) const;
 
 private:
   void put(const WheelState<double>& state, double vertical);

@@ -1,6 +1,7 @@
 #include "microslip/railway/exact_contact.hpp"
 
 #include "microslip/railway/exact_patch.hpp"
+#include "microslip/railway/patch_group.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,95 +11,243 @@
 namespace microslip {
 namespace {
 
-/// A loaded patch of the coarse level and its elements for the exact theory.
-struct Loaded {
-  const ContactPatch* patch;
-  ExactPatch exact;
-  double force;     ///< normal [N]
-  double stiffness; ///< its change with the approach, at first after Hertz [N/m]
-  double share;     ///< vertical force for each newton of it
-  ExactPatch::Rolled rolled{};
-  double force_before = 0, approach_before = 0; ///< of the last step
+constexpr double normal_tolerance = 1e-8;
+
+/// Sums over the rows of patches at the coarse level, and what else differs from patch to patch.
+struct Rows {
+  double load = 0;      ///< q
+  double squares = 0;   ///< q^2 over the row's width
+  double lengths = 0;   ///< q times the half-length
+  double least_gap = 0; ///< [m]
+  double speed = 0;     ///< V times the outline's weight
+  double weight = 0;    ///< of the outline
+
+  static Rows of(const ContactPatch& patch) {
+    Rows sum;
+    for (const LoadedRow& row : patch.loaded)
+      sum.load += row.load, sum.squares += row.load * row.load / row.width, sum.lengths += row.load * row.half_length;
+    sum.least_gap = patch.least_gap;
+    sum.weight = patch.outline.weight, sum.speed = sum.weight * patch.speed;
+    return sum;
+  }
+
+  /// Adds another patch by its share. Its least gap counts where it is less.
+  void add(const Rows& other, double share) {
+    load += share * other.load, squares += share * other.squares, lengths += share * other.lengths;
+    least_gap = std::min(least_gap, least_gap + share * (other.least_gap - least_gap));
+    speed += share * other.speed, weight += share * other.weight;
+  }
+
+  /// Lengths of the contact along x and s [m], which are those of the ellipse if it is one: loads of rows are parabolic
+  /// across a Hertzian ellipse.
+  Vec2 extent() const {
+    if (!(load > 0)) return {};
+    return {2 * lengths / load * 32 / (9 * std::numbers::pi), load * load / squares * 6 / 5};
+  }
 };
 
-/// By how much a force on one patch lifts the rail at another one, for each newton [m/N].
-double far_field(const CombinedMaterial& material, const PatchFrame& one, const PatchFrame& other) {
-  const Vec3<double> way = other.origin - one.origin;
-  return (1 - material.poisson_ratio) * std::cos(one.angle - other.angle) /
-         (std::numbers::pi * material.shear_modulus * std::sqrt(dot(way, way)));
+/// A group of patches of the coarse level and its elements for the exact theory.
+struct Loaded {
+  PatchGroup group;
+  Rows rows;
+  std::vector<PointLoad> start; ///< loads of the coarse level's rows
+  ExactPatch exact;
+  double force;                            ///< normal, with which it lifts the others [N]
+  double share;                            ///< vertical force for each newton of it
+  double pressed = 0;                      ///< the normal force that the others' lift leaves it [N]
+  double stiffness = 0;                    ///< its change with the approach [N/m]
+  std::optional<double> force_before = {}; ///< what it was in the last step
+  double approach_before = 0;              ///< [m], likewise
+  ContactSolution solution = {};
+
+  double cosine() const { return std::cos(group.outline.frame.angle); }
+};
+
+/// Elements of the coarse level's contact; where that is small within the overlap they are not smaller than a third of
+/// those across the overlap.
+Vec2 element_of(const Rows& rows, const PatchOutline& outline, int elements) {
+  const Vec2 extent = rows.extent();
+  return {std::max(extent.x, (outline.x_high - outline.x_low) / 3) / elements,
+          std::max(extent.y, (outline.s_high - outline.s_low) / 3) / elements};
 }
 
-/// Approach [m] of a patch with the wheel lowered by `zeta`: the others lift it off.
-double approach_of(const std::vector<Loaded>& loaded, const Loaded& one, const CombinedMaterial& material,
-                   double zeta) {
-  const PatchFrame& frame = one.patch->outline.frame;
-  double approach = zeta * std::cos(frame.angle);
-  for (const Loaded& other : loaded)
-    if (&other != &one) approach -= far_field(material, frame, other.patch->outline.frame) * other.force;
+/// The rows of the coarse level as loads.
+void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
+  for (std::size_t j = 0; j < patch.loaded.size(); ++j) {
+    const LoadedRow& row = patch.loaded[j];
+    if (row.load > 0)
+      loads.push_back({patch.rows[j].at.point + Vec3<double>{row.centre, 0, 0}, row.load, patch.rows[j].at.angle});
+  }
+}
+
+std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method) {
+  const std::span<const ContactPatch> patches = coarse.patches();
+  std::vector<PatchOutline> outlines;
+  double depth = 0;
+  for (const ContactPatch& patch : patches) {
+    outlines.push_back(patch.outline);
+    depth = std::max(depth, -patch.least_gap);
+  }
+  const PatchSurface surface = coarse.surface();
+  const RollingDirection direction = coarse.rolls_forward() ? RollingDirection::forward : RollingDirection::backward;
+  std::vector<Loaded> loaded;
+  for (PatchGroup& group : group_patches(surface.placement(), bodies.rail, bodies.wheel, outlines, depth)) {
+    double force = 0, vertical = 0;
+    std::vector<PointLoad> loads;
+    std::optional<Rows> rows; // of its own patches first
+    for (const bool own : {true, false})
+      for (std::size_t k = 0; k < patches.size(); ++k) {
+        if ((group.shares[k] == 1) != own) continue;
+        const Rows sums = Rows::of(patches[k]);
+        if (!rows)
+          rows = sums;
+        else
+          rows->add(sums, group.shares[k]);
+        if (!own || !(sums.load > 0)) continue;
+        force += sums.load, vertical += sums.load * patches[k].vertical_share;
+        add_rows(patches[k], loads);
+      }
+    const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
+    ExactPatch exact(bodies.material, surface, group.outline, method.shape,
+                     element_of(*rows, group.outline, method.elements), motion);
+    const double share = force > 0 ? vertical / force : std::cos(group.outline.frame.angle);
+    loaded.push_back({std::move(group), *rows, std::move(loads), std::move(exact), force, share});
+  }
+  return loaded;
+}
+
+/// The pressures of all patches but one as loads.
+std::vector<PointLoad> loads_on(const std::vector<Loaded>& loaded, const Loaded& one) {
+  std::vector<PointLoad> all;
+  for (const Loaded& other : loaded) {
+    if (&other == &one || !(other.exact.normal_force() > 0)) continue;
+    for (PointLoad load : other.exact.loads()) {
+      load.force *= other.force / other.exact.normal_force();
+      all.push_back(load);
+    }
+  }
+  return all;
+}
+
+/// Approach [m] of a patch with the wheel lowered by `zeta` [m] and others that lift it.
+double approach_of(const Loaded& one, std::span<const PointLoad> loads, double zeta) {
+  double approach = zeta * one.cosine();
+  for (const PointLoad& load : loads) approach -= one.exact.lift_by(load);
   return approach;
 }
 
 /// Changes of the normal forces by `rise` [N] of each patch on its own, when each lifts the others off.
-std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const CombinedMaterial& material,
-                                  const std::vector<double>& rise) {
+std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const std::vector<double>& rise) {
   constexpr int sweeps = 30; // each reduces the error to a third or less
+  if (loaded.size() == 1) return rise;
+  std::vector<PointLoad> unit;
+  for (const Loaded& one : loaded) unit.push_back(one.exact.load()), unit.back().force = 1;
   std::vector<double> change = rise;
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::size_t k = 0; k < loaded.size(); ++k) {
       double lift = 0;
       for (std::size_t l = 0; l < loaded.size(); ++l)
-        if (l != k)
-          lift += far_field(material, loaded[k].patch->outline.frame, loaded[l].patch->outline.frame) * change[l];
+        if (l != k) lift += loaded[k].exact.lift_by(unit[l]) * change[l];
       change[k] = rise[k] - loaded[k].stiffness * lift;
     }
   return change;
 }
 
-/// Finds normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) and, where a vertical force [N] is given, the
-/// lowering zeta [m] with which they bear it: Newton's method with stiffnesses dN_i that secants improve. Returns zeta.
-double share_load(std::vector<Loaded>& loaded, const CombinedMaterial& material, std::optional<double> vertical_force,
-                  double zeta) {
-  constexpr int most_steps = 12;
-  constexpr double tolerance = 1e-6;
-  if (loaded.size() == 1 && vertical_force) {
-    loaded.front().force = *vertical_force / loaded.front().share;
-    return zeta;
+/// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that bear a vertical force
+/// [N] where one is given. Returns the change of zeta [m].
+double correct(std::vector<Loaded>& loaded, std::optional<double> vertical_force) {
+  std::vector<double> missing, by_zeta;
+  for (const Loaded& one : loaded) {
+    missing.push_back(one.pressed - one.force);
+    by_zeta.push_back(one.stiffness * one.cosine());
   }
-  std::vector<double> missing(loaded.size()), by_zeta(loaded.size());
+  const std::vector<double> direct = with_coupling(loaded, missing), lowered = with_coupling(loaded, by_zeta);
+  double more = 0;
+  if (vertical_force) {
+    double short_of = *vertical_force, vertical_by_zeta = 0;
+    for (std::size_t k = 0; k < loaded.size(); ++k) {
+      short_of -= (loaded[k].force + direct[k]) * loaded[k].share;
+      vertical_by_zeta += lowered[k] * loaded[k].share;
+    }
+    more = short_of / vertical_by_zeta;
+  }
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    loaded[k].force = std::max(loaded[k].force + direct[k] + more * lowered[k], 0.0);
+  return more;
+}
+
+/// Change of a patch's normal force with the approach as it is after Hertz: from the approach beyond the first touch.
+double hertzian_stiffness(const Loaded& one, std::span<const PointLoad> loads) {
+  if (!(one.exact.normal_force() > 0)) return 0;
+  const double touching = one.exact.approach() - one.exact.least_gap();
+  return 1.5 * one.exact.normal_force() / std::max(touching + approach_of(one, loads, 0), 0.1 * touching);
+}
+
+/// Presses all patches with the forces of the coarse level, which tells how stiff they are, and what they would bear in
+/// the coarse level's height.
+void press_first(std::vector<Loaded>& loaded) {
+  constexpr double tolerance = 1e-4;
+  for (Loaded& one : loaded) {
+    std::vector<PointLoad> rows;
+    for (const Loaded& other : loaded)
+      if (&other != &one) rows.insert(rows.end(), other.start.begin(), other.start.end());
+    one.exact.lift(rows);
+    if (one.force > 0) {
+      one.exact.press_with(one.force, tolerance);
+      one.pressed = one.force - hertzian_stiffness(one, rows) * one.exact.approach();
+    } else {
+      one.exact.press(0, tolerance);
+      one.pressed = one.force = one.exact.normal_force();
+    }
+    one.stiffness = hertzian_stiffness(one, rows);
+  }
+}
+
+/// Presses a patch with the wheel lowered by `zeta`, the others lifting it; a secant improves its stiffness.
+void press(std::vector<Loaded>& loaded, Loaded& one, double zeta, double tolerance) {
+  constexpr double least_change = 5e-4; // of the force, beyond what tolerances leave
+  const std::vector<PointLoad> loads = loads_on(loaded, one);
+  one.exact.lift(loads);
+  one.exact.press(zeta * one.cosine(), tolerance);
+  one.pressed = one.exact.normal_force();
+  const double approach = approach_of(one, loads, zeta);
+  if (one.force_before && std::abs(one.pressed - *one.force_before) > least_change * one.pressed) {
+    const double secant = (one.pressed - *one.force_before) / (approach - one.approach_before);
+    if (secant > 0.5 * one.stiffness && secant < 2 * one.stiffness) one.stiffness = secant;
+  }
+  if (!(one.stiffness > 0)) one.stiffness = hertzian_stiffness(one, loads);
+  one.force_before = one.pressed, one.approach_before = approach;
+}
+
+/// Finds the normal forces to a tolerance and, where a vertical force [N] is given, the lowering zeta [m] with which
+/// they bear it: Newton's method from `zeta` and what the patches bore there. Returns zeta.
+double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, double tolerance) {
+  constexpr int most_steps = 12;
+  if (loaded.size() == 1) {
+    Loaded& only = loaded.front();
+    if (vertical_force)
+      only.exact.press_with(*vertical_force / only.share, normal_tolerance);
+    else
+      only.exact.press(0, normal_tolerance);
+    return only.exact.approach() / only.cosine();
+  }
+  double of_pressures = 0.1 * tolerance;
   for (int step = 0; step < most_steps; ++step) {
-    double largest = 0, error = 0, vertical = 0;
-    for (std::size_t k = 0; k < loaded.size(); ++k) {
-      Loaded& one = loaded[k];
-      const double approach = approach_of(loaded, one, material, zeta);
-      const double now = one.exact.normal_force(material, approach);
-      const double secant = (now - one.force_before) / (approach - one.approach_before);
-      if (step > 0 && secant > 0.3 * one.stiffness && secant < 3 * one.stiffness) one.stiffness = secant;
-      one.force_before = now, one.approach_before = approach;
-      missing[k] = now - one.force;
-      by_zeta[k] = one.stiffness * std::cos(one.patch->outline.frame.angle);
-      largest = std::max(largest, now), error = std::max(error, std::abs(missing[k]));
-      vertical += one.force * one.share;
+    zeta += correct(loaded, vertical_force);
+    double largest = 0, error = 0;
+    for (Loaded& one : loaded) {
+      press(loaded, one, zeta, of_pressures);
+      largest = std::max(largest, one.pressed), error = std::max(error, std::abs(one.pressed - one.force));
     }
-    const double short_of = vertical_force ? *vertical_force - vertical : 0;
-    if (std::max(error, std::abs(short_of)) <= tolerance * largest) break;
-    const std::vector<double> direct = with_coupling(loaded, material, missing);
-    const std::vector<double> lowered = with_coupling(loaded, material, by_zeta);
-    double direct_vertical = 0, lowered_vertical = 0;
-    for (std::size_t k = 0; k < loaded.size(); ++k) {
-      direct_vertical += direct[k] * loaded[k].share;
-      lowered_vertical += lowered[k] * loaded[k].share;
-    }
-    const double more = vertical_force ? (short_of - direct_vertical) / lowered_vertical : 0;
-    for (std::size_t k = 0; k < loaded.size(); ++k)
-      loaded[k].force = std::max(loaded[k].force + direct[k] + more * lowered[k], 0.0);
-    zeta += more;
+    if (error <= tolerance * largest && of_pressures <= tolerance) break;
+    of_pressures = std::clamp(0.01 * error / largest, normal_tolerance, 0.1 * tolerance);
   }
   return zeta;
 }
 
 /// Of the tractions on a patch, each along the axes of its row.
 double vertical_force_of(const Loaded& one) {
-  const ContactSolution& s = one.rolled.solution;
+  const ContactSolution& s = one.solution;
   double sum = 0;
   for (std::size_t i = 0; i < s.elements.size(); ++i) {
     const double angle = one.exact.row(static_cast<int>(i) / one.exact.grid().mx).angle;
@@ -112,73 +261,87 @@ void sum(const CoarseContact& coarse, std::vector<Loaded>& loaded, WheelRailSolu
   WheelForces wheel;
   out.patches.clear();
   for (Loaded& one : loaded) {
-    if (!(one.force > 0)) continue;
-    ContactSolution& solution = one.rolled.solution;
-    WheelRailPatch patch = coarse.describe(*one.patch);
-    patch.approach += one.rolled.approach;
+    if (!(one.exact.normal_force() > 0)) continue;
+    ContactSolution& solution = one.solution;
+    const PatchOutline& outline = one.group.outline;
+    WheelRailPatch patch = coarse.describe(outline, one.rows.least_gap, one.rows.speed / one.rows.weight);
+    patch.approach += one.exact.approach();
     const Elements& e = solution.elements;
     const SurfaceFields& f = solution.fields;
     for (std::size_t i = 0; i < e.size(); ++i) {
       if (!(f.pressure[i] > 0)) continue;
       const Vec3<double> traction{f.traction.x[i], f.traction.y[i], f.pressure[i]};
-      wheel.add(e.area[i] * traction, one.exact.row(static_cast<int>(i) / one.exact.grid().mx), e.x[i],
-                one.patch->outline.frame, centre, patch);
+      wheel.add(e.area[i] * traction, one.exact.row(static_cast<int>(i) / one.exact.grid().mx), e.x[i], outline.frame,
+                centre, patch);
     }
     patch.contact_area = solution.totals.adhesion_area + solution.totals.slip_area;
     patch.slip_area = solution.totals.slip_area;
     patch.peak_pressure = solution.totals.peak_pressure;
     patch.frictional_power = solution.totals.frictional_power;
-    patch.status = solution.report.status;
+    patch.status = one.exact.status() == Status::ok ? solution.report.status : one.exact.status();
     if (patch.status != Status::ok) out.status = patch.status;
     out.patches.push_back(patch);
     out.fields.push_back(std::move(solution));
   }
+  if (out.patches.empty()) out.status = Status::no_contact;
   out.force = wheel.force, out.moment = wheel.moment;
 }
 
-} // namespace
-
-void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
-                 std::optional<double> vertical_force, WheelRailSolution& out) {
-  constexpr int most_rounds = 6;
-  std::vector<Loaded> loaded;
-  for (const ContactPatch& patch : coarse.patches()) {
-    const double load = patch.normal_force;
-    const Vec2 extent = patch.extent;
-    loaded.push_back({&patch,
-                      ExactPatch(coarse.surface(), patch.outline, method.shape, extent.x / method.elements,
-                                 extent.y / method.elements, patch.least_gap, patch.speed),
-                      load, -1.5 * load / patch.least_gap, patch.vertical_share});
-  }
+/// Solves with the patches that the coarse level has in its height; returns by how much the wheel was lowered further,
+/// in greatest overlaps.
+double solve_near(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
+                  std::optional<double> vertical_force, WheelRailSolution& out) {
+  constexpr int most_rounds = 12;
+  std::vector<Loaded> loaded = loaded_groups(coarse, bodies, method);
   if (loaded.empty()) {
     out.status = Status::no_contact;
-    return;
+    return 0;
   }
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
-  const RollingDirection direction = coarse.rolls_forward() ? RollingDirection::forward : RollingDirection::backward;
+  if (loaded.size() > 1) press_first(loaded);
   double lowering = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    lowering = share_load(loaded, bodies.material, vertical_force, lowering);
-    double missing = vertical_force.value_or(0);
-    for (const Loaded& one : loaded) missing -= vertical_force ? one.force * one.share : 0;
-    double change = 0;
+    lowering = share_load(loaded, vertical_force, lowering, round == 0 ? 1e-4 : 2e-7);
+    // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
+    const double same_elements = round < 2 ? 1e-4 : 1e-2;
+    double vertical = 0;
     for (Loaded& one : loaded) {
-      if (!(one.force > 0)) continue;
-      one.rolled = one.exact.roll(bodies.material, one.force, friction, direction);
-      const double share = vertical_force_of(one) / one.force;
-      change += std::abs(share - std::exchange(one.share, share)) * one.force;
+      if (!(one.exact.normal_force() > 0)) continue;
+      one.solution = one.exact.roll(friction, same_elements);
+      const double borne = vertical_force_of(one);
+      one.share = borne / one.exact.normal_force();
+      vertical += borne;
     }
-    if (loaded.size() == 1) lowering = loaded[0].rolled.approach / std::cos(loaded[0].patch->outline.frame.angle);
-    out.residual = vertical_force ? (change + std::abs(missing)) / *vertical_force : 0;
+    out.residual = vertical_force ? std::abs(vertical / *vertical_force - 1) : 0;
     out.status = Status::not_converged;
-    // Beyond this the discretisation's error is larger by far.
-    if (out.residual < std::max(method.tolerance, 1e-5)) {
+    if (out.residual <= std::max(method.tolerance, 1e-6)) {
       out.status = Status::ok;
       break;
     }
   }
+  double depth = 0;
+  for (const Loaded& one : loaded) depth = std::max(depth, -one.exact.least_gap());
   if (vertical_force) out.vertical -= lowering;
   sum(coarse, loaded, out);
+  return vertical_force ? lowering / depth : 0;
+}
+
+} // namespace
+
+void solve_exact(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
+                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
+  constexpr int most_heights = 4;
+  constexpr double near = 0.05; // regions and frames are those of a height: the coarse level may have missed it
+  const int iterations = out.iterations;
+  for (int k = 0; k < most_heights; ++k) {
+    out.fields.clear();
+    const double moved = solve_near(coarse, bodies, method, vertical_force, out);
+    if (!(std::abs(moved) > near) || k + 1 == most_heights) break;
+    state.vertical = out.vertical;
+    coarse.solve(state, {}, out);
+    if (out.status == Status::no_contact) break;
+  }
+  out.iterations = iterations;
 }
 
 } // namespace microslip

@@ -4,10 +4,11 @@
 
 namespace microslip {
 
-/// The exact theory on the patches that the coarse level has found, whose forces are so near that few steps remain:
-/// fills in forces, patches, fields, height and status. Several patches act on each other as point forces. The forces
-/// of a state solved for a vertical force [N] have it; without one the wheel stays where it is.
-void solve_exact(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
-                 std::optional<double> vertical_force, WheelRailSolution& out);
+/// The exact theory on the patches that the coarse level has found in a state, whose forces are so near that few steps
+/// remain: fills in forces, patches, fields, height and status. Patches that are about to become one are one
+/// (group_patches); others lift each other by the far fields of their pressures. The forces of a state solved for a
+/// vertical force [N] have it; without one the wheel stays where it is.
+void solve_exact(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
+                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out);
 
 } // namespace microslip

@@ -3,43 +3,84 @@
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/material.hpp"
-#include "microslip/exact/fitted/row_variation.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/railway/patch_outline.hpp"
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace microslip {
 
-/// A patch for the exact theory: elements over its contact, gaps, and how each row moves.
+/// A force on the surface.
+struct PointLoad {
+  Vec3<double> place; ///< in track axes [m]
+  double force = 0;   ///< normal [N]
+  double angle = 0;   ///< of the surface against the track's y [rad]
+};
+
+/// A patch for the exact theory: elements over its contact, gaps, and how each row moves. Keeps the last pressures and
+/// tractions to begin the next ones with.
 class ExactPatch {
 public:
-  /// Elements of the size dx, ds [m] over all of the outline, which holds the contact. `contact_gap` < 0 is the gap of
-  /// the wheel's surface whose velocity the creepages take (PatchSurface::creepage). Rows outside the profiles are far
-  /// apart.
-  ExactPatch(const PatchSurface& surface, const PatchOutline& outline, PatchShape shape, double dx, double ds,
-             double contact_gap, double speed);
+  /// How a patch moves.
+  struct Motion {
+    double contact_gap = 0; ///< < 0, that of the surface whose velocity the creepages take (PatchSurface::creepage) [m]
+    double speed = 0;       ///< V [m/s]
+    RollingDirection direction = RollingDirection::forward;
+  };
+
+  /// Elements of the sides `element` over all of the outline, which holds the contact; the frame's origin is the
+  /// centre of one, so that elements do not move in the frame. Rows outside the profiles are far apart.
+  ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
+             PatchShape shape, Vec2 element, const Motion& motion);
 
   const ElementGrid& grid() const { return grid_; }
   const PatchRow& row(int j) const { return rows_[static_cast<std::size_t>(j)]; }
 
-  /// The normal force [N] if the wheel comes nearer by `approach` [m] along the frame's normal, and its tractions and
-  /// fields if `normal_force` is given. `friction` is mu over the inclination of a row [rad].
-  double normal_force(const CombinedMaterial& material, double approach) const;
-  struct Rolled {
-    ContactSolution solution; ///< in the frame
-    double approach = 0;      ///< by how much the wheel comes nearer, beyond where it is [m]
-  };
-  Rolled roll(const CombinedMaterial& material, double normal_force,
-              const std::function<double(double angle)>& friction, RollingDirection direction) const;
+  /// Loads on other patches from now on lift the rail's surface here.
+  void lift(std::span<const PointLoad> loads);
+  /// By how much a load elsewhere lifts the pressure's centre [m].
+  double lift_by(const PointLoad& load) const;
+
+  /// Normal problems: the wheel comes nearer by `approach` [m] along the frame's normal, or bears a normal force [N].
+  void press(double approach, double tolerance);
+  void press_with(double normal_force, double tolerance);
+  double normal_force() const { return pressed_.normal_force; }
+  double approach() const { return pressed_.approach + least_; }
+  double least_gap() const { return least_; }
+  /// Of the normal problem; not_converged if the contact is larger than the outline.
+  Status status() const { return pressed_.touches_border ? Status::not_converged : pressed_.status; }
+  /// The pressures as one load, and as some loads over the patch.
+  const PointLoad& load() const { return load_; }
+  std::span<const PointLoad> loads() const { return loads_; }
+
+  /// The tangential problem with the pressures that there are. `friction` is mu over the inclination of a row [rad].
+  /// Elements stay if the load has changed by less than `same_elements` of itself since they were fitted.
+  ContactSolution roll(const std::function<double(double angle)>& friction, double same_elements);
 
 private:
+  Vec3<double> place(std::size_t element) const;
+  void solve(const NormalLoad& load, double tolerance);
+  void find_loads();
+
+  CombinedMaterial material_;
+  PatchFrame frame_;
+  Motion motion_;
   ElementGrid grid_;
   std::vector<PatchRow> rows_;
   std::vector<Creepage> creepage_; ///< of each row about (0, s)
   double least_ = 0;               ///< the least gap, < 0 where the bodies overlap [m]
   std::vector<double> gaps_;       ///< over the least one [m]
-  double speed_;
+  std::vector<double> lifted_;     ///< the same with the lift
+  NormalProblem normal_;
+  NormalSolution pressed_;
+  PointLoad load_;
+  std::vector<PointLoad> loads_;
+  std::optional<PatchRolling> rolling_;
+  double fitted_force_ = 0; ///< with which its elements were fitted [N]
+  VectorField tractions_;   ///< of the last solution
 };
 
 } // namespace microslip

@@ -53,11 +53,64 @@ double inclination(const WheelPlacement<double>& placement, const Profile& rail,
   return std::atan2(d.z, d.y);
 }
 
+PatchFrame frame_at(const WheelPlacement<double>& placement, const Profile& rail, double x, double angle,
+                    double rail_s) {
+  PatchFrame frame{rail_point(placement, rail, rail_s), angle, rail_s};
+  frame.origin.x = x;
+  return frame;
+}
+
 } // namespace
+
+double clearance_between(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
+                         const PatchOutline& low, const PatchOutline& high) {
+  constexpr int places = 12;
+  const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
+  double clearance = 0, rail_s = low.outer.s_rail;
+  for (int k = 1; k < places; ++k) {
+    const double t = static_cast<double>(k) / places;
+    const CurvePoint on_wheel = wheel.at((1 - t) * low.outer.s_wheel + t * high.inner.s_wheel);
+    rail_s += (high.inner.s_rail - low.outer.s_rail) / places;
+    clearance = std::max(clearance, -over_rail(placement, locus, on_wheel, rail, rail_s).overlap);
+  }
+  return clearance;
+}
+
+PatchOutline joined(const WheelPlacement<double>& placement, const Profile& rail,
+                    std::span<const PatchOutline> outlines, std::span<const double> shares) {
+  PatchOutline out;
+  double x = 0, angle = 0, rail_s = 0, wheel_s = 0;
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    const PatchOutline& one = outlines[k];
+    const double weight = one.weight * shares[k];
+    out.weight += weight;
+    x += weight * one.frame.origin.x, angle += weight * one.frame.angle, rail_s += weight * one.frame.rail_s;
+    wheel_s += weight * one.wheel_s;
+  }
+  out.frame = frame_at(placement, rail, x / out.weight, angle / out.weight, rail_s / out.weight);
+  out.wheel_s = wheel_s / out.weight;
+  out.x_low = out.s_low = std::numeric_limits<double>::infinity();
+  out.x_high = out.s_high = -std::numeric_limits<double>::infinity();
+  double least_angle = out.x_low, largest_angle = out.x_high;
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    if (shares[k] < 1) continue;
+    const PatchOutline& one = outlines[k];
+    const Vec3<double> to = one.frame.origin - out.frame.origin, along = out.frame.tangent();
+    const double cosine = dot(one.frame.tangent(), along);
+    out.x_low = std::min(out.x_low, to.x + one.x_low), out.x_high = std::max(out.x_high, to.x + one.x_high);
+    out.s_low = std::min(out.s_low, dot(to, along) + cosine * one.s_low);
+    out.s_high = std::max(out.s_high, dot(to, along) + cosine * one.s_high);
+    least_angle = std::min(least_angle, one.frame.angle - one.turn / 2);
+    largest_angle = std::max(largest_angle, one.frame.angle + one.turn / 2);
+  }
+  out.turn = largest_angle - least_angle;
+  return out;
+}
 
 PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
                           const ContactRegion& region) {
   PatchOutline out;
+  out.inner = region.inner, out.outer = region.outer;
   const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
   const auto between = [](double low, double high, double t) { return (low + high) / 2 + t * (high - low) / 2; };
   double sum = 0, x = 0, angle = 0, rail_s = 0, wheel_s = 0;
@@ -77,9 +130,9 @@ PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile
     rail_s += weight * point.rail_s, wheel_s += weight * s;
   }
   if (!(sum > 0)) return out; // touches in a point
-  out.frame = {rail_point(placement, rail, rail_s / sum), angle / sum, rail_s / sum};
-  out.frame.origin.x = x / sum;
+  out.frame = frame_at(placement, rail, x / sum, angle / sum, rail_s / sum);
   out.wheel_s = wheel_s / sum;
+  out.weight = sum * (region.outer.s_wheel - region.inner.s_wheel) / 4;
   out.x_low = x_low - out.frame.origin.x, out.x_high = x_high - out.frame.origin.x;
 
   const Vec3<double> along = out.frame.tangent();

@@ -3,15 +3,19 @@
 #include "microslip/railway/contact_search.hpp"
 #include "microslip/railway/patch_surface.hpp"
 
+#include <span>
+
 namespace microslip {
 
 /// Where a patch is and how far the undeformed bodies overlap: the contact lies within.
 struct PatchOutline {
   PatchFrame frame;
-  double x_low = 0, x_high = 0; ///< from the frame's origin [m]
-  double s_low = 0, s_high = 0; ///< [m]
-  double wheel_s = 0;           ///< of the wheel's profile at the origin [m]
-  double turn = 0;              ///< by how much the rail's surface turns from end to end [rad]
+  double x_low = 0, x_high = 0;    ///< from the frame's origin [m]
+  double s_low = 0, s_high = 0;    ///< [m]
+  double wheel_s = 0;              ///< of the wheel's profile at the origin [m]
+  double turn = 0;                 ///< by how much the rail's surface turns from end to end [rad]
+  ContactRegion::End inner, outer; ///< of the region
+  double weight = 0;               ///< of the means that its frame is: the integral of c^2.5 dy, c the overlap [m^3.5]
 };
 
 /// The frame is that of the region's weighted centre: x, y and the inclination of the rail's surface are means along
@@ -19,5 +23,15 @@ struct PatchOutline {
 /// move smoothly with the wheel. The placement is that of the wheel in its height.
 PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
                           const ContactRegion& region);
+
+/// The greatest distance [m] of wheel and rail between two patches, the second one further to the left, at some places
+/// of the wheel's locus: by so much the wheel must be lowered for their regions to become one.
+double clearance_between(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
+                         const PatchOutline& low, const PatchOutline& high);
+
+/// Several outlines as one: its frame is the mean of theirs by their weights times `shares`, so that it is that of a
+/// single region where regions touch. It covers those whose share is 1.
+PatchOutline joined(const WheelPlacement<double>& placement, const Profile& rail,
+                    std::span<const PatchOutline> outlines, std::span<const double> shares);
 
 } // namespace microslip

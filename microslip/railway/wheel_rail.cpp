@@ -166,7 +166,7 @@ struct WheelRail::Workspace {
     coarse.solve(state, vertical_force, out);
     if (out.status == Status::no_contact) return;
     coarse.sum(out);
-    if (method.level == WheelRailLevel::exact) solve_exact(coarse, bodies, method, vertical_force, out);
+    if (method.level == WheelRailLevel::exact) solve_exact(coarse, state, bodies, method, vertical_force, out);
     if (right) mirror(out);
   }
 };

@@ -77,7 +77,8 @@ SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input
   std::optional<Creepage> near;
   VectorField tractions;
   bool stopped = false;
-  if (coarser_) {
+  const bool from_coarser = coarser_ && !estimate.near;
+  if (from_coarser) {
     SecondOrderInput on_coarser = input;
     on_coarser.tolerance = std::max(tolerance_of_coarser, input.tolerance);
     on_coarser.progress = [&](double done) {
@@ -97,7 +98,7 @@ SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input
   }
   input.start = start.view();
   const Progress whole = input.progress;
-  if (coarser_) input.progress = part(whole, share_of_coarser, 1);
+  if (from_coarser) input.progress = part(whole, share_of_coarser, 1);
   if (stopped) input.progress = [](double) { return false; };
   return rolling_.solve(bound, input);
 }

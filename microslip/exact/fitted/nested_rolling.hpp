@@ -20,6 +20,7 @@ struct RollingEstimate {
   /// The creepages with which they have the prescribed forces; nothing if there are none.
   std::function<std::optional<Creepage>()> creepage;
   double stiffness = 0; ///< G a b [N]: by how much, but for a factor of the order of 4, forces grow with a creepage
+  bool near = false;    ///< the tractions are so near the solution that coarser elements would tell nothing
 };
 
 /// Steady rolling along +x at second order, started from the solution on a coarser cover of the same contact, and so on

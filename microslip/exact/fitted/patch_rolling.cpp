@@ -90,6 +90,28 @@ RowVariation turned(RowVariation variation, double side) {
   return variation;
 }
 
+void require_similar(const CombinedMaterial& material) {
+  if (material.dissimilarity != 0)
+    throw Error("dissimilarity", material.dissimilarity, "-",
+                "0: rolling of patches is for elastically similar bodies");
+}
+
+/// Tractions that are known on the grid's cells, along an x axis that points the other way where `side` is -1.
+RollingEstimate known_tractions(const VectorField& tractions, double side) {
+  return {.tractions =
+              [&tractions, side](const FittedContact& contact, std::span<const double>, const Creepage&) {
+                VectorField out;
+                for (const FittedElement& e : contact.elements) {
+                  const std::size_t mx = contact.grid.mx, column = e.cell % mx;
+                  const std::size_t cell = side > 0 ? e.cell : e.cell + mx - 1 - 2 * column;
+                  out.x.push_back(side * tractions.x[cell]), out.y.push_back(tractions.y[cell]);
+                }
+                return out;
+              },
+          .creepage = [] { return std::nullopt; },
+          .near = true};
+}
+
 void check(const PatchRollingMotion& motion) {
   require_positive("friction", motion.friction, "-");
   require_finite("creepage.longitudinal", motion.creepage.longitudinal, "-");
@@ -107,23 +129,38 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
                            const NormalLoad& load, RollingDirection direction, const Progress& progress,
                            const TransformPlans& plans)
     : material_(material), direction_(direction) {
-  if (material.dissimilarity != 0)
-    throw Error("dissimilarity", material.dissimilarity, "-",
-                "0: rolling of patches is for elastically similar bodies");
+  require_similar(material);
   require_memory(ContactProblem::tangential, grid);
   try {
     const Progress essential = essential_part(progress, 0, 1);
     normal_ = NormalProblem(material, grid, essential, plans).solve(gap, load, normal_tolerance, essential);
-    if (normal_.contact_elements == 0) return;
-    const bool forward = direction == RollingDirection::forward;
-    rolling_ = nested(material,
-                      forward ? PressureField{grid, normal_.pressure}
-                              : PressureField{mirrored(grid), mirrored(grid, normal_.pressure)},
-                      essential, plans);
+    fit(grid, essential, plans);
   } catch (const Stopped&) {
     normal_ = {};
     normal_.status = Status::not_converged;
   }
+}
+
+PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, NormalSolution normal,
+                           RollingDirection direction, const Progress& progress, const TransformPlans& plans)
+    : material_(material), direction_(direction), normal_(std::move(normal)) {
+  require_similar(material);
+  require_memory(ContactProblem::tangential, grid);
+  try {
+    fit(grid, essential_part(progress, 0, 1), plans);
+  } catch (const Stopped&) {
+    normal_ = {};
+    normal_.status = Status::not_converged;
+  }
+}
+
+void PatchRolling::fit(const ElementGrid& grid, const Progress& progress, const TransformPlans& plans) {
+  if (normal_.contact_elements == 0) return;
+  const bool forward = direction_ == RollingDirection::forward;
+  rolling_ = nested(material_,
+                    forward ? PressureField{grid, normal_.pressure}
+                            : PressureField{mirrored(grid), mirrored(grid, normal_.pressure)},
+                    progress, plans);
 }
 
 ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
@@ -147,8 +184,11 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side;
   const std::vector<double> bound = rolling_->bound(capacity, input.variation);
-  const SecondOrderSolution found =
-      rolling_->solve(capacity, input, estimate_by_fastsim(material_, rolling_->contact(), capacity, input));
+  // With forces prescribed the start needs more than tractions.
+  const bool start_known = motion.start.x.size() == contact()->grid.count() && !input.force_x && !input.force_y;
+  const SecondOrderSolution found = rolling_->solve(
+      capacity, input,
+      start_known ? known_tractions(motion.start, side) : estimate_by_fastsim(material_, *contact(), capacity, input));
   ContactSolution out = contact_solution(rolling_->contact(), found,
                                          {.bound = bound,
                                           .normal_force = normal_.normal_force,

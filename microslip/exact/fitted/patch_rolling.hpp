@@ -3,12 +3,14 @@
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/contact/normal_load.hpp"
+#include "microslip/contact/vector_field.hpp"
 #include "microslip/exact/fitted/nested_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace microslip {
@@ -22,6 +24,7 @@ struct PatchRollingMotion {
                         force_y = {}; ///< [N], on body 1; the creepage in that direction is an unknown then
   double rolling_speed = 1;           ///< V [m/s], for the frictional power
   double tolerance = 1e-6;            ///< of the residual, as in FrictionSolution
+  VectorField start = {};             ///< tractions of the grid's elements near the solution [Pa]; empty: FASTSIM's
   Progress progress = {};             ///< is told of the Newton steps; false ends the iteration, as not converging
 };
 
@@ -41,6 +44,14 @@ public:
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,
                const Progress& progress = {}, const TransformPlans& plans = {});
 
+  /// With the normal problem solved: a pressure on the grid. The gap is taken from there.
+  PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, NormalSolution normal,
+               RollingDirection direction = RollingDirection::forward, const Progress& progress = {},
+               const TransformPlans& plans = {});
+
+  /// Another solution of the normal problem, whose area of contact is so near that the elements stay as they are.
+  void reload(NormalSolution normal) { normal_ = std::move(normal); }
+
   const NormalSolution& normal() const { return normal_; }
   /// The elements; those of the mirror image where the contact rolls along -x. Nothing without contact.
   const FittedContact* contact() const { return rolling_ ? &rolling_->contact() : nullptr; }
@@ -50,6 +61,8 @@ public:
   ContactSolution solve(const PatchRollingMotion& motion);
 
 private:
+  void fit(const ElementGrid& grid, const Progress& progress, const TransformPlans& plans);
+
   CombinedMaterial material_;
   RollingDirection direction_;
   NormalSolution normal_;

@@ -272,6 +272,12 @@ NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoa
   return s;
 }
 
+NormalSolution NormalProblem::solve_from(std::vector<double> pressure, std::span<const double> gap,
+                                         const NormalLoad& load, double tolerance) {
+  check(grid_, gap, load);
+  return Iteration(operator_, grid_, gap, load).run(std::move(pressure), tolerance, {});
+}
+
 NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
                                            const Progress& progress, double& coarser_products) {
   Field start;
