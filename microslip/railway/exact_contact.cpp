@@ -287,21 +287,39 @@ void sum(const CoarseContact& coarse, std::vector<Loaded>& loaded, WheelRailSolu
   out.force = wheel.force, out.moment = wheel.moment;
 }
 
-/// Solves with the patches that the coarse level has in its height; returns by how much the wheel was lowered further,
-/// in greatest overlaps.
-double solve_near(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
-                  std::optional<double> vertical_force, WheelRailSolution& out) {
+/// Whether patches found in a height hold when the wheel is lowered further by `lowering` [m]: it is small beside the
+/// greatest overlap times the squared cosine of the inclination. Frames on steep flanks turn the more with the height.
+bool hold(const std::vector<Loaded>& loaded, double lowering) {
+  constexpr double small = 0.01;
+  double depth = 0, cosine = 1;
+  for (const Loaded& one : loaded) {
+    depth = std::max(depth, -one.exact.least_gap());
+    if (one.exact.normal_force() > 0) cosine = std::min(cosine, std::abs(one.cosine()));
+  }
+  return std::abs(lowering) <= small * depth * cosine * cosine;
+}
+
+/// Solves with the patches that the coarse level has in its height. False if `others` may be found and these do not
+/// hold in the height that bears the vertical force, in which the wheel is then.
+bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
+                        std::optional<double> vertical_force, bool others, WheelRailSolution& out) {
   constexpr int most_rounds = 12;
   std::vector<Loaded> loaded = loaded_groups(coarse, bodies, method);
   if (loaded.empty()) {
     out.status = Status::no_contact;
-    return 0;
+    return true;
   }
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   if (loaded.size() > 1) press_first(loaded);
   double lowering = 0;
   for (int round = 0; round < most_rounds; ++round) {
     lowering = share_load(loaded, vertical_force, lowering, round == 0 ? 1e-4 : 2e-7);
+    if (round == 0 && others && vertical_force && !hold(loaded, lowering)) {
+      out.vertical -= lowering;
+      return false;
+    }
+    out.status = Status::not_converged;
+    if (!std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); })) break;
     // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
     const double same_elements = round < 2 ? 1e-4 : 1e-2;
     double vertical = 0;
@@ -313,30 +331,25 @@ double solve_near(CoarseContact& coarse, const WheelRailBodies& bodies, const Wh
       vertical += borne;
     }
     out.residual = vertical_force ? std::abs(vertical / *vertical_force - 1) : 0;
-    out.status = Status::not_converged;
     if (out.residual <= std::max(method.tolerance, 1e-6)) {
       out.status = Status::ok;
       break;
     }
   }
-  double depth = 0;
-  for (const Loaded& one : loaded) depth = std::max(depth, -one.exact.least_gap());
   if (vertical_force) out.vertical -= lowering;
   sum(coarse, loaded, out);
-  return vertical_force ? lowering / depth : 0;
+  return true;
 }
 
 } // namespace
 
 void solve_exact(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
                  const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
-  constexpr int most_heights = 4;
-  constexpr double near = 0.05; // regions and frames are those of a height: the coarse level may have missed it
+  constexpr int most_heights = 4; // the coarse level may have missed the height, or found it with other patches
   const int iterations = out.iterations;
-  for (int k = 0; k < most_heights; ++k) {
+  for (int k = 1; k <= most_heights; ++k) {
     out.fields.clear();
-    const double moved = solve_near(coarse, bodies, method, vertical_force, out);
-    if (!(std::abs(moved) > near) || k + 1 == most_heights) break;
+    if (solve_with_patches(coarse, bodies, method, vertical_force, k < most_heights, out)) break;
     state.vertical = out.vertical;
     coarse.solve(state, {}, out);
     if (out.status == Status::no_contact) break;

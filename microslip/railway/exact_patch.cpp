@@ -82,6 +82,15 @@ double ExactPatch::lift_by(const PointLoad& other) const {
   return far_field(material_) * other.force * std::cos(other.angle - load_.angle) / length(other.place - load_.place);
 }
 
+bool ExactPatch::holds_contact() const {
+  constexpr int to_spare = 3; // columns, as fit_contact needs them
+  for (std::size_t k = 0; k < pressed_.pressure.size(); ++k) {
+    const int i = static_cast<int>(k % grid_.mx);
+    if (pressed_.pressure[k] > 0 && (i < to_spare || i >= grid_.mx - to_spare)) return false;
+  }
+  return !pressed_.touches_border;
+}
+
 void ExactPatch::find_loads() {
   constexpr int side = 6; // elements of a block along either axis: blocks stay where they are when the contact grows
   const int columns = (grid_.mx + side - 1) / side, rows = (grid_.my + side - 1) / side;

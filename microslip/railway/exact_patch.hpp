@@ -50,8 +50,9 @@ public:
   double normal_force() const { return pressed_.normal_force; }
   double approach() const { return pressed_.approach + least_; }
   double least_gap() const { return least_; }
-  /// Of the normal problem; not_converged if the contact is larger than the outline.
-  Status status() const { return pressed_.touches_border ? Status::not_converged : pressed_.status; }
+  Status status() const { return pressed_.status; }
+  /// Whether the outline holds the contact, as the elements need it.
+  bool holds_contact() const;
   /// The pressures as one load, and as some loads over the patch.
   const PointLoad& load() const { return load_; }
   std::span<const PointLoad> loads() const { return loads_; }

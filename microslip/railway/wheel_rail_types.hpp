@@ -39,7 +39,7 @@ struct WheelRailMethod {
   WheelRailLevel level = WheelRailLevel::fastsim2;
   PatchShape shape = PatchShape::flat;
   int elements = 24;       ///< exact: across each contact
-  double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-5 counts as that at the level exact
+  double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
 };
 
 /// A patch in contact, in track axes; forces on the wheel.
