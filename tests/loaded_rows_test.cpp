@@ -89,5 +89,56 @@ TEST(LoadedRows, CarryNothingWithoutLoad) {
   EXPECT_EQ(total(rows).fy, 0);
 }
 
+// What the cells have adds up to what the rows have, wherever the contact is and whichever way it rolls.
+TEST(LoadedRows, HaveFieldsThatAddUp) {
+  for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward})
+    for (const Creepage w : {Creepage{5e-4, 0, 0}, Creepage{3e-4, -4e-4, 0}, Creepage{2e-4, 1e-4, 0.2}}) {
+      auto rows = ellipse(12, w, 3e-3, -0.2);
+      rows[3].friction = 0.2, rows[11].load = 0;
+      LoadedRowSolver solver(16, 12, direction);
+      std::vector<RowForces> forces(rows.size());
+      solver.solve(shear_modulus, poisson_ratio, rows, forces);
+      const ContactSolution s = solver.solve_with_fields(shear_modulus, poisson_ratio, rows, 2);
+      ContactForces sum;
+      double normal = 0, power = 0;
+      for (std::size_t j = 0; j < rows.size(); ++j) {
+        const RowForces& f = forces[j];
+        const Creepage& c = rows[j].creepage;
+        sum.fx += f.fx, sum.fy += f.fy, sum.mz += f.mz - rows[j].y * f.fx;
+        if (rows[j].load > 0) sum.slip_area += f.slip_area;
+        power -= 2 * (c.longitudinal * f.fx + c.lateral * f.fy + c.spin * f.mz);
+        double of_row = 0;
+        for (int i = 0; i < 16; ++i) {
+          const std::size_t k = s.elements.index(i, static_cast<int>(j));
+          of_row += s.fields.pressure[k] * s.elements.area[k];
+          EXPECT_EQ(s.fields.state[k] == CellState::exterior, rows[j].load == 0);
+          EXPECT_LE(std::abs(s.elements.x[k] - rows[j].centre), rows[j].half_length);
+          if (s.fields.state[k] != CellState::slip) continue;
+          EXPECT_NEAR(std::hypot(s.fields.traction.x[k], s.fields.traction.y[k]), s.fields.bound[k],
+                      1e-12 * s.fields.bound[k]);
+        }
+        EXPECT_NEAR(of_row, rows[j].load, 1e-12 * load);
+        normal += of_row;
+      }
+      EXPECT_NEAR(s.totals.fx, sum.fx, 1e-12 * load);
+      EXPECT_NEAR(s.totals.fy, sum.fy, 1e-12 * load);
+      EXPECT_NEAR(s.totals.mz, sum.mz, 1e-12 * load);
+      EXPECT_NEAR(s.totals.slip_area, sum.slip_area, 1e-12 * a * b);
+      EXPECT_NEAR(s.totals.frictional_power, power, 1e-10 * power);
+      EXPECT_GT(normal, 0);
+    }
+}
+
+// A particle of a row that slides slips by the creepage.
+TEST(LoadedRows, SlipByTheCreepageInFullSliding) {
+  LoadedRowSolver solver(16, 11);
+  const ContactSolution s = solver.solve_with_fields(shear_modulus, poisson_ratio, ellipse(11, {0.3, -0.4, 0}), 1);
+  for (std::size_t k = 0; k < s.elements.size(); ++k) {
+    ASSERT_EQ(s.fields.state[k], CellState::slip);
+    EXPECT_NEAR(s.fields.slip.x[k], 0.3, 0.01);
+    EXPECT_NEAR(s.fields.slip.y[k], -0.4, 0.01);
+  }
+}
+
 } // namespace
 } // namespace microslip

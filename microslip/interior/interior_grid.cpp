@@ -80,6 +80,36 @@ constexpr Measure measures[] = {
     {"sigma_zz", [](const Stress& s) { return s.zz; }, magnitude},
 };
 
+/// Whether all elements lie on their columns of the grid, those at an edge a little beside their centres.
+bool follow_columns(const Elements& e) {
+  for (std::size_t k = 0; k < e.size(); ++k)
+    if (std::abs(e.x[k] - e.grid.x(static_cast<int>(k % e.mx()))) > e.grid.dx / 2 * (1 + 1e-9)) return false;
+  return true;
+}
+
+/// Tractions of the grid's elements that have the forces of these ones. Where rows are divided along their own lengths,
+/// an element's force is shared out by overlap.
+std::vector<double> on_grid(const Elements& e, const std::vector<double>& traction) {
+  std::vector<double> regular(e.size());
+  const double whole = e.grid.element_area();
+  if (follow_columns(e)) {
+    for (std::size_t k = 0; k < e.size(); ++k) regular[k] = traction[k] * e.area[k] / whole;
+    return regular;
+  }
+  const double left = e.grid.x0 - e.grid.dx / 2;
+  for (int j = 0; j < e.my(); ++j)
+    for (int i = 0; i < e.mx(); ++i) {
+      const std::size_t k = e.index(i, j);
+      const double begin = (e.x[k] - e.width[k] / 2 - left) / e.grid.dx, end = begin + e.width[k] / e.grid.dx;
+      const double force = traction[k] * e.area[k] / whole;
+      for (int column = std::max(static_cast<int>(begin), 0); column < std::min(end, double(e.mx())); ++column) {
+        const double overlap = std::min(end, column + 1.0) - std::max(begin, double(column));
+        regular[e.index(column, j)] += force * overlap / (end - begin);
+      }
+    }
+  return regular;
+}
+
 } // namespace
 
 InteriorLayers& InteriorSequence::layers_of(const InteriorBody& body, Body number, const ElementGrid& elements,
@@ -131,14 +161,8 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
   const Elements& e = solution.elements;
   const SurfaceFields& f = solution.fields;
   if (f.pressure.size() != e.size()) throw Error("solution: has no pressures; stresses need one of the exact theory");
-  std::vector<double> px(f.traction.x), py(f.traction.y), pn(f.pressure);
-  for (std::size_t k = 0; k < e.size(); ++k) {
-    const double share = e.area[k] / e.grid.element_area();
-    px[k] *= share;
-    py[k] *= share;
-    pn[k] *= share;
-  }
   if (e.size() == 0) return {};
+  const auto px = on_grid(e, f.traction.x), py = on_grid(e, f.traction.y), pn = on_grid(e, f.pressure);
   return interior_states(body1, body2, e.grid, {px, py, pn}, points);
 }
 

@@ -58,9 +58,11 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
                                            const ElementGrid& elements, const SurfaceTractions& tractions,
                                            const InteriorGrid& points);
 
-/// The same for a solution of the exact theory, whatever solved it. An element that is fitted to the edge counts as one
-/// of the grid's with the same forces, which is felt less than an element deep only. Throws Error for a solution
-/// without pressures (the simplified theory's) or with numbers that are not finite.
+/// The same for a solution with pressures: of the exact theory, whatever solved it, or of a wheel on a rail at either
+/// level. An element that is fitted to the edge counts as one of the grid's with the same forces, and the forces of
+/// rows that are divided along their own lengths are shared out over the grid's elements; both are felt less than an
+/// element deep only. Throws Error for a solution without pressures (FASTSIM's and FASTSIM2's on ellipses) or with
+/// numbers that are not finite.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
                                            const ContactSolution& solution, const InteriorGrid& points);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -36,6 +37,41 @@ private:
   double before_ = 0, missing_before_ = 0, low_ = 0, high_ = std::numeric_limits<double>::infinity();
   bool known_ = false;
 };
+
+/// Rows of equal width in a patch's frame that bear what the given rows bear, which are of any width. Lengths, middles,
+/// friction and creepages are means over the load.
+std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFrame& frame) {
+  constexpr int count = 15;
+  const auto loaded = [](const LoadedRow& row) { return row.load > 0; };
+  const auto first = std::find_if(rows.begin(), rows.end(), loaded);
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), loaded);
+  const double low = first->y - first->width / 2, width = (last->y + last->width / 2 - low) / count;
+  std::vector<LoadedRow> even;
+  for (int k = 0; k < count; ++k) {
+    LoadedRow sum{.y = low + (k + 0.5) * width - frame.rail_s, .width = width};
+    double square = 0;
+    for (const LoadedRow& row : rows) {
+      const double from = std::max(row.y - row.width / 2, low + k * width);
+      const double to = std::min(row.y + row.width / 2, low + (k + 1) * width);
+      if (!(to > from) || !loaded(row)) continue;
+      const double part = row.load * (to - from) / row.width, centre = row.centre - frame.origin.x;
+      const Creepage& w = row.creepage;
+      sum.load += part, sum.centre += part * centre, sum.friction += part * row.friction;
+      square += part * row.half_length * row.half_length;
+      sum.creepage.longitudinal += part * w.longitudinal, sum.creepage.spin += part * w.spin;
+      sum.creepage.lateral += part * (w.lateral + w.spin * frame.origin.x);
+    }
+    sum.half_length = width;
+    if (sum.load > 0) {
+      for (double* mean : {&sum.centre, &sum.friction, &sum.creepage.longitudinal, &sum.creepage.lateral,
+                           &sum.creepage.spin})
+        *mean /= sum.load;
+      sum.half_length = std::sqrt(square / sum.load);
+    }
+    even.push_back(sum);
+  }
+  return even;
+}
 
 } // namespace
 
@@ -298,6 +334,19 @@ void CoarseContact::sum(WheelRailSolution& out) {
   out.force = wheel.force, out.moment = wheel.moment;
   for (const ContactRegion& region : regions_)
     out.at_profile_end |= region.inner.corner == Corner::end || region.outer.corner == Corner::end;
+}
+
+void CoarseContact::add_fields(WheelRailSolution& out) {
+  for (const ContactPatch& patch : patches()) {
+    if (!(patch.normal_force > 0)) continue;
+    const std::vector<LoadedRow> rows = even_rows(patch.loaded, patch.outline.frame);
+    ContactSolution fields =
+        (rolls_forward() ? forward_ : backward_)
+            .solve_with_fields(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, rows, patch.speed);
+    const WheelRailPatch description = describe(patch.outline, patch.least_gap, patch.speed);
+    fields.creepage = description.creepage, fields.approach = description.approach;
+    out.fields.push_back(std::move(fields));
+  }
 }
 
 } // namespace microslip

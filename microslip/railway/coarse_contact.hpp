@@ -50,6 +50,8 @@ public:
   void move(const WheelState<double>& state);
   /// Forces and patches of the last solve, with profile ends.
   void sum(WheelRailSolution& out);
+  /// The fields of its patches, on evenly spaced rows. Allocates.
+  void add_fields(WheelRailSolution& out);
 
   /// The patches of the last solve, those without load as well; valid until the next one.
   std::span<const ContactPatch> patches();

@@ -166,7 +166,10 @@ struct WheelRail::Workspace {
     coarse.solve(state, vertical_force, out);
     if (out.status == Status::no_contact) return;
     coarse.sum(out);
-    if (method.level == WheelRailLevel::exact) solve_exact(coarse, state, bodies, method, vertical_force, out);
+    if (method.level == WheelRailLevel::exact)
+      solve_exact(coarse, state, bodies, method, vertical_force, out);
+    else if (method.fields)
+      coarse.add_fields(out);
     if (right) mirror(out);
   }
 };

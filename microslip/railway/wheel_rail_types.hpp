@@ -40,6 +40,7 @@ struct WheelRailMethod {
   PatchShape shape = PatchShape::flat;
   int elements = 24;       ///< exact: across each contact
   double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
+  bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
 };
 
 /// A patch in contact, in track axes; forces on the wheel.
@@ -65,7 +66,7 @@ struct WheelRailSolution {
   Vec3<double> moment; ///< about the wheel's centre, on the axle at y = 0 of the profile, in track axes [N m]
   double vertical = 0; ///< of the wheelset's centre: as given, or that of the vertical force [m]
   std::vector<WheelRailPatch> patches; ///< from the gauge side to the field side of the left wheel
-  std::vector<ContactSolution> fields; ///< exact: of each patch, in its frame
+  std::vector<ContactSolution> fields; ///< of each patch, in its frame, where the method has them
   double residual = 0;                 ///< of the vertical force, relative
   int iterations = 0;                  ///< over the wheel's height
   bool at_profile_end = false;         ///< a patch ends where a profile ends: its forces are too small

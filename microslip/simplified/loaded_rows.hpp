@@ -1,7 +1,6 @@
 #pragma once
 
-#include "microslip/contact/creepage.hpp"
-#include "microslip/contact/motion.hpp"
+#include "microslip/contact/contact_solution.hpp"
 
 #include <memory>
 #include <span>
@@ -53,6 +52,13 @@ public:
   /// the combined material, G [Pa] and nu [-]. Cost O(cells rows + rows^2).
   void solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
              std::span<RowForces> forces) noexcept;
+
+  /// The same with the fields of the cells, into which each row is divided evenly along its length; rows must be evenly
+  /// spaced and equally wide. Pressures are semi-elliptic along a row; the slip is scaled so that the frictional power
+  /// is that of the creepages, since flexibilities differ. `rolling_speed` is V [m/s]. Forces, areas and power are
+  /// those of `solve`.
+  ContactSolution solve_with_fields(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
+                                    double rolling_speed);
 
 private:
   struct Workspace;
