@@ -70,6 +70,8 @@ void add_dimensions(QuantityTable& table, const ProfileFindings& findings) {
     add_length(table, "flange height Sh", findings.wheel->flange_height);
     add_length(table, "flange thickness Sd", findings.wheel->flange_thickness);
     add_length(table, "flange gradient qR", findings.wheel->flange_gradient);
+    if (const auto angle = findings.wheel->flange_angle)
+      table.add("flange angle", *angle * 180 / std::numbers::pi, "deg");
   }
   if (findings.gauge) {
     table.add("y of the gauge point", findings.gauge->point.y * 1e3, "mm",
@@ -123,17 +125,18 @@ Json json_point(const ProfilePoint& point) {
   return {{"y", json_number(point.y)}, {"z", json_number(point.z)}};
 }
 
-Json json_length(const std::optional<double>& length) {
-  return length ? json_number(*length) : Json();
+Json json_optional(const std::optional<double>& value) {
+  return value ? json_number(*value) : Json();
 }
 
 Json dimensions_document(const ProfileFindings& findings) {
   auto document = Json::object();
   if (findings.wheel) {
     document["tape_line"] = json_number(findings.wheel->tape_line);
-    document["flange_height"] = json_length(findings.wheel->flange_height);
-    document["flange_thickness"] = json_length(findings.wheel->flange_thickness);
-    document["flange_gradient"] = json_length(findings.wheel->flange_gradient);
+    document["flange_height"] = json_optional(findings.wheel->flange_height);
+    document["flange_thickness"] = json_optional(findings.wheel->flange_thickness);
+    document["flange_gradient"] = json_optional(findings.wheel->flange_gradient);
+    document["flange_angle"] = json_optional(findings.wheel->flange_angle);
   }
   if (findings.gauge) {
     document["gauge_point"] = json_point(findings.gauge->point);
@@ -229,12 +232,14 @@ void write_points_of_interest(const ProfileFindings& findings, ResultFile& file)
   if (findings.wheel) {
     const auto& wheel = *findings.wheel;
     file.scalar("dimensions/tape_line", wheel.tape_line, "m", "y of the tape line");
-    const auto write = [&](const char* name, const std::optional<double>& value, const char* what) {
-      if (value) file.scalar(std::string("dimensions/") + name, *value, "m", what);
+    const auto write = [&](const char* name, const std::optional<double>& value, const char* what,
+                           const char* unit = "m") {
+      if (value) file.scalar(std::string("dimensions/") + name, *value, unit, what);
     };
     write("flange_height", wheel.flange_height, "flange height Sh (EN 15313)");
     write("flange_thickness", wheel.flange_thickness, "flange thickness Sd (EN 15313)");
     write("flange_gradient", wheel.flange_gradient, "flange gradient qR (EN 15313)");
+    write("flange_angle", wheel.flange_angle, "largest inclination of the flange's flank", "rad");
   }
   if (findings.gauge) {
     file.scalar("dimensions/gauge_y", findings.gauge->point.y, "m", "y of the gauge point");

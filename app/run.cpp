@@ -5,7 +5,7 @@
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/progress_bar.hpp"
-#include "cases/case_document.hpp"
+#include "cases/interior_result.hpp"
 #include "compat/contact/mat.hpp"
 #include "compat/contact/run.hpp"
 #include "compat/contact/run_file.hpp"

@@ -3,6 +3,7 @@
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/hertz.hpp"
+#include "app/interior_table.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
@@ -181,18 +182,6 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.print();
 }
 
-void print_interior(const InteriorGrid& points, const std::vector<InteriorState>& states) {
-  if (states.empty()) return;
-  fmt::print("\n");
-  QuantityTable table(fmt::format("inside the bodies, {} x {} x {} points: extremes", points.x.size(), points.y.size(),
-                                  points.z.size()));
-  for (const auto& [name, value, at] : interior_extremes(states))
-    table.add(name, value * 1e-6, "MPa",
-              fmt::format("at ({:.4g}, {:.4g}, {:.4g}) mm", points.x_of(at) * 1e3, points.y_of(at) * 1e3,
-                          points.z_of(at) * 1e3));
-  table.print();
-}
-
 // Input is a RollingCase or a WheelRailCase, Result what solve_case makes of it.
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
@@ -230,7 +219,7 @@ void print_tables(const RollingCase& input, const RollingContactResult& result) 
   print_hertz(input, result);
   fmt::print("\n");
   result.exact ? print_exact(input, result) : print_simplified(input, result);
-  if (result.exact) print_interior(input.interior, result.exact->interior);
+  if (result.exact) print_interior("inside the bodies", input.interior, result.exact->interior);
   fmt::print("\n");
 }
 

@@ -1,10 +1,12 @@
 #include "app/wheel_rail_tables.hpp"
 
+#include "app/interior_table.hpp"
 #include "app/quantity_table.hpp"
 #include "io/option_words.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -34,6 +36,10 @@ constexpr PrintedQuantity printed_of_wheel[] = {
     {"frictional_power", "frictional power", "W"},
     {"t_gamma", "T-gamma", "N"},
     {"t_gamma_with_spin", "T-gamma with spin", "N"},
+    {"y_over_q", "Y/Q", "-"},
+    {"nadal_limit", "Nadal's limit of Y/Q", "-"},
+    {"worn_mass_r8t", "worn by T-gamma, steel R8T", "ug/m", 1e9},
+    {"worn_area", "worn by Archard's law", "mm^3/m", 1e9},
     {"residual", "residual of the vertical force", "-"},
 };
 
@@ -58,6 +64,15 @@ constexpr PrintedQuantity printed_of_patch[] = {
     {"frictional_power", "frictional power", "W"},
     {"t_gamma", "T-gamma", "N"},
     {"t_gamma_with_spin", "T-gamma with spin", "N"},
+    {"traction_coefficient", "traction coefficient", "-"},
+    {"t_gamma_per_area", "T-gamma per area", "N/mm^2", 1e-6},
+    {"worn_mass_r8t", "worn by T-gamma, steel R8T", "ug/m", 1e9},
+    {"worn_area", "worn by Archard's law", "mm^3/m", 1e9},
+    {"wear_depth", "largest wear depth of a passage", "nm", 1e9},
+    {"fatigue_index", "surface fatigue index", "-"},
+    {"shakedown_load", "shakedown map: load", "-"},
+    {"shakedown_limit", "shakedown map: limit", "-"},
+    {"nadal_limit", "Nadal's limit of Y/Q", "-"},
 };
 
 template <class Table> const auto& find(const Table& table, std::string_view name) {
@@ -73,8 +88,10 @@ std::string description_of(const WheelRailCase& input) {
 
 void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) {
   QuantityTable table(description_of(input));
-  for (const auto& [name, label, unit, factor] : printed_of_wheel)
-    table.add(std::string(label), factor * find(wheel_quantities(), name).value(solution), std::string(unit));
+  for (const auto& [name, label, unit, factor] : printed_of_wheel) {
+    const double value = find(wheel_quantities(), name).value(solution);
+    if (!std::isnan(value)) table.add(std::string(label), factor * value, std::string(unit));
+  }
   table.add("status", {std::string(to_string(solution.status))});
   table.print();
 }
@@ -88,8 +105,10 @@ void print_patches(const std::vector<WheelRailPatch>& patches) {
   }
   QuantityTable table("patches", heads);
   for (const auto& [name, label, unit, factor] : printed_of_patch) {
+    const PatchQuantity& quantity = find(patch_quantities(), name);
+    if (!quantity.is_given(patches)) continue;
     std::vector<double> values;
-    for (const WheelRailPatch& patch : patches) values.push_back(factor * find(patch_quantities(), name).value(patch));
+    for (const WheelRailPatch& patch : patches) values.push_back(factor * quantity.value(patch));
     table.add(std::string(label), values, std::string(unit));
   }
   table.add("status", status);
@@ -186,6 +205,8 @@ void print_tables(const WheelRailCase& input, const WheelRailResult& result) {
     print_wheel(input, result.solutions.front());
     fmt::print("\n");
     print_patches(result.solutions.front().patches);
+    for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
+      print_interior(fmt::format("below patch {}", patch + 1), input.interior, result.interior[patch]);
   }
   fmt::print("\n");
 }

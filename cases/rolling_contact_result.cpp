@@ -1,5 +1,6 @@
 #include "cases/rolling_contact_result.hpp"
 
+#include "cases/interior_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/simplified/fastrip.hpp"
@@ -249,30 +250,6 @@ void write_limit(ResultWriter& file, const AccurateContact& limit) {
   scalar("elements", limit.elements, "-", "across the ellipse, of the finest grid");
 }
 
-void write_interior(ResultWriter& file, const InteriorGrid& points, const std::vector<InteriorState>& states) {
-  if (states.empty()) return;
-  file.array("interior/x", points.x, "m", "of the points");
-  file.array("interior/y", points.y, "m", "of the points");
-  file.array("interior/z", points.z, "m", "of the points: >= 0 in body 1, < 0 in body 2");
-  const auto field = [&](const char* name, const char* unit, const char* what, const auto& value) {
-    std::vector<double> values;
-    for (const InteriorState& state : states) values.push_back(value(state));
-    file.array(std::string("interior/") + name, values, unit, what,
-               {points.z.size(), points.y.size(), points.x.size()});
-  };
-  using State = const InteriorState&;
-  field("ux", "m", "displacement of the point's body", [](State s) { return s.ux; });
-  field("uy", "m", "displacement of the point's body", [](State s) { return s.uy; });
-  field("uz", "m", "displacement of the point's body", [](State s) { return s.uz; });
-  field("sigma_xx", "Pa", "stress, tension positive", [](State s) { return s.stress.xx; });
-  field("sigma_yy", "Pa", "stress, tension positive", [](State s) { return s.stress.yy; });
-  field("sigma_zz", "Pa", "stress, tension positive", [](State s) { return s.stress.zz; });
-  field("sigma_xy", "Pa", "stress", [](State s) { return s.stress.xy; });
-  field("sigma_xz", "Pa", "stress", [](State s) { return s.stress.xz; });
-  field("sigma_yz", "Pa", "stress", [](State s) { return s.stress.yz; });
-  field("von_mises", "Pa", "von Mises' equivalent stress", [](State s) { return von_mises(s.stress); });
-}
-
 /// A number of every step of transient rolling.
 template <class Value>
 void write_history(ResultWriter& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
@@ -413,7 +390,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     write_theory(file, "exact", exact->contact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
     write_tolerances(file, "exact", exact->grid_error, "half the elements");
-    write_interior(file, input.interior, exact->interior);
+    write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
   }

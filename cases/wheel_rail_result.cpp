@@ -1,5 +1,6 @@
 #include "cases/wheel_rail_result.hpp"
 
+#include "cases/interior_result.hpp"
 #include "io/json_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
@@ -87,6 +88,10 @@ void write_inputs(ResultWriter& file, const WheelRailCase& input) {
     scalar("tape_circle", *input.wheelset.tape_circle, "m", "where the radius is the nominal one");
   scalar("shear_modulus", input.material.shear_modulus, "Pa", "shear modulus G of wheel and rail");
   scalar("poisson_ratio", input.material.poisson_ratio, "-", "Poisson's ratio of both");
+  if (input.strength.hardness)
+    scalar("hardness", *input.strength.hardness, "Pa", "hardness H of the surface that wears");
+  if (const auto k = input.strength.shear_yield_strength)
+    scalar("shear_yield_strength", *k, "Pa", "yield strength k in shear of the surface");
   std::vector<double> coefficient, angle;
   for (const InclinedFriction& f : input.friction) coefficient.push_back(f.coefficient), angle.push_back(f.angle);
   file.array("inputs/friction_coefficient", coefficient, "-", "friction coefficient mu at the angles");
@@ -118,12 +123,19 @@ std::uint8_t code_of(Status status) {
 }
 constexpr const char* status_codes = "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution";
 
-void write_wheel(ResultWriter& file, const WheelRailResult& result) {
-  std::vector<double> values(result.solutions.size());
-  for (const WheelQuantity& q : wheel_quantities()) {
-    std::transform(result.solutions.begin(), result.solutions.end(), values.begin(), q.value);
-    file.array("wheel/" + std::string(q.name), values, std::string(q.unit), std::string(q.description));
+template <class Of>
+void write_quantities(ResultWriter& file, const std::string& group, std::span<const RailwayQuantity<Of>> quantities,
+                      const std::vector<Of>& of) {
+  std::vector<double> values(of.size());
+  for (const auto& q : quantities) {
+    if (!q.is_given(of)) continue;
+    std::transform(of.begin(), of.end(), values.begin(), q.value);
+    file.array(group + std::string(q.name), values, std::string(q.unit), std::string(q.description));
   }
+}
+
+void write_wheel(ResultWriter& file, const WheelRailResult& result) {
+  write_quantities(file, "wheel/", wheel_quantities(), result.solutions);
   std::vector<std::uint8_t> status, at_end;
   for (const WheelRailSolution& s : result.solutions)
     status.push_back(code_of(s.status)), at_end.push_back(s.at_profile_end ? 1 : 0);
@@ -142,11 +154,7 @@ void write_patches(ResultWriter& file, const WheelRailResult& result) {
     }
   if (patches.empty()) return;
   file.array("patches/state", of_state, "-", "index of the state that the patch belongs to, from 0");
-  std::vector<double> values(patches.size());
-  for (const PatchQuantity& q : patch_quantities()) {
-    std::transform(patches.begin(), patches.end(), values.begin(), q.value);
-    file.array("patches/" + std::string(q.name), values, std::string(q.unit), std::string(q.description));
-  }
+  write_quantities(file, "patches/", patch_quantities(), patches);
   file.array("patches/status", status, "-", status_codes);
 }
 
@@ -194,7 +202,8 @@ void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelR
 }
 
 /// Of the patch with this index, in its frame.
-void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& solution) {
+void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& solution, const WheelRailPatch& patch,
+                  const SurfaceStrength& strength) {
   const std::string group = "fields/" + std::to_string(index) + "/";
   const ResultWriter::Shape shape = {static_cast<std::size_t>(solution.elements.my()),
                                      static_cast<std::size_t>(solution.elements.mx())};
@@ -202,6 +211,9 @@ void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& 
     if (!f.values(solution).empty())
       file.array(group + std::string(f.name), f.values(solution), std::string(f.unit_of(solution)),
                  std::string(f.description), shape);
+  for (const DamageField& f : damage_fields())
+    if (const auto values = f.values(solution, patch, strength); !values.empty())
+      file.array(group + std::string(f.name), values, std::string(f.unit), std::string(f.description), shape);
   std::vector<std::uint8_t> states;
   for (const CellState state : solution.fields.state) states.push_back(static_cast<std::uint8_t>(state));
   file.array(group + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
@@ -211,10 +223,18 @@ void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& 
 
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
   WheelRailResult result;
-  WheelRail solver(bodies_of(input), input.method);
+  WheelRailMethod method = input.method;
+  const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
+  method.fields = has_points || is_single || input.strength.hardness;
+  WheelRail solver(bodies_of(input), method);
   for (const auto& [state, force] : input.states) {
     go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
-    result.solutions.push_back(solver.solve(state, force));
+    WheelRailSolution& solution = result.solutions.emplace_back(solver.solve(state, force));
+    for (const ContactSolution& fields : solution.fields)
+      if (has_points)
+        result.interior.push_back(interior_states(input.material, input.material, fields, input.interior));
+    // Of a sweep at the level fastsim2 they were needed for wear and stresses only.
+    if (!is_single && method.level == WheelRailLevel::fastsim2) solution.fields.clear();
   }
   go_on(progress, 1);
   add_status(input, result);
@@ -239,7 +259,9 @@ void write_result(const WheelRailCase& input, const WheelRailResult& result, Res
   const auto first = first_patches(result);
   for (std::size_t k = 0; k < result.solutions.size(); ++k)
     for (std::size_t i = 0; i < result.solutions[k].fields.size(); ++i)
-      write_fields(file, first[k] + i, result.solutions[k].fields[i]);
+      write_fields(file, first[k] + i, result.solutions[k].fields[i], result.solutions[k].patches[i], input.strength);
+  for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
+    write_interior(file, "interior/" + std::to_string(patch) + "/", input.interior, result.interior[patch]);
   std::string warnings;
   for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);
@@ -250,6 +272,8 @@ Json case_document(const WheelRailCase& input, const WheelRailResult& result, co
   write_result(input, result, written);
   Json document = written.document();
   document["status"] = to_string(result.status);
+  for (const auto& states : result.interior)
+    document["interior_extremes"].push_back(extremes_json(input.interior, states));
   document["warnings"] = result.warnings;
   return document;
 }

@@ -13,10 +13,11 @@ namespace microslip {
 
 /// All that `microslip solve` computes of a wheel on a rail.
 struct WheelRailResult {
-  std::vector<WheelRailSolution> solutions; ///< of each state
-  Status status = Status::ok;               ///< the first one that is not ok
-  std::string reason;                       ///< of it, with the number of states it concerns; empty if all are ok
-  std::vector<std::string> warnings;        ///< of the profiles, and of results that are not to be trusted
+  std::vector<WheelRailSolution> solutions;         ///< of each state
+  std::vector<std::vector<InteriorState>> interior; ///< of each patch, of all states; empty without points
+  Status status = Status::ok;                       ///< the first one that is not ok
+  std::string reason;                ///< of it, with the number of states it concerns; empty if all are ok
+  std::vector<std::string> warnings; ///< of the profiles, and of results that are not to be trusted
 };
 
 /// What such a case's result files hold.
@@ -36,7 +37,8 @@ void write_result(const WheelRailCase& input, const WheelRailResult& result, Res
 void write_result(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
                   const std::filesystem::path& path);
 
-/// The same as a JSON object: what JsonResult makes of it, then `status` and `warnings`.
+/// The same as a JSON object: what JsonResult makes of it, then `status`, `interior_extremes` of each patch where there
+/// are points inside the bodies, and `warnings`.
 Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance);
 
 } // namespace microslip

@@ -1,5 +1,6 @@
 #include "io/case_file.hpp"
 
+#include "io/interior_section.hpp"
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/contact/limits.hpp"
@@ -228,17 +229,6 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   slope.decay = reduction.between("decay", "-", 0, 1e6, slope.decay);
 }
 
-void read_interior(const TomlSection& interior, RollingCase& input) {
-  interior.allow({"x", "y", "z"});
-  InteriorGrid& points = input.interior;
-  points = {interior.numbers("x", "m"), interior.numbers("y", "m"), interior.numbers("z", "m")};
-  interior.at("z", [&] {
-    if (points.x.size() * points.y.size() > most_interior_points / points.z.size())
-      throw Error("[interior]: more than two million points");
-    if (input.theory != Theory::exact) throw Error("[interior]: needs solution.theory = \"exact\"");
-  });
-}
-
 } // namespace
 
 bool needs_classical(const RollingCase& input) {
@@ -261,7 +251,13 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
   read_solution(root.optional_section("solution"), input);
-  if (root.has("interior")) read_interior(root.required_section("interior"), input);
+  if (root.has("interior")) {
+    const auto interior = root.required_section("interior");
+    input.interior = read_interior(interior);
+    interior.at("z", [&] {
+      if (input.theory != Theory::exact) throw Error("[interior]: needs solution.theory = \"exact\"");
+    });
+  }
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
     hertz_contact(input);

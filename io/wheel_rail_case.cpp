@@ -1,5 +1,6 @@
 #include "io/wheel_rail_case.hpp"
 
+#include "io/interior_section.hpp"
 #include "io/length_unit.hpp"
 #include "io/profile_file.hpp"
 #include "io/toml_section.hpp"
@@ -95,11 +96,21 @@ PreparedProfile read_profile(const TomlSection& section, const std::string& name
 }
 
 Material read_material(const TomlSection& section) {
-  section.allow({"young_modulus", "shear_modulus", "poisson_ratio"});
+  section.allow({"young_modulus", "shear_modulus", "poisson_ratio", "hardness", "shear_yield_strength"});
   const auto key = section.one_of("young_modulus", "shear_modulus");
   const double modulus = section.between(key, "Pa", 1, 1e15);
   const double poisson_ratio = section.between("poisson_ratio", "-", 0, 0.5);
   return key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
+}
+
+/// The strength of the surfaces, where it is given.
+SurfaceStrength read_strength(const TomlSection& material) {
+  constexpr double least = 1e5, most = 1e12; // Pa
+  SurfaceStrength strength;
+  if (material.has("hardness")) strength.hardness = material.between("hardness", "Pa", least, most);
+  if (material.has("shear_yield_strength"))
+    strength.shear_yield_strength = material.between("shear_yield_strength", "Pa", least, most);
+  return strength;
 }
 
 std::vector<InclinedFriction> read_friction(const TomlSection& section) {
@@ -238,7 +249,7 @@ bool is_wheel_rail_case(std::string_view text, const std::string& name) {
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
   const TomlSection root(table, name);
-  root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "sweep"});
+  root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "interior", "sweep"});
   const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
                     wheelset = root.required_section("wheelset"), wheel = root.required_section("wheel");
   TomlSection::Words rail_keys(std::begin(profile_keys), std::end(profile_keys)), wheelset_keys = rail_keys;
@@ -256,13 +267,16 @@ WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& na
                       .wheel = read_profile(wheelset, name, ProfileRole::wheel),
                       .side = wheel.option("side", TrackSide::left),
                       .material = read_material(root.required_section("material")),
+                      .strength = read_strength(root.required_section("material")),
                       .friction = read_friction(root.required_section("friction")),
                       .method = read_method(root.optional_section("solution")),
+                      .interior = {},
                       .varied = {},
                       .states = {}};
   const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
   input.states = states_of(read_state(root, wheel, sweeps), sweeps, pitch_is_given, input.wheelset.nominal_radius);
   for (const Sweep& sweep : sweeps) input.varied.push_back(sweep.name);
+  if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
   // Whether the profiles fit the track and the wheelset.
   track.at("gauge", [&] { place_rail(input.track, input.rail.profile); });
   wheelset.at("nominal_radius", [&] { place_wheel(input.wheelset, input.wheel.profile); });
@@ -276,7 +290,8 @@ WheelRailBodies bodies_of(const WheelRailCase& input) {
           .wheelset = input.wheelset,
           .side = input.side,
           .material = combine(input.material, input.material),
-          .friction = input.friction};
+          .friction = input.friction,
+          .strength = input.strength};
 }
 
 } // namespace microslip

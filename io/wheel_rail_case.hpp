@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/elasticity/material.hpp"
+#include "microslip/interior/interior_grid.hpp"
 #include "microslip/railway/profile_preparation.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
@@ -25,8 +26,10 @@ struct WheelRailCase {
   PreparedProfile rail, wheel;
   TrackSide side = TrackSide::left;
   Material material; ///< of both
+  SurfaceStrength strength;
   std::vector<InclinedFriction> friction;
   WheelRailMethod method;
+  InteriorGrid interior;                ///< points below each patch, in its frame; empty: none
   std::vector<std::string_view> varied; ///< names of what the sweep varies, in the order of the table of quantities
   std::vector<LoadedWheelState> states; ///< one without a sweep
 };

@@ -28,8 +28,9 @@ ALLOWED = {
     "microslip/rolling": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/simplified",
                           "microslip/thermal", EXACT + "classical", EXACT + "fitted", EXACT + "halfspace",
                           EXACT + "normal"],
+    "microslip/damage": ["microslip/contact"],
     "microslip/batch": ["microslip/contact", "microslip/simplified"],
-    "microslip/railway": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/numerics",
+    "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/elasticity", "microslip/friction", "microslip/numerics",
                           "microslip/simplified", EXACT + "fitted", EXACT + "normal"],
 }
 

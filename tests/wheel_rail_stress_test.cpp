@@ -48,9 +48,8 @@ double error_of(WheelRailLevel level) {
 // Johnson 1985, (3.45): below the middle of a circle, with z in radii.
 TEST(WheelRailStress, IsHertzsBelowTheMiddleOfACircle) {
   const double flat = 1e3;
-  const HertzContact hertz =
-      hertz_from_load(gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, flat}),
-                      combine(steel, steel), load);
+  const HertzContact hertz = hertz_from_load(
+      gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, flat}), combine(steel, steel), load);
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
     const WheelRailSolution s = solution_of(level, flat, 0);
     ASSERT_EQ(s.fields.size(), 1u);
@@ -67,22 +66,20 @@ TEST(WheelRailStress, IsHertzsBelowTheMiddleOfACircle) {
 }
 
 TEST(WheelRailStress, IsThatOfThePlainContactWithTheSameEllipse) {
-  const HertzContact hertz =
-      hertz_from_load(gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, radius}),
-                      combine(steel, steel), load);
+  const HertzContact hertz = hertz_from_load(
+      gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, radius}), combine(steel, steel), load);
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
     const WheelRailSolution s = solution_of(level, radius, 1e-3);
     ASSERT_EQ(s.fields.size(), 1u);
-    const ContactSolution plain =
-        EllipticContactSolver({.mx = 32, .my = 32})
-            .solve({.a = hertz.a,
-                    .b = hertz.b,
-                    .shear_modulus = steel.shear_modulus,
-                    .poisson_ratio = steel.poisson_ratio,
-                    .normal_force = load,
-                    .friction = FrictionLaw::coulomb(friction),
-                    .creepage = s.patches[0].creepage,
-                    .rolling_speed = 2});
+    const ContactSolution plain = EllipticContactSolver({.mx = 32, .my = 32})
+                                      .solve({.a = hertz.a,
+                                              .b = hertz.b,
+                                              .shear_modulus = steel.shear_modulus,
+                                              .poisson_ratio = steel.poisson_ratio,
+                                              .normal_force = load,
+                                              .friction = FrictionLaw::coulomb(friction),
+                                              .creepage = s.patches[0].creepage,
+                                              .rolling_speed = 2});
     const InteriorGrid points{{-0.7 * hertz.a, 0, 0.8 * hertz.a}, {0, 0.4 * hertz.b}, {0.4 * hertz.a, -0.8 * hertz.a}};
     const auto there = interior_states(steel, steel, plain, points),
                here = interior_states(steel, steel, s.fields[0], points);

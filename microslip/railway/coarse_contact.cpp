@@ -299,6 +299,7 @@ WheelRailPatch CoarseContact::describe(const PatchOutline& outline, double least
   out.rail_y = bodies_.rail.at(frame.rail_s).value.y, out.wheel_y = on_wheel.y;
   out.rolling_radius = placement_.radius - on_wheel.z;
   out.turn = outline.turn;
+  out.friction = friction(frame.angle);
   out.approach = -least_gap;
   out.rolling_speed = speed;
   const PatchSurface surface = this->surface();

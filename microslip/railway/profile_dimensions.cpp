@@ -81,6 +81,21 @@ std::optional<double> y_at_height(const Profile& profile, double height, double 
   return {};
 }
 
+/// The largest inclination of the curve between two s [rad], by some points of each piece.
+double steepest(const Profile& profile, double first, double last) {
+  constexpr int points = 8;
+  double most = 0;
+  for (std::size_t k = profile.piece_at(first); k <= profile.piece_at(last); ++k)
+    for (int i = 0; i <= points; ++i) {
+      const ProfilePiece& piece = profile.pieces()[k];
+      const double s = piece.start + piece.length * i / points;
+      if (s < first || s > last) continue;
+      const ProfilePoint along = piece.at(s).first;
+      most = std::max(most, std::atan2(along.z, along.y));
+    }
+  return most;
+}
+
 } // namespace
 
 std::vector<double> crossings(const Profile& profile, Coordinate coordinate, double value) {
@@ -126,6 +141,7 @@ WheelDimensions wheel_dimensions(const Profile& wheel, double tape_line) {
   if (tread == at_tape.end()) return dimensions;
   const double tread_z = wheel.at(*tread).value.z;
   dimensions.flange_height = tread_z - tip_z;
+  dimensions.flange_angle = steepest(wheel, tip, *tread);
   const auto front = y_at_height(wheel, tread_z - below_tape, tip);
   if (!front || tread_z - below_tape < tip_z) return dimensions;
   dimensions.flange_thickness = *front - (tape_line - tape_to_back);

@@ -3,7 +3,10 @@
 #include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
+#include "microslip/railway/derailment.hpp"
 #include "microslip/railway/exact_contact.hpp"
+#include "microslip/railway/patch_damage.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +32,9 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   }
   require_count("elements", method.elements, 6, 1000);
   require_between("tolerance", method.tolerance, "-", 1e-12, 1e-2);
+  const auto& [hardness, shear_yield_strength, wear_map] = bodies.strength;
+  if (hardness) require_positive("hardness", *hardness, "Pa");
+  if (shear_yield_strength) require_positive("shear_yield_strength", *shear_yield_strength, "Pa");
 }
 
 /// All numbers of a state added up: not finite if one of them is not.
@@ -98,6 +104,7 @@ struct WheelRail::Workspace {
   WheelRailBodies bodies;
   WheelRailMethod method;
   CoarseContact coarse{bodies, method};
+  std::optional<double> flange_angle = wheel_dimensions(bodies.wheel, default_tape_line(bodies.wheel)).flange_angle;
   WheelRailSolution trial{};
 
   /// Forces in the place of the state, beside the solution in it; after a solve in the same place velocities alone need
@@ -159,6 +166,7 @@ struct WheelRail::Workspace {
     out.force = out.moment = {};
     out.residual = 0, out.iterations = 0, out.at_profile_end = false;
     out.vertical = state.vertical;
+    out.y_over_q.reset(), out.nadal_limit.reset();
     if (!std::isfinite(checksum(state)) || (vertical_force && !(*vertical_force > 0 && *vertical_force < 1e12))) {
       out.status = Status::invalid_input;
       return;
@@ -170,7 +178,18 @@ struct WheelRail::Workspace {
       solve_exact(coarse, state, bodies, method, vertical_force, out);
     else if (method.fields)
       coarse.add_fields(out);
+    assess(out);
     if (right) mirror(out);
+  }
+
+  /// What the forces of a left wheel do to the surfaces and to its guidance.
+  void assess(WheelRailSolution& out) const {
+    for (std::size_t k = 0; k < out.patches.size(); ++k) {
+      const ContactSolution* fields = k < out.fields.size() ? &out.fields[k] : nullptr;
+      out.patches[k].damage = patch_damage(bodies.strength, out.patches[k], fields);
+    }
+    if (out.force.z > 0) out.y_over_q = -out.force.y / out.force.z;
+    if (flange_angle) out.nadal_limit = nadal_limit(*flange_angle, coarse.friction(*flange_angle));
   }
 };
 

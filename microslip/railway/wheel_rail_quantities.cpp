@@ -1,6 +1,12 @@
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
+#include "microslip/damage/fatigue.hpp"
+#include "microslip/damage/wear.hpp"
+#include "microslip/railway/derailment.hpp"
+#include "microslip/railway/patch_damage.hpp"
+
 #include <cmath>
+#include <limits>
 
 namespace microslip {
 namespace {
@@ -66,10 +72,18 @@ constexpr StateQuantity all_state_quantities[] = {
      [](State s) -> double& { return s.rail.roll_velocity; }},
 };
 
-template <class Value> double sum_over_patches(Solution solution, const Value& value) {
+double number(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+double sum_over_patches(Solution solution, double (*value)(Patch)) {
   double sum = 0;
   for (const WheelRailPatch& patch : solution.patches) sum += value(patch);
   return sum;
+}
+
+double worn_mass(Patch p) {
+  return wear_rate_r8t(t_gamma(p) / p.contact_area) * p.contact_area;
 }
 
 constexpr WheelQuantity all_wheel_quantities[] = {
@@ -93,6 +107,17 @@ constexpr WheelQuantity all_wheel_quantities[] = {
      [](Solution s) { return static_cast<double>(s.iterations); }},
     {"patch_count", "-", "number of patches in contact",
      [](Solution s) { return static_cast<double>(s.patches.size()); }},
+    {"y_over_q", "-", "Y/Q: force on the wheel towards the track's centre over the vertical one",
+     [](Solution s) { return number(s.y_over_q); }},
+    {"nadal_limit", "-", "Nadal's limit of Y/Q at the flange's steepest place",
+     [](Solution s) { return number(s.nadal_limit); }},
+    {"worn_mass_r8t", "kg/m", "wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches",
+     [](Solution s) { return sum_over_patches(s, worn_mass); }},
+    {"worn_area", "m^2", "Archard's wear: cross-section that a passage wears off, or volume per metre; all patches",
+     [](Solution s) {
+       if (s.patches.empty()) return number({}); // whether a hardness is given is not known
+       return sum_over_patches(s, [](Patch p) { return number(p.damage.worn_area); });
+     }},
 };
 
 constexpr PatchQuantity all_patch_quantities[] = {
@@ -123,6 +148,40 @@ constexpr PatchQuantity all_patch_quantities[] = {
     {"frictional_power", "W", "power lost to friction", [](Patch p) { return p.frictional_power; }},
     {"t_gamma", "N", "|Fx xi| + |Fy eta|", t_gamma},
     {"t_gamma_with_spin", "N", "|Fx xi| + |Fy eta| + |Mz phi|", t_gamma_with_spin},
+    {"friction", "-", "friction coefficient at the patch's inclination", [](Patch p) { return p.friction; }},
+    {"traction_coefficient", "-", "sqrt(Fx^2 + Fy^2)/Fn", traction_coefficient},
+    {"t_gamma_per_area", "N/m^2", "T-gamma over the area of the contact",
+     [](Patch p) { return t_gamma(p) / p.contact_area; }},
+    {"worn_mass_r8t", "kg/m", "wear of wheel steel R8T by T-gamma per area, per metre rolled", worn_mass},
+    {"worn_area", "m^2", "Archard's wear: cross-section that a passage wears off, or volume per metre",
+     [](Patch p) { return number(p.damage.worn_area); }},
+    {"wear_depth", "m", "Archard's wear: largest depth of a passage",
+     [](Patch p) { return number(p.damage.wear_depth); }},
+    {"fatigue_index", "-", "surface fatigue index: traction coefficient less k over the largest pressure",
+     [](Patch p) { return number(p.damage.fatigue_index); }},
+    {"shakedown_load", "-", "largest pressure over the yield strength in shear: place on the shakedown map",
+     [](Patch p) { return number(p.damage.shakedown_load); }},
+    {"shakedown_limit", "-", "limit of that load at the traction coefficient, of a point contact",
+     [](Patch p) { return point_shakedown_limit(traction_coefficient(p)); }},
+    {"nadal_limit", "-", "Nadal's limit of Y/Q at the patch's contact angle",
+     [](Patch p) { return nadal_limit(std::abs(p.angle), p.friction); }},
+};
+
+using Strength = const SurfaceStrength&;
+using Values = std::vector<double>;
+
+constexpr DamageField all_damage_fields[] = {
+    {"friction_work", "N/m^2", "T-gamma per area: work of friction per metre rolled",
+     [](const ContactSolution& s, Patch, Strength) { return friction_work(s); }},
+    {"wear_depth", "m", "Archard's wear: depth that a passage of the element wears off",
+     [](const ContactSolution& s, Patch p, Strength strength) {
+       if (!strength.hardness) return Values();
+       return wear_depth(s, {*strength.hardness, strength.wear_map}, p.rolling_speed);
+     }},
+    {"shear_excess", "Pa", "traction less the yield strength in shear",
+     [](const ContactSolution& s, Patch, Strength strength) {
+       return strength.shear_yield_strength ? shear_excess(s, *strength.shear_yield_strength) : Values();
+     }},
 };
 
 } // namespace
@@ -136,12 +195,15 @@ std::span<const WheelQuantity> wheel_quantities() {
 std::span<const PatchQuantity> patch_quantities() {
   return all_patch_quantities;
 }
+std::span<const DamageField> damage_fields() {
+  return all_damage_fields;
+}
 
 double t_gamma(const WheelRailPatch& patch) {
-  return std::abs(patch.fx * patch.creepage.longitudinal) + std::abs(patch.fs * patch.creepage.lateral);
+  return t_gamma(patch.fx, patch.fs, patch.creepage);
 }
 double t_gamma_with_spin(const WheelRailPatch& patch) {
-  return t_gamma(patch) + std::abs(patch.moment * patch.creepage.spin);
+  return t_gamma_with_spin(patch.fx, patch.fs, patch.moment, patch.creepage);
 }
 
 } // namespace microslip

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "microslip/damage/surface_strength.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_state.hpp"
 
+#include <cmath>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace microslip {
 
@@ -22,21 +25,35 @@ struct StateQuantity {
 };
 
 /// A number of a solution for the wheel, or for one of its patches. Printed tables, JSON, HDF5 and Python read it from
-/// here.
+/// here. It is NaN where what it needs is not given, as a hardness, or not there, as a flange; tables and files leave
+/// out what no wheel or patch has.
 template <class Of> struct RailwayQuantity {
   std::string_view name, unit, description;
   double (*value)(const Of& of);
+
+  template <class Values> bool is_given(const Values& values) const {
+    for (const Of& of : values)
+      if (!std::isnan(value(of))) return true;
+    return false;
+  }
 };
 using WheelQuantity = RailwayQuantity<WheelRailSolution>;
 using PatchQuantity = RailwayQuantity<WheelRailPatch>;
+
+/// A field of damage on a patch: a value for each element, none where a strength is not given.
+struct DamageField {
+  std::string_view name, unit, description;
+  std::vector<double> (*values)(const ContactSolution& fields, const WheelRailPatch& patch,
+                                const SurfaceStrength& strength);
+};
 
 /// All of them in the order in which they are shown.
 std::span<const StateQuantity> state_quantities();
 std::span<const WheelQuantity> wheel_quantities();
 std::span<const PatchQuantity> patch_quantities();
+std::span<const DamageField> damage_fields();
 
-/// T-gamma of a patch, |Fx xi| + |Fy eta| [N, or J per metre rolled]: what wear indices of wheels and rails are
-/// functions of (McEwen & Harvey, Full-scale wheel-on-rail wear testing, 1985). With the spin |Mz phi| is added.
+/// T-gamma of a patch (damage/wear.hpp).
 double t_gamma(const WheelRailPatch& patch);
 double t_gamma_with_spin(const WheelRailPatch& patch);
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/damage/surface_strength.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/railway/patch_surface.hpp"
 #include "microslip/railway/profile.hpp"
 #include "microslip/railway/track.hpp"
 #include "microslip/railway/wheelset.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace microslip {
@@ -28,6 +30,7 @@ struct WheelRailBodies {
   TrackSide side = TrackSide::left;
   CombinedMaterial material{};
   std::vector<InclinedFriction> friction; ///< at least one
+  SurfaceStrength strength = {};          ///< for wear and fatigue only
 };
 
 /// How it is solved.
@@ -41,6 +44,14 @@ struct WheelRailMethod {
   int elements = 24;       ///< exact: across each contact
   double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
   bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
+};
+
+/// What a patch does to the surfaces; empty where a number of their strength is not given.
+struct PatchDamage {
+  std::optional<double> worn_area;      ///< cross-section that a passage wears off [m^2], or volume per metre [m^3/m]
+  std::optional<double> wear_depth;     ///< the largest depth of it [m]
+  std::optional<double> fatigue_index;  ///< surface fatigue index [-]
+  std::optional<double> shakedown_load; ///< p0/k, its place on the shakedown map [-]
 };
 
 /// A patch in contact, in track axes; forces on the wheel.
@@ -58,6 +69,8 @@ struct WheelRailPatch {
   double contact_area = 0, slip_area = 0;  ///< [m^2]
   double peak_pressure = 0;                ///< [Pa]
   double frictional_power = 0;             ///< [W]
+  double friction = 0;                     ///< mu at its inclination [-]
+  PatchDamage damage;
   Status status = Status::ok;
 };
 
@@ -69,6 +82,8 @@ struct WheelRailSolution {
   std::vector<ContactSolution> fields; ///< of each patch, in its frame, where the method has them
   double residual = 0;                 ///< of the vertical force, relative
   int iterations = 0;                  ///< over the wheel's height
+  std::optional<double> y_over_q;      ///< Y/Q [-]: force towards the track's centre over the vertical one
+  std::optional<double> nadal_limit;   ///< of it, where the flange is steepest [-]; empty without a flange
   bool at_profile_end = false;         ///< a patch ends where a profile ends: its forces are too small
   Status status = Status::ok;
 };

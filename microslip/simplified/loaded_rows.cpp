@@ -250,8 +250,8 @@ struct LoadedRowSolver::Workspace {
       }
       for (int i = 0; i < cells; ++i) {
         const std::size_t k = first + i;
-        const double share = half_disk(2 * (i + 1.0) / cells - 1) - half_disk(2.0 * i / cells - 1);
-        f.pressure[k] = row.load * share / out.elements.area[k];
+        const double part = half_disk(2 * (i + 1.0) / cells - 1) - half_disk(2.0 * i / cells - 1);
+        f.pressure[k] = row.load * part / out.elements.area[k];
         work -= (f.traction.x[k] * f.slip.x[k] + f.traction.y[k] * f.slip.y[k]) * out.elements.area[k];
       }
       const Creepage& w = row.creepage;

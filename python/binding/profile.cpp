@@ -42,7 +42,8 @@ template <>
 inline constexpr auto fields<WheelDimensions> =
     std::tuple{Field{"tape_line", &WheelDimensions::tape_line}, Field{"flange_height", &WheelDimensions::flange_height},
                Field{"flange_thickness", &WheelDimensions::flange_thickness},
-               Field{"flange_gradient", &WheelDimensions::flange_gradient}};
+               Field{"flange_gradient", &WheelDimensions::flange_gradient},
+               Field{"flange_angle", &WheelDimensions::flange_angle}};
 template <>
 inline constexpr auto fields<GaugePoint> =
     std::tuple{Field{"point", &GaugePoint::point}, Field{"s", &GaugePoint::s}, Field{"top", &GaugePoint::top},
@@ -201,8 +202,10 @@ void bind_dimensions(py::module_& module) {
       .def_readonly("flange_thickness", &WheelDimensions::flange_thickness,
                     "Sd [m], from the back, at 10 mm from the tape line towards the tip.")
       .def_readonly("flange_gradient", &WheelDimensions::flange_gradient,
-                    "qR [m], width from there to the flank 2 mm short of the tip.");
-  add_value(wheel, {"tape_line", "flange_height", "flange_thickness", "flange_gradient"});
+                    "qR [m], width from there to the flank 2 mm short of the tip.")
+      .def_readonly("flange_angle", &WheelDimensions::flange_angle,
+                    "Largest inclination of the flank between tip and tape line [rad].");
+  add_value(wheel, {"tape_line", "flange_height", "flange_thickness", "flange_gradient", "flange_angle"});
   auto gauge = py::class_<GaugePoint>(module, "GaugePoint", "Where a rail's gauge is measured.");
   gauge
       .def_property_readonly(

@@ -1,0 +1,18 @@
+#include "io/interior_section.hpp"
+
+#include "microslip/contact/limits.hpp"
+#include "microslip/error.hpp"
+
+namespace microslip {
+
+InteriorGrid read_interior(const TomlSection& interior, std::size_t solutions) {
+  interior.allow({"x", "y", "z"});
+  InteriorGrid points{interior.numbers("x", "m"), interior.numbers("y", "m"), interior.numbers("z", "m")};
+  interior.at("z", [&] {
+    if (points.x.size() * points.y.size() > most_interior_points / points.z.size() / solutions)
+      throw Error("[interior]: more than two million points");
+  });
+  return points;
+}
+
+} // namespace microslip
