@@ -13,8 +13,7 @@ void write_interior(ResultWriter& file, const std::string& group, const Interior
   const auto field = [&](const char* name, const char* unit, const char* what, const auto& value) {
     std::vector<double> values;
     for (const InteriorState& state : states) values.push_back(value(state));
-    file.array(group + name, values, unit, what,
-               {points.z.size(), points.y.size(), points.x.size()});
+    file.array(group + name, values, unit, what, {points.z.size(), points.y.size(), points.x.size()});
   };
   using State = const InteriorState&;
   field("ux", "m", "displacement of the point's body", [](State s) { return s.ux; });

@@ -225,7 +225,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
   WheelRailResult result;
   WheelRailMethod method = input.method;
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
-  method.fields = has_points || is_single || input.strength.hardness;
+  method.fields = has_points || is_single;
   WheelRail solver(bodies_of(input), method);
   for (const auto& [state, force] : input.states) {
     go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
@@ -233,7 +233,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
     for (const ContactSolution& fields : solution.fields)
       if (has_points)
         result.interior.push_back(interior_states(input.material, input.material, fields, input.interior));
-    // Of a sweep at the level fastsim2 they were needed for wear and stresses only.
+    // Of a sweep at the level fastsim2 they were needed for stresses only.
     if (!is_single && method.level == WheelRailLevel::fastsim2) solution.fields.clear();
   }
   go_on(progress, 1);

@@ -299,7 +299,8 @@ def wheel_rail(draw):
         wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel, **draw.some(
             side=lambda: draw.word("left", "right"), theory=lambda: draw.word("fastsim2", "exact"),
             shape=lambda: draw.word("flat", "curved"), grid=lambda: draw.count(6, 12), friction=lambda: draw.number(0, 0.6),
-            tolerance=lambda: draw.scale(1e-8, 1e-3)))
+            tolerance=lambda: draw.scale(1e-8, 1e-3), fields=lambda: draw.random() < 0.5,
+            strength=lambda: microslip.SurfaceStrength(hardness=draw.scale(1e8, 1e10), shear_yield_strength=draw.scale(1e7, 1e9))))
     state = {"vertical_force": draw.scale(100, 2e5), "forward_velocity": draw.number(-80, 80)}
     state.update(draw.some(lateral=lambda: draw.number(-0.015, 0.015), yaw=lambda: draw.number(-0.05, 0.05),
                            roll=lambda: draw.number(-0.02, 0.02), pitch_velocity=lambda: draw.number(-200, 200),

@@ -24,8 +24,7 @@ std::vector<double> friction_work(const ContactSolution& solution) {
   const SurfaceFields& f = solution.fields;
   std::vector<double> work(solution.elements.size());
   for (std::size_t k = 0; k < work.size(); ++k)
-    if (f.state[k] != CellState::exterior)
-      work[k] = -(f.traction.x[k] * f.slip.x[k] + f.traction.y[k] * f.slip.y[k]);
+    if (f.state[k] != CellState::exterior) work[k] = -(f.traction.x[k] * f.slip.x[k] + f.traction.y[k] * f.slip.y[k]);
   return work;
 }
 

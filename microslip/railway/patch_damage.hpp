@@ -5,8 +5,7 @@
 
 namespace microslip {
 
-/// What a patch does to the surfaces, as far as their strength is known. Wear needs the patch's fields, too: at the level
-/// fastsim2 they must be asked for.
+/// What a patch does to the surfaces, as far as their strength is known. Wear needs the patch's fields, too.
 PatchDamage patch_damage(const SurfaceStrength& strength, const WheelRailPatch& patch, const ContactSolution* fields);
 
 /// sqrt(Fx^2 + Fy^2)/Fn of a patch [-].

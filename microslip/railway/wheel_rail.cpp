@@ -176,9 +176,10 @@ struct WheelRail::Workspace {
     coarse.sum(out);
     if (method.level == WheelRailLevel::exact)
       solve_exact(coarse, state, bodies, method, vertical_force, out);
-    else if (method.fields)
+    else if (method.fields || bodies.strength.hardness)
       coarse.add_fields(out);
     assess(out);
+    if (method.level != WheelRailLevel::exact && !method.fields) out.fields.clear();
     if (right) mirror(out);
   }
 

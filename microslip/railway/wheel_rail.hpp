@@ -43,7 +43,7 @@ public:
   /// The forces in a state. `vertical_force` [N] > 0 is F_z on the wheel, its height then an unknown; without it the
   /// state's is taken. No contact, a force that no height gives, and not converging are statuses; NaN in the state
   /// gives invalid_input. At the level `fastsim2` it allocates nothing once `solution` has had its size,
-  /// unless fields are asked for.
+  /// unless fields are asked for, or wear, which needs them: with a hardness.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution);
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 

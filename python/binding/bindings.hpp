@@ -11,6 +11,7 @@ void bind_contact(pybind11::module_& module);
 void bind_grid(pybind11::module_& module);
 void bind_interior(pybind11::module_& module);
 void bind_solution(pybind11::module_& module);
+void bind_damage(pybind11::module_& module);
 void bind_simplified(pybind11::module_& module);
 void bind_grid_problems(pybind11::module_& module);
 void bind_exact(pybind11::module_& module);

@@ -47,6 +47,7 @@ PYBIND11_MODULE(_core, module) {
   bind_grid(module);
   bind_interior(module);
   bind_solution(module);
+  bind_damage(module);
   bind_simplified(module);
   bind_grid_problems(module);
   bind_exact(module);

@@ -1,6 +1,7 @@
 #include "binding/arrays.hpp"
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
+#include "binding/damage.hpp"
 #include "binding/long_work.hpp"
 #include "binding/profile.hpp"
 #include "binding/value.hpp"
@@ -31,6 +32,11 @@ template <>
 inline constexpr auto fields<Vec3<double>> =
     std::tuple{Field{"x", &Vec3<double>::x}, Field{"y", &Vec3<double>::y}, Field{"z", &Vec3<double>::z}};
 template <>
+inline constexpr auto fields<PatchDamage> =
+    std::tuple{Field{"worn_area", &PatchDamage::worn_area}, Field{"wear_depth", &PatchDamage::wear_depth},
+               Field{"fatigue_index", &PatchDamage::fatigue_index},
+               Field{"shakedown_load", &PatchDamage::shakedown_load}};
+template <>
 inline constexpr auto fields<WheelRailPatch> = std::tuple{Field{"place", &WheelRailPatch::place},
                                                           Field{"angle", &WheelRailPatch::angle},
                                                           Field{"rail_y", &WheelRailPatch::rail_y},
@@ -48,6 +54,8 @@ inline constexpr auto fields<WheelRailPatch> = std::tuple{Field{"place", &WheelR
                                                           Field{"slip_area", &WheelRailPatch::slip_area},
                                                           Field{"peak_pressure", &WheelRailPatch::peak_pressure},
                                                           Field{"frictional_power", &WheelRailPatch::frictional_power},
+                                                          Field{"friction", &WheelRailPatch::friction},
+                                                          Field{"damage", &WheelRailPatch::damage},
                                                           Field{"status", &WheelRailPatch::status}};
 template <>
 inline constexpr auto fields<WheelRailSolution> = std::tuple{
@@ -55,6 +63,7 @@ inline constexpr auto fields<WheelRailSolution> = std::tuple{
     Field{"vertical", &WheelRailSolution::vertical},     Field{"patches", &WheelRailSolution::patches},
     Field{"fields", &WheelRailSolution::fields},         Field{"residual", &WheelRailSolution::residual},
     Field{"iterations", &WheelRailSolution::iterations}, Field{"at_profile_end", &WheelRailSolution::at_profile_end},
+    Field{"y_over_q", &WheelRailSolution::y_over_q},     Field{"nadal_limit", &WheelRailSolution::nadal_limit},
     Field{"status", &WheelRailSolution::status}};
 
 namespace {
@@ -99,18 +108,20 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                                                  const ProfileValue& wheel, const std::string& side,
                                                  const Material& material, const py::object& friction,
                                                  const std::string& theory, const std::string& shape, int grid,
-                                                 double tolerance) {
+                                                 double tolerance, const SurfaceStrength& strength, bool fields) {
   WheelRailBodies bodies{.rail = rail.profile(),
                          .wheel = wheel.profile(),
                          .track = track,
                          .wheelset = wheelset,
                          .side = from_word<TrackSide>("side", side),
                          .material = combine(material, material),
-                         .friction = friction_from(friction)};
+                         .friction = friction_from(friction),
+                         .strength = strength};
   const WheelRailMethod method{.level = from_word<WheelRailLevel>("theory", theory),
                                .shape = from_word<PatchShape>("shape", shape),
                                .elements = grid,
-                               .tolerance = tolerance};
+                               .tolerance = tolerance,
+                               .fields = fields};
   return std::make_unique<PythonWheelRail>(std::move(bodies), method);
 }
 
@@ -304,7 +315,8 @@ void bind_wheel_solution(py::module_& module) {
       .def_readonly("patches", &WheelRailSolution::patches,
                     "The patches as WheelRailPatch, from the gauge to the field side of a left wheel.")
       .def_readonly("fields", &WheelRailSolution::fields,
-                    "With theory \"exact\" the ContactSolution of each patch, in its frame; else empty.")
+                    "The ContactSolution of each patch, in its frame, with theory \"exact\" or where fields are asked\n"
+                    "for; else empty.")
       .def_readonly("at_profile_end", &WheelRailSolution::at_profile_end,
                     "Whether a patch ends where a profile ends: its forces are too small.")
       .def_readonly("status", &WheelRailSolution::status, "How the calculation ended.")
@@ -365,12 +377,14 @@ void bind_wheel_rail(py::module_& module) {
                               "from many threads, one call at a time.")
       .def(py::init(&make_wheel_rail), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a, "side"_a = "left",
            "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
-           "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6,
+           "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
+           "fields"_a = false,
            "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
            "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
            "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
-           "elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force. Error for\n"
-           "values out of range and profiles that do not fit the track or the wheelset.")
+           "elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force; the\n"
+           "SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields. Error for values out of\n"
+           "range and profiles that do not fit the track or the wheelset.")
       .def("solve", &solve, state_text().c_str())
       .def("solve_batch", &solve_batch, "threads"_a = 0,
            "The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on\n"

@@ -1336,6 +1336,23 @@ class SurfaceFields:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class SurfaceStrength:
+    """What surfaces bear before they wear or yield; None: not known."""
+    def __init__(self, *, hardness: float | None = None, shear_yield_strength: float | None = None, wear_map: WearMap = WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)) -> None:
+        """Hardness H [Pa] of the surface that wears, yield strength k [Pa] in shear of the work-hardened surface,
+        and the WearMap. Values are checked where they are used."""
+    @property
+    def hardness(self) -> float | None:
+        """H [Pa], or None."""
+    @property
+    def shear_yield_strength(self) -> float | None:
+        """k [Pa], or None."""
+    @property
+    def wear_map(self) -> WearMap:
+        """The WearMap."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class TangentialProblem:
     """The tangential contact problem of the exact theory on a grid of elements with constant
     tractions, classical discretisation, elastically similar bodies: shifts, steps of transient
@@ -1459,6 +1476,36 @@ class Track:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class WearMap:
+    """Wear coefficients of Archard's law over sliding speed and pressure, by default the middles of the ranges that
+    KTH measured for dry wheel and rail steels (Jendel 2002)."""
+    def __init__(self, *, slow: float = 0.00055, medium: float = 0.0035, fast: float = 0.00055, seizure: float = 0.035, medium_from: float = 0.2, medium_to: float = 0.7, seizure_above: float = 0.8) -> None:
+        """k [-] below the sliding speed medium_from [m/s], up to medium_to [m/s], beyond, and where the pressure is
+        above seizure_above [-] times the hardness."""
+    @property
+    def slow(self) -> float:
+        """k below medium_from [-]: mild."""
+    @property
+    def medium(self) -> float:
+        """k from medium_from to medium_to [-]: severe."""
+    @property
+    def fast(self) -> float:
+        """k beyond medium_to [-]."""
+    @property
+    def seizure(self) -> float:
+        """k at high pressure [-]."""
+    @property
+    def medium_from(self) -> float:
+        """Sliding speed [m/s]."""
+    @property
+    def medium_to(self) -> float:
+        """Sliding speed [m/s]."""
+    @property
+    def seizure_above(self) -> float:
+        """Pressure over hardness [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class WheelDimensions:
     """A flange's dimensions by EN 15313; None where the profile does not reach."""
     @property
@@ -1473,17 +1520,21 @@ class WheelDimensions:
     @property
     def flange_gradient(self) -> float | None:
         """qR [m], width from there to the flank 2 mm short of the tip."""
+    @property
+    def flange_angle(self) -> float | None:
+        """Largest inclination of the flank between tip and tape line [rad]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class WheelRail:
     """A wheel on a rail by their profiles: finds the patches and solves them. May be used from many threads, one call at a time."""
-    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved"] = 'flat', grid: int = 24, tolerance: float = 1e-06) -> None:
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved"] = 'flat', grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False) -> None:
         """The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both
         bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays
         (angles [rad], coefficients) of surfaces that rise to the field side; theory "exact" with grid
-        elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force. Error for
-        values out of range and profiles that do not fit the track or the wheelset."""
+        elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force; the
+        SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields. Error for values out of
+        range and profiles that do not fit the track or the wheelset."""
     def solve(self, **kwargs) -> WheelRailSolution:
         """The WheelRailSolution in a state, given by keywords, 0 where they are left out:
             lateral [m]: position of the wheelset's centre, to the left positive
@@ -1564,6 +1615,18 @@ class WheelRailArrays:
     def patch_count(self) -> NDArray[numpy.float64]:
         """Number of patches in contact, shape (...) [-]."""
     @property
+    def y_over_q(self) -> NDArray[numpy.float64]:
+        """Y/Q: force on the wheel towards the track's centre over the vertical one, shape (...) [-]."""
+    @property
+    def nadal_limit(self) -> NDArray[numpy.float64]:
+        """Nadal's limit of Y/Q at the flange's steepest place, shape (...) [-]."""
+    @property
+    def worn_mass_r8t(self) -> NDArray[numpy.float64]:
+        """Wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches, shape (...) [kg/m]."""
+    @property
+    def worn_area(self) -> NDArray[numpy.float64]:
+        """Archard's wear: cross-section that a passage wears off, or volume per metre; all patches, shape (...) [m^2]."""
+    @property
     def patch_place_x(self) -> NDArray[numpy.float64]:
         """Of each patch: origin of the patch's frame on the rail, along the track, shape (..., k) [m]."""
     @property
@@ -1632,6 +1695,36 @@ class WheelRailArrays:
     @property
     def patch_t_gamma_with_spin(self) -> NDArray[numpy.float64]:
         """Of each patch: |Fx xi| + |Fy eta| + |Mz phi|, shape (..., k) [N]."""
+    @property
+    def patch_friction(self) -> NDArray[numpy.float64]:
+        """Of each patch: friction coefficient at the patch's inclination, shape (..., k) [-]."""
+    @property
+    def patch_traction_coefficient(self) -> NDArray[numpy.float64]:
+        """Of each patch: sqrt(Fx^2 + Fy^2)/Fn, shape (..., k) [-]."""
+    @property
+    def patch_t_gamma_per_area(self) -> NDArray[numpy.float64]:
+        """Of each patch: T-gamma over the area of the contact, shape (..., k) [N/m^2]."""
+    @property
+    def patch_worn_mass_r8t(self) -> NDArray[numpy.float64]:
+        """Of each patch: wear of wheel steel R8T by T-gamma per area, per metre rolled, shape (..., k) [kg/m]."""
+    @property
+    def patch_worn_area(self) -> NDArray[numpy.float64]:
+        """Of each patch: Archard's wear: cross-section that a passage wears off, or volume per metre, shape (..., k) [m^2]."""
+    @property
+    def patch_wear_depth(self) -> NDArray[numpy.float64]:
+        """Of each patch: Archard's wear: largest depth of a passage, shape (..., k) [m]."""
+    @property
+    def patch_fatigue_index(self) -> NDArray[numpy.float64]:
+        """Of each patch: surface fatigue index: traction coefficient less k over the largest pressure, shape (..., k) [-]."""
+    @property
+    def patch_shakedown_load(self) -> NDArray[numpy.float64]:
+        """Of each patch: largest pressure over the yield strength in shear: place on the shakedown map, shape (..., k) [-]."""
+    @property
+    def patch_shakedown_limit(self) -> NDArray[numpy.float64]:
+        """Of each patch: limit of that load at the traction coefficient, of a point contact, shape (..., k) [-]."""
+    @property
+    def patch_nadal_limit(self) -> NDArray[numpy.float64]:
+        """Of each patch: Nadal's limit of Y/Q at the patch's contact angle, shape (..., k) [-]."""
     @property
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
@@ -1711,6 +1804,36 @@ class WheelRailPatch:
     def t_gamma_with_spin(self) -> float:
         """|Fx xi| + |Fy eta| + |Mz phi| [N]."""
     @property
+    def friction(self) -> float:
+        """Friction coefficient at the patch's inclination [-]."""
+    @property
+    def traction_coefficient(self) -> float:
+        """Sqrt(Fx^2 + Fy^2)/Fn [-]."""
+    @property
+    def t_gamma_per_area(self) -> float:
+        """T-gamma over the area of the contact [N/m^2]."""
+    @property
+    def worn_mass_r8t(self) -> float:
+        """Wear of wheel steel R8T by T-gamma per area, per metre rolled [kg/m]."""
+    @property
+    def worn_area(self) -> float:
+        """Archard's wear: cross-section that a passage wears off, or volume per metre [m^2]."""
+    @property
+    def wear_depth(self) -> float:
+        """Archard's wear: largest depth of a passage [m]."""
+    @property
+    def fatigue_index(self) -> float:
+        """Surface fatigue index: traction coefficient less k over the largest pressure [-]."""
+    @property
+    def shakedown_load(self) -> float:
+        """Largest pressure over the yield strength in shear: place on the shakedown map [-]."""
+    @property
+    def shakedown_limit(self) -> float:
+        """Limit of that load at the traction coefficient, of a point contact [-]."""
+    @property
+    def nadal_limit(self) -> float:
+        """Nadal's limit of Y/Q at the patch's contact angle [-]."""
+    @property
     def creepage(self) -> Creepage:
         """Creepages [-], [-] and spin [1/m], as one."""
     @property
@@ -1761,11 +1884,24 @@ class WheelRailSolution:
     def patch_count(self) -> float:
         """Number of patches in contact [-]."""
     @property
+    def y_over_q(self) -> float:
+        """Y/Q: force on the wheel towards the track's centre over the vertical one [-]."""
+    @property
+    def nadal_limit(self) -> float:
+        """Nadal's limit of Y/Q at the flange's steepest place [-]."""
+    @property
+    def worn_mass_r8t(self) -> float:
+        """Wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches [kg/m]."""
+    @property
+    def worn_area(self) -> float:
+        """Archard's wear: cross-section that a passage wears off, or volume per metre; all patches [m^2]."""
+    @property
     def patches(self) -> list[WheelRailPatch]:
         """The patches as WheelRailPatch, from the gauge to the field side of a left wheel."""
     @property
     def fields(self) -> list[ContactSolution]:
-        """With theory "exact" the ContactSolution of each patch, in its frame; else empty."""
+        """The ContactSolution of each patch, in its frame, with theory "exact" or where fields are asked
+        for; else empty."""
     @property
     def at_profile_end(self) -> bool:
         """Whether a patch ends where a profile ends: its forces are too small."""
@@ -1809,6 +1945,9 @@ def creepage_coefficients(a_over_b: float, poisson_ratio: float, coefficients: L
     (Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = .05 to 20). Beyond a table
     they tend to the limits of slender ellipses."""
 
+def friction_work(solution: ContactSolution) -> NDArray[numpy.float64]:
+    """T-gamma per area of each element, the work of friction per metre rolled [N/m^2], shape (my, mx)."""
+
 def gap_curvatures(rolling1: float, rolling2: float, transverse1: float, transverse2: float) -> GapCurvatures:
     """A = (1/rolling1 + 1/rolling2)/2, B = (1/transverse1 + 1/transverse2)/2 [1/m] from the radii [m]
     of bodies 1 and 2 in the plane of rolling and in the lateral plane: positive convex, negative
@@ -1835,8 +1974,18 @@ def line_contact_from_half_width(curvature: float, material: CombinedMaterial, h
 def line_contact_from_load(curvature: float, material: CombinedMaterial, force_per_length: float) -> LineContact:
     """a = sqrt(4 R fn/(pi E*)), R = 1/(2A), from the curvature A [1/m] and fn [N/m] (Johnson 1985, section 4.2c)."""
 
+def line_shakedown_limit(traction_coefficient: float) -> float:
+    """Largest pressure over the yield strength in shear [-] up to which a line contact shakes down, with the
+    traction coefficient [-]."""
+
+def nadal_limit(angle: float, friction: float) -> float:
+    """Nadal's limit of Y/Q [-] at the contact angle [rad] with friction [-]."""
+
 def parse_case(text: str, name: str = 'case') -> RollingCase:
     """The same from TOML text, SI units; `name` is the file's name for messages [-]."""
+
+def point_shakedown_limit(traction_coefficient: float) -> float:
+    """The same of a circular point contact [-]."""
 
 def read_case(path: str | os.PathLike[str]) -> RollingCase:
     """Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with
@@ -1856,9 +2005,15 @@ def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
     case that asks for something unsupported is refused with its reasons, and the others run. Error
     with file, line and field for what is against the grammar, when the case is reached."""
 
+def shear_excess(solution: ContactSolution, shear_yield_strength: float) -> NDArray[numpy.float64]:
+    """Traction of each element less the yield strength in shear [Pa], shape (my, mx)."""
+
 def solve_case(case: RollingCase) -> RollingContactResult:
     """Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI
     units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status."""
+
+def surface_fatigue_index(traction_coefficient: float, peak_pressure: float, shear_yield_strength: float) -> float:
+    """Traction coefficient [-] less shear_yield_strength [Pa] over peak_pressure [Pa] (Ekberg et al. 2002)."""
 
 def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, normal_force: float, friction: float, x: ArrayLike, y: ArrayLike) -> Any:
     """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside
@@ -1870,3 +2025,16 @@ def viscoelastic(body1: Material, creep1: MaterialCreep, body2: Material, creep2
     """Two standard linear solids that roll steadily, as Bodies: their Material of instantaneous
     deformation and MaterialCreep, the velocity V [m/s], positive along +x, negative with direction
     'backward', and an InterfaceLayer between them or none. Error for constants out of range."""
+
+def wear_depth(solution: ContactSolution, *, hardness: float, rolling_speed: float, wear_map: WearMap = WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)) -> NDArray[numpy.float64]:
+    """Depth [m] that each element of a contact wears off a surface that runs through it once, by Archard's law,
+    shape (my, mx); the sum over a row is what a passage leaves there. hardness [Pa], rolling_speed V [m/s]. Error
+    for a solution without pressures."""
+
+def wear_rate_r8t(t_gamma_per_area: float) -> float:
+    """Mass that wheel steel R8T loses per metre rolled and square metre of contact [kg/m^3] with T-gamma per
+    area [N/m^2] (Braghin et al. 2006)."""
+
+def worn_area_british_rail(t_gamma: float, diameter: float) -> float:
+    """Cross-section that a wheel of the diameter [m] loses per metre rolled [m], with T-gamma [N]
+    (Pearce & Sherratt 1991)."""
