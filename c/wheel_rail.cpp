@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -73,7 +74,19 @@ constexpr PatchNumber patch_numbers[] = {&microslip_wheel_patch::place_x,
                                          &microslip_wheel_patch::peak_pressure,
                                          &microslip_wheel_patch::frictional_power,
                                          &microslip_wheel_patch::t_gamma,
-                                         &microslip_wheel_patch::t_gamma_with_spin};
+                                         &microslip_wheel_patch::t_gamma_with_spin,
+                                         &microslip_wheel_patch::friction,
+                                         &microslip_wheel_patch::traction_coefficient,
+                                         &microslip_wheel_patch::t_gamma_per_area,
+                                         &microslip_wheel_patch::worn_mass_r8t,
+                                         &microslip_wheel_patch::worn_area,
+                                         &microslip_wheel_patch::wear_depth,
+                                         &microslip_wheel_patch::fatigue_index,
+                                         &microslip_wheel_patch::shakedown_load,
+                                         &microslip_wheel_patch::shakedown_limit,
+                                         &microslip_wheel_patch::nadal_limit};
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 WheelState<double> state_of(const microslip_wheel_state& given) noexcept {
   WheelState<double> state;
@@ -91,6 +104,8 @@ void store(const WheelRailSolution& from, microslip_wheel_forces& to) noexcept {
         .moment = {from.moment.x, from.moment.y, from.moment.z},
         .vertical = from.vertical,
         .residual = from.residual,
+        .y_over_q = from.y_over_q.value_or(not_given),
+        .nadal_limit = from.nadal_limit.value_or(not_given),
         .iterations = from.iterations,
         .at_profile_end = from.at_profile_end ? 1 : 0,
         .status = code_of(from.status),

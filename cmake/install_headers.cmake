@@ -4,7 +4,7 @@ set(public_headers
   microslip/*.hpp microslip/batch/*.hpp microslip/contact/*.hpp
   microslip/elasticity/hertz.hpp microslip/elasticity/interface_layer.hpp microslip/elasticity/material.hpp
   microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
-  microslip/friction/*.hpp microslip/interior/*.hpp microslip/railway/conicity.hpp microslip/railway/profile.hpp
+  microslip/damage/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp microslip/railway/conicity.hpp microslip/railway/derailment.hpp microslip/railway/profile.hpp
   microslip/railway/profile_dimensions.hpp microslip/railway/profile_preparation.hpp
   microslip/railway/profile_smoothing.hpp microslip/railway/wheel_rail.hpp
   microslip/railway/wheel_rail_quantities.hpp

@@ -80,8 +80,8 @@ TEST(Fatigue, ShakedownLimitOfAPointIsThatOfItsLargestOrthogonalShear) {
   for (double mu = 0; mu <= 0.4; mu += 0.05) {
     double largest = mu;
     for (std::size_t k = 0; k < by_pressure.size(); ++k)
-      largest = std::max({largest, std::abs(by_pressure[k] + mu * by_traction[k]),
-                          std::abs(by_pressure[k] - mu * by_traction[k])});
+      largest = std::max(
+          {largest, std::abs(by_pressure[k] + mu * by_traction[k]), std::abs(by_pressure[k] - mu * by_traction[k])});
     EXPECT_NEAR(point_shakedown_limit(mu) * largest, 1, 1e-3) << mu;
   }
   EXPECT_NEAR(point_shakedown_limit(0), 4.7, 0.05); // Ponter, Hearle & Johnson 1985

@@ -53,6 +53,23 @@ TEST(WheelRailCase, ReadsTheShortestCase) {
   EXPECT_TRUE(input.varied.empty());
 }
 
+TEST(WheelRailCase, ReadsStrengthsAndPointsInsideWhereTheyAreGiven) {
+  const WheelRailCase without = parse(wheel_rail_text);
+  EXPECT_FALSE(without.strength.hardness || without.strength.shear_yield_strength);
+  EXPECT_EQ(without.interior.count(), 0u);
+  const WheelRailCase with = parse_with("[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n"
+                                                      "[interior]\nx = [0]\ny = [0, 1e-3]\nz = [-2e-3]\n[friction]");
+  EXPECT_EQ(with.strength.hardness, 2.7e9);
+  EXPECT_EQ(with.strength.shear_yield_strength, 300e6);
+  EXPECT_EQ(bodies_of(with).strength.hardness, 2.7e9);
+  EXPECT_EQ(with.interior.y, (std::vector<double>{0, 1e-3}));
+  EXPECT_NE(message_with("[friction]", "hardness = 270\n[friction]").find("material.hardness = 270 [Pa]"),
+            std::string::npos);
+  EXPECT_NE(message_with("[friction]", "hardnes = 1e9\n[friction]").find("did you mean hardness?"), std::string::npos);
+  EXPECT_NE(message_with("[friction]", "[interior]\nx = [0]\ny = [nan]\nz = [0]\n[friction]").find("interior.y"),
+            std::string::npos);
+}
+
 TEST(WheelRailCase, ReadsEveryNumberOfTheStateInItsSection) {
   for (const StateQuantity& q : state_quantities()) {
     if (q.name == "vertical") continue; // in the place of the force

@@ -178,8 +178,7 @@ TEST(WheelRailDamage, YOverQIsNadalsWhereAWheelSlidesDown) {
 TEST(WheelRailDamage, NadalsLimitIsThatOfTheAngleOfFriction) {
   EXPECT_NEAR(nadal_limit(std::numbers::pi / 2, 0.25), 4, 1e-12);
   for (const double angle : {0.2, 0.8, 1.2})
-    for (const double mu : {0.0, 0.1, 0.5})
-      EXPECT_NEAR(nadal_limit(angle, mu), std::tan(angle - std::atan(mu)), 1e-12);
+    for (const double mu : {0.0, 0.1, 0.5}) EXPECT_NEAR(nadal_limit(angle, mu), std::tan(angle - std::atan(mu)), 1e-12);
   WheelRail contact(example(TrackSide::left, {}));
   const auto s = contact.solve(running(0, 0), 80e3);
   // S1002: 70 degrees.
@@ -195,8 +194,8 @@ TEST(WheelRailDamage, FatigueIndexIsHertzs) {
     state.pitch_velocity *= 1.05;
     const auto s = contact.solve(state, 5e3);
     ASSERT_EQ(s.patches.size(), 1u);
-    const HertzContact hertz = hertz_from_load(
-        gap_curvatures({0.1, std::numeric_limits<double>::infinity(), 0.1, 0.1}), steel, 5e3);
+    const HertzContact hertz =
+        hertz_from_load(gap_curvatures({0.1, std::numeric_limits<double>::infinity(), 0.1, 0.1}), steel, 5e3);
     const double expected = friction - 2 * std::numbers::pi * hertz.a * hertz.b * shear_yield / (3 * 5e3);
     EXPECT_NEAR(*s.patches[0].damage.fatigue_index, expected, level == WheelRailLevel::exact ? 2e-3 : 0.02);
     EXPECT_NEAR(*s.patches[0].damage.shakedown_load / (hertz.peak_pressure / shear_yield), 1,
@@ -208,7 +207,11 @@ TEST(WheelRailDamage, FatigueIndexIsHertzs) {
 
 TEST(WheelRailDamage, RefusesStrengthsOutOfRange) {
   expect_error([] { WheelRail contact(example(TrackSide::left, {-1.0, {}})); }, "hardness", "[Pa]: must be positive");
-  expect_error([] { WheelRail contact(example(TrackSide::left, {{}, 0.0})); }, "shear_yield_strength", "[Pa]: must be positive");
+  expect_error(
+      [] {
+        WheelRail contact(example(TrackSide::left, {{}, 0.0}));
+      },
+      "shear_yield_strength", "[Pa]: must be positive");
 }
 
 } // namespace

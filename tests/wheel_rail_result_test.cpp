@@ -121,6 +121,46 @@ TEST(WheelRailResult, DocumentHasAnArrayForEachStateAndPatch) {
   EXPECT_FALSE(document.contains("profiles"));
 }
 
+TEST(WheelRailResult, HasStressesInsideBelowEachPatchAtBothLevels) {
+  const std::string points = "[interior]\nx = [-1e-3, 0]\ny = [0]\nz = [-3e-3, 2e-3]\n[material]";
+  for (const auto* theory : {"\"fastsim2\"", "\"exact\"\ngrid = 12"})
+    for (const bool sweeps : {false, true}) {
+      const auto text = with_part(with_part(wheel_rail_text, "\"fastsim2\"", theory), "[material]",
+                                  (sweeps ? "[sweep]\nlateral = [0, 0.0061]\n" : "") + points);
+      const WheelRailCase input = parse(text);
+      const WheelRailResult result = solve_case(input);
+      const Json document = case_document(input, result, {.kind = kind_of(input)});
+      const std::size_t patches = first_patches(result).back();
+      ASSERT_EQ(result.interior.size(), patches);
+      ASSERT_EQ(document["interior_extremes"].size(), patches);
+      for (const auto& states : result.interior) {
+        ASSERT_EQ(states.size(), 4u);
+        for (const InteriorState& state : states) EXPECT_GT(von_mises(state.stress), 1e6);
+      }
+      EXPECT_GT(document["interior_extremes"][0]["von_mises"]["value"], 1e6);
+      const bool keeps = !sweeps || input.method.level == WheelRailLevel::exact;
+      EXPECT_EQ(result.solutions.front().fields.empty(), !keeps);
+    }
+}
+
+TEST(WheelRailResult, LeavesOutWhatIsNotGiven) {
+  const auto document_of = [](const std::string& text) {
+    const WheelRailCase input = parse(text);
+    return case_document(input, solve_case(input), {.kind = kind_of(input)});
+  };
+  const Json without = document_of(wheel_rail_text),
+             with = document_of(with_part(wheel_rail_text, "[friction]",
+                                          "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
+  for (const auto* name : {"worn_area", "wear_depth", "fatigue_index", "shakedown_load"}) {
+    EXPECT_FALSE(without["patches"].contains(name)) << name;
+    EXPECT_TRUE(with["patches"].contains(name)) << name;
+  }
+  EXPECT_FALSE(without["wheel"].contains("worn_area"));
+  EXPECT_EQ(with["units"]["wheel/worn_area"], "m^2");
+  EXPECT_EQ(with["inputs"]["hardness"], 2.7e9);
+  EXPECT_TRUE(without["wheel"].contains("nadal_limit"));
+}
+
 TEST(WheelRailResult, WarnsOfWhatIsNotToBeTrusted) {
   const auto warnings_of = [](const std::string& text) {
     std::string all;

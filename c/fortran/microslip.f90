@@ -82,12 +82,15 @@ module microslip
     real(c_double) :: normal_force = 0, fx = 0, fy = 0, mz = 0
     real(c_double) :: contact_area = 0, slip_area = 0, peak_pressure = 0, frictional_power = 0
     real(c_double) :: t_gamma = 0, t_gamma_with_spin = 0
+    real(c_double) :: friction = 0, traction_coefficient = 0, t_gamma_per_area = 0
+    real(c_double) :: worn_mass_r8t = 0, worn_area = 0, wear_depth = 0
+    real(c_double) :: fatigue_index = 0, shakedown_load = 0, shakedown_limit = 0, nadal_limit = 0
     integer(c_int) :: status = 0
   end type
 
   type, bind(c), public :: microslip_wheel_forces
     real(c_double) :: force(3) = 0, moment(3) = 0
-    real(c_double) :: vertical = 0, residual = 0
+    real(c_double) :: vertical = 0, residual = 0, y_over_q = 0, nadal_limit = 0
     integer(c_int) :: iterations = 0, at_profile_end = 0, status = 0, patch_count = 0
     type(microslip_wheel_patch) :: patches(microslip_wheel_patches)
   end type

@@ -448,6 +448,13 @@ typedef struct microslip_wheel_patch {
   double peak_pressure;                                 /* [Pa] */
   double frictional_power;                              /* [W] */
   double t_gamma, t_gamma_with_spin;                    /* |Fx xi| + |Fy eta| (+ |Mz phi|) [N] */
+  double friction, traction_coefficient;                /* mu at the patch's inclination; sqrt(Fx^2 + Fy^2)/Fn [-] */
+  double t_gamma_per_area;                              /* [N/m^2] */
+  double worn_mass_r8t;                                 /* wear of steel R8T by T-gamma per area [kg/m] */
+  double worn_area, wear_depth;                         /* of a passage by Archard's law [m^2], [m]; NaN: no hardness */
+  double fatigue_index, shakedown_load;                 /* [-]; NaN: no yield strength in shear is given */
+  double shakedown_limit;                               /* of that load, at the traction coefficient [-] */
+  double nadal_limit;                                   /* of Y/Q at the contact angle [-] */
   int status;                                           /* a microslip_code below 16 */
 } microslip_wheel_patch;
 
@@ -459,6 +466,8 @@ typedef struct microslip_wheel_forces {
   double moment[3];   /* [N m] */
   double vertical;    /* height of the wheelset's centre: given, or found for the force [m] */
   double residual;    /* of the vertical force, relative */
+  double y_over_q;    /* Y/Q [-], > 0 towards the track's centre; NaN without a vertical force */
+  double nadal_limit; /* Nadal's limit of it where the flange is steepest [-]; NaN without a flange */
   int iterations;     /* over the wheel's height */
   int at_profile_end; /* 1: a patch ends where a profile ends, its forces are too small */
   int status;         /* a microslip_code below 16 */
@@ -477,7 +486,8 @@ MICROSLIP_API void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail
 MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail,
                                                         microslip_wheel_state* state);
 /* Forces in `count` states, one after another, each with a status. With the theory "fastsim2" it takes no memory and
- * throws nothing. The code is that of the first state that is not MICROSLIP_OK. */
+ * throws nothing, unless material.hardness asks for wear. The code is that of the first state that is not MICROSLIP_OK.
+ */
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                                         const microslip_wheel_state* states,
                                                         microslip_wheel_forces* forces);

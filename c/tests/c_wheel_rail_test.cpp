@@ -63,6 +63,8 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
     EXPECT_EQ(forces.force[1], solution.force.y) << name;
     EXPECT_EQ(forces.moment[2], solution.moment.z) << name;
     EXPECT_EQ(forces.vertical, solution.vertical) << name;
+    EXPECT_EQ(forces.y_over_q, solution.y_over_q) << name;
+    EXPECT_EQ(forces.nadal_limit, solution.nadal_limit) << name;
     ASSERT_EQ(forces.patch_count, static_cast<int>(solution.patches.size())) << name;
     for (int k = 0; k < forces.patch_count; ++k) {
       const WheelRailPatch& patch = solution.patches[static_cast<std::size_t>(k)];
@@ -71,8 +73,26 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
       EXPECT_EQ(forces.patches[k].fy, patch.fs);
       EXPECT_EQ(forces.patches[k].mz, patch.moment);
       EXPECT_EQ(forces.patches[k].t_gamma_with_spin, t_gamma_with_spin(patch));
+      EXPECT_EQ(forces.patches[k].nadal_limit, patch_quantities().back().value(patch));
+      EXPECT_TRUE(std::isnan(forces.patches[k].worn_area));
       EXPECT_EQ(forces.patches[k].status, MICROSLIP_OK);
     }
+  }
+}
+
+TEST(CWheelRail, HasDamageWhereTheStrengthIsGiven) {
+  const Handle handle(
+      with_part(wheel_rail_text, "[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
+  ASSERT_EQ(handle.code, MICROSLIP_OK) << handle.error.text;
+  microslip_wheel_state state;
+  microslip_wheel_rail_state(handle.pointer, &state);
+  microslip_wheel_forces forces;
+  EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 1, &state, &forces), MICROSLIP_OK);
+  for (int k = 0; k < forces.patch_count; ++k) {
+    const microslip_wheel_patch& patch = forces.patches[k];
+    EXPECT_GT(patch.worn_area, 0);
+    EXPECT_DOUBLE_EQ(patch.shakedown_load, patch.peak_pressure / 300e6);
+    EXPECT_DOUBLE_EQ(patch.fatigue_index, patch.traction_coefficient - 1 / patch.shakedown_load);
   }
 }
 

@@ -6,7 +6,6 @@
 #include "microslip/damage/wear.hpp"
 #include "microslip/railway/derailment.hpp"
 
-
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -48,13 +47,13 @@ void bind_strength(py::module_& module) {
       .def_readonly("seizure_above", &WearMap::seizure_above, "Pressure over hardness [-].");
   add_value(map, {"slow", "medium", "fast", "seizure", "medium_from", "medium_to", "seizure_above"});
 
-  auto strength = py::class_<SurfaceStrength>(
-      module, "SurfaceStrength", "What surfaces bear before they wear or yield; None: not known.");
+  auto strength = py::class_<SurfaceStrength>(module, "SurfaceStrength",
+                                              "What surfaces bear before they wear or yield; None: not known.");
   strength
-      .def(py::init([](std::optional<double> hardness, std::optional<double> shear_yield_strength,
-                       const WearMap& wear_map) {
-             return SurfaceStrength{hardness, shear_yield_strength, wear_map};
-           }),
+      .def(py::init(
+               [](std::optional<double> hardness, std::optional<double> shear_yield_strength, const WearMap& wear_map) {
+                 return SurfaceStrength{hardness, shear_yield_strength, wear_map};
+               }),
            py::kw_only(), "hardness"_a = py::none(), "shear_yield_strength"_a = py::none(), "wear_map"_a = standard,
            "Hardness H [Pa] of the surface that wears, yield strength k [Pa] in shear of the work-hardened surface,\n"
            "and the WearMap. Values are checked where they are used.")
@@ -69,9 +68,8 @@ void bind_strength(py::module_& module) {
 void bind_damage(py::module_& module) {
   bind_strength(module);
   module.def(
-      "friction_work",
-      [](const ContactSolution& solution) { return element_array(solution, friction_work(solution)); }, "solution"_a,
-      "T-gamma per area of each element, the work of friction per metre rolled [N/m^2], shape (my, mx).");
+      "friction_work", [](const ContactSolution& solution) { return element_array(solution, friction_work(solution)); },
+      "solution"_a, "T-gamma per area of each element, the work of friction per metre rolled [N/m^2], shape (my, mx).");
   module.def(
       "wear_depth",
       [](const ContactSolution& solution, double hardness, double rolling_speed, const WearMap& wear_map) {

@@ -71,6 +71,38 @@ class WheelRailTest(unittest.TestCase):
                 self.assertAlmostEqual((fields.fields.area * fields.fields.py).sum(), patch.fy, delta=1e-6 * patch.normal_force)
                 self.assertTrue((np.diff(fields.fields.y[:, 0]) > 0).all())
 
+    def test_fields_of_fastsim2_are_there_where_they_are_asked_for(self):
+        self.assertEqual(self.pair.solve(**STATE).fields, [])
+        solution = wheel_rail(fields=True).solve(**STATE)
+        self.assertEqual(solution.force_y, self.pair.solve(**STATE).force_y)
+        steel = microslip.Material.from_young(210e9, 0.28)
+        for patch, fields in zip(solution.patches, solution.fields):
+            self.assertAlmostEqual((fields.fields.area * fields.fields.pressure).sum() / patch.normal_force, 1, places=9)
+            self.assertAlmostEqual((fields.fields.area * microslip.friction_work(fields)).sum() * patch.rolling_speed
+                                   / patch.frictional_power, 1, places=9)
+            stress = fields.interior_states(steel, steel, 0.0, 0.0, [-0.1, 0.1])
+            self.assertTrue((np.asarray(stress.zz) < 0).all())
+
+    def test_damage_needs_the_strength(self):
+        weak = self.pair.solve(**STATE)
+        self.assertTrue(np.isnan([weak.worn_area, weak.patches[0].wear_depth, weak.patches[0].fatigue_index]).all())
+        strength = microslip.SurfaceStrength(hardness=3e9, shear_yield_strength=300e6)
+        pair = wheel_rail(strength=strength, fields=True)
+        solution = pair.solve(**STATE)
+        self.assertAlmostEqual(solution.worn_area, sum(p.worn_area for p in solution.patches), delta=1e-15 * solution.worn_area)
+        for patch, fields in zip(solution.patches, solution.fields):
+            depth = microslip.wear_depth(fields, hardness=3e9, rolling_speed=patch.rolling_speed)
+            self.assertAlmostEqual(depth.sum(axis=1).max(), patch.wear_depth, delta=1e-12 * patch.wear_depth)
+            self.assertAlmostEqual(patch.fatigue_index, microslip.surface_fatigue_index(
+                patch.traction_coefficient, patch.peak_pressure, 300e6), places=12)
+            self.assertEqual(patch.shakedown_limit, microslip.point_shakedown_limit(patch.traction_coefficient))
+            self.assertEqual(microslip.shear_excess(fields, 300e6).shape, depth.shape)
+            self.assertAlmostEqual(patch.nadal_limit, microslip.nadal_limit(abs(patch.angle), patch.friction), places=12)
+        many = pair.solve_batch(**{**STATE, "lateral": [0.0, STATE["lateral"]]})
+        self.assertEqual(many.worn_area[1], solution.worn_area)
+        self.assertEqual(pickle.loads(pickle.dumps(solution)), solution)
+        self.assertEqual(pickle.loads(pickle.dumps(strength)), strength)
+
     def test_pitch_velocity_is_that_of_pure_rolling_by_default(self):
         given = self.pair.solve(**STATE, pitch_velocity=30.0 / 0.46)
         self.assertEqual(given.force_x, self.pair.solve(**STATE).force_x)
