@@ -31,7 +31,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress 
 /// The patches of all states one after another; the first of state k has the index that is the k-th number.
 std::vector<std::size_t> first_patches(const WheelRailResult& result);
 
-/// Writes inputs, states, what is found of the wheel and of each patch, profiles, and fields at the exact level.
+/// Writes inputs, states, what is found of the wheel and of each patch, profiles, fields, stresses inside.
 void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file);
 /// Writes it as HDF5. Error if that is impossible.
 void write_result(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,

@@ -113,6 +113,8 @@ TEST(LoadedRows, HaveFieldsThatAddUp) {
           of_row += s.fields.pressure[k] * s.elements.area[k];
           EXPECT_EQ(s.fields.state[k] == CellState::exterior, rows[j].load == 0);
           EXPECT_LE(std::abs(s.elements.x[k] - rows[j].centre), rows[j].half_length);
+          EXPECT_EQ(s.elements.y[k], rows[j].y);
+          EXPECT_NEAR(s.elements.grid.y(static_cast<int>(j)), rows[j].y, 1e-15);
           if (s.fields.state[k] != CellState::slip) continue;
           EXPECT_NEAR(std::hypot(s.fields.traction.x[k], s.fields.traction.y[k]), s.fields.bound[k],
                       1e-12 * s.fields.bound[k]);

@@ -117,7 +117,7 @@ def evolve(distance, wheel=None):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("folder", nargs="?", type=Path, default=Path("results/wear"))
-    arguments.add_argument("--distance", type=float, default=2000.0, help="km")
+    arguments.add_argument("--distance", type=float, default=3000.0, help="km")
     given = arguments.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     rows = []

@@ -208,7 +208,9 @@ struct LoadedRowSolver::Workspace {
       kernels.fields_with_table(view);
       for (std::size_t j = first; j < std::min(first + kernels.width, rows.size()); ++j) {
         const int row = static_cast<int>(j), lane = static_cast<int>(j - first);
-        recorder.copy_row(out, row, lane, geometry(rows[j]), travel, row_flexibility[j]);
+        RowGeometry place = geometry(rows[j]);
+        place.y = rows[j].y;
+        recorder.copy_row(out, row, lane, place, travel, row_flexibility[j]);
         recorder.copy_bound(out, row, lane, travel, arrays.table_centre);
       }
     }

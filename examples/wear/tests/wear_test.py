@@ -30,6 +30,16 @@ class WearTest(unittest.TestCase):
     def test_bins_hold_what_the_patches_wear_off(self):
         self.assertAlmostEqual(self.depth.sum() * wear.BIN / self.area, 1, places=9)
 
+    def test_depth_is_where_the_patches_are(self):
+        one = wear.Service(np.array([0.0]), np.array([1.5e-3]), np.array([1.0]))
+        depth, _ = wear.wear_per_metre(self.wheel, of=one)
+        worn = wear.BIN * np.count_nonzero(depth)
+        patches = wear.pair(self.wheel).solve(lateral=0.0, yaw=1.5e-3, vertical_force=wear.LOAD, forward_velocity=wear.SPEED)
+        rows = [np.count_nonzero(microslip.friction_work(fields).sum(axis=1)) for fields in patches.fields]
+        lengths = [count * fields.grid.dy for count, fields in zip(rows, patches.fields)]
+        self.assertAlmostEqual(worn, sum(lengths), delta=4 * wear.BIN * len(lengths))
+        self.assertGreater(worn, 5e-3)
+
     def test_smoothing_keeps_the_volume(self):
         smooth = wear.smoothed(self.depth)
         self.assertAlmostEqual(smooth.sum() / self.depth.sum(), 1, places=12)
