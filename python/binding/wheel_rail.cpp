@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -281,12 +282,20 @@ void bind_inputs(py::module_& module) {
   add_value(wheelset, {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"});
 }
 
+/// The number, or None where what it needs is not there.
+py::object number_or_none(double value) {
+  return std::isnan(value) ? py::object(py::none()) : py::object(py::float_(value));
+}
+
 void bind_patch(py::module_& module) {
-  auto patch = py::class_<WheelRailPatch>(module, "WheelRailPatch",
-                                          "A patch in which a wheel touches its rail. Forces act on the wheel.");
+  auto patch = py::class_<WheelRailPatch>(
+      module, "WheelRailPatch",
+      "A patch in which a wheel touches its rail. Forces act on the wheel. What needs a number of\n"
+      "the SurfaceStrength is None without it.");
   for (const PatchQuantity& q : patch_quantities())
     patch.def_property_readonly(
-        std::string(q.name).c_str(), [value = q.value](const WheelRailPatch& self) { return value(self); },
+        std::string(q.name).c_str(),
+        [value = q.value](const WheelRailPatch& self) { return number_or_none(value(self)); },
         text_of(q.description, q.unit).c_str());
   patch.def_readonly("creepage", &WheelRailPatch::creepage, "Creepages [-], [-] and spin [1/m], as one.")
       .def_readonly("status", &WheelRailPatch::status, "How its calculation ended.");
@@ -306,10 +315,13 @@ std::string table(const WheelRailSolution& self) {
 
 void bind_wheel_solution(py::module_& module) {
   auto solution = py::class_<WheelRailSolution>(
-      module, "WheelRailSolution", "Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.");
+      module, "WheelRailSolution",
+      "Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.\n"
+      "What needs a number of the SurfaceStrength, or a flange, is None without it.");
   for (const WheelQuantity& q : wheel_quantities())
     solution.def_property_readonly(
-        std::string(q.name).c_str(), [value = q.value](const WheelRailSolution& self) { return value(self); },
+        std::string(q.name).c_str(),
+        [value = q.value](const WheelRailSolution& self) { return number_or_none(value(self)); },
         text_of(q.description, q.unit).c_str());
   solution
       .def_readonly("patches", &WheelRailSolution::patches,

@@ -1733,105 +1733,106 @@ class WheelRailArrays:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class WheelRailPatch:
-    """A patch in which a wheel touches its rail. Forces act on the wheel."""
+    """A patch in which a wheel touches its rail. Forces act on the wheel. What needs a number of
+    the SurfaceStrength is None without it."""
     @property
-    def place_x(self) -> float:
+    def place_x(self) -> object:
         """Origin of the patch's frame on the rail, along the track [m]."""
     @property
-    def place_y(self) -> float:
+    def place_y(self) -> object:
         """The same to the left of the track's centre [m]."""
     @property
-    def place_z(self) -> float:
+    def place_z(self) -> object:
         """The same above the tops of the rails [m]."""
     @property
-    def angle(self) -> float:
+    def angle(self) -> object:
         """Of the contact plane against the track plane; positive rises to the left [rad]."""
     @property
-    def rail_y(self) -> float:
+    def rail_y(self) -> object:
         """Of the rail's profile there, in its own axes: to the field side positive [m]."""
     @property
-    def wheel_y(self) -> float:
+    def wheel_y(self) -> object:
         """Of the wheel's profile there, in its own axes [m]."""
     @property
-    def rolling_radius(self) -> float:
+    def rolling_radius(self) -> object:
         """Of the wheel there [m]."""
     @property
-    def turn(self) -> float:
+    def turn(self) -> object:
         """By how much the rail's surface turns across the patch [rad]."""
     @property
-    def approach(self) -> float:
+    def approach(self) -> object:
         """Greatest overlap of the undeformed bodies along the normal [m]."""
     @property
-    def rolling_speed(self) -> float:
+    def rolling_speed(self) -> object:
         """Rolling speed V [m/s]."""
     @property
-    def creepage_longitudinal(self) -> float:
+    def creepage_longitudinal(self) -> object:
         """Longitudinal creepage; positive for a braked wheel [-]."""
     @property
-    def creepage_lateral(self) -> float:
+    def creepage_lateral(self) -> object:
         """Lateral creepage, along the surface to the left [-]."""
     @property
-    def spin(self) -> float:
+    def spin(self) -> object:
         """Spin about the normal [1/m]."""
     @property
-    def normal_force(self) -> float:
+    def normal_force(self) -> object:
         """Force on the wheel along the normal [N]."""
     @property
-    def fx(self) -> float:
+    def fx(self) -> object:
         """Force on the wheel along the track [N]."""
     @property
-    def fy(self) -> float:
+    def fy(self) -> object:
         """Force on the wheel along the surface, to the left [N]."""
     @property
-    def mz(self) -> float:
+    def mz(self) -> object:
         """Moment on the wheel about the normal through the patch's origin [N m]."""
     @property
-    def contact_area(self) -> float:
+    def contact_area(self) -> object:
         """Area of the contact [m^2]."""
     @property
-    def slip_area(self) -> float:
+    def slip_area(self) -> object:
         """Area of slip [m^2]."""
     @property
-    def peak_pressure(self) -> float:
+    def peak_pressure(self) -> object:
         """Largest pressure [Pa]."""
     @property
-    def frictional_power(self) -> float:
+    def frictional_power(self) -> object:
         """Power lost to friction [W]."""
     @property
-    def t_gamma(self) -> float:
+    def t_gamma(self) -> object:
         """|Fx xi| + |Fy eta| [N]."""
     @property
-    def t_gamma_with_spin(self) -> float:
+    def t_gamma_with_spin(self) -> object:
         """|Fx xi| + |Fy eta| + |Mz phi| [N]."""
     @property
-    def friction(self) -> float:
+    def friction(self) -> object:
         """Friction coefficient at the patch's inclination [-]."""
     @property
-    def traction_coefficient(self) -> float:
+    def traction_coefficient(self) -> object:
         """Sqrt(Fx^2 + Fy^2)/Fn [-]."""
     @property
-    def t_gamma_per_area(self) -> float:
+    def t_gamma_per_area(self) -> object:
         """T-gamma over the area of the contact [N/m^2]."""
     @property
-    def worn_mass_r8t(self) -> float:
+    def worn_mass_r8t(self) -> object:
         """Wear of wheel steel R8T by T-gamma per area, per metre rolled [kg/m]."""
     @property
-    def worn_area(self) -> float:
+    def worn_area(self) -> object:
         """Archard's wear: cross-section that a passage wears off, or volume per metre [m^2]."""
     @property
-    def wear_depth(self) -> float:
+    def wear_depth(self) -> object:
         """Archard's wear: largest depth of a passage [m]."""
     @property
-    def fatigue_index(self) -> float:
+    def fatigue_index(self) -> object:
         """Surface fatigue index: traction coefficient less k over the largest pressure [-]."""
     @property
-    def shakedown_load(self) -> float:
+    def shakedown_load(self) -> object:
         """Largest pressure over the yield strength in shear: place on the shakedown map [-]."""
     @property
-    def shakedown_limit(self) -> float:
+    def shakedown_limit(self) -> object:
         """Limit of that load at the traction coefficient, of a point contact [-]."""
     @property
-    def nadal_limit(self) -> float:
+    def nadal_limit(self) -> object:
         """Nadal's limit of Y/Q at the patch's contact angle [-]."""
     @property
     def creepage(self) -> Creepage:
@@ -1843,57 +1844,58 @@ class WheelRailPatch:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class WheelRailSolution:
-    """Forces on a wheel in track axes: x forward, y to the left, z up; and its patches."""
+    """Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.
+    What needs a number of the SurfaceStrength, or a flange, is None without it."""
     @property
-    def force_x(self) -> float:
+    def force_x(self) -> object:
         """Force on the wheel along the track [N]."""
     @property
-    def force_y(self) -> float:
+    def force_y(self) -> object:
         """Force on the wheel to the left [N]."""
     @property
-    def force_z(self) -> float:
+    def force_z(self) -> object:
         """Force on the wheel upwards [N]."""
     @property
-    def moment_x(self) -> float:
+    def moment_x(self) -> object:
         """Moment on the wheel about its centre, about the track's x [N m]."""
     @property
-    def moment_y(self) -> float:
+    def moment_y(self) -> object:
         """The same about y: positive drives the wheel forward [N m]."""
     @property
-    def moment_z(self) -> float:
+    def moment_z(self) -> object:
         """The same about z [N m]."""
     @property
-    def vertical(self) -> float:
+    def vertical(self) -> object:
         """Height of the wheelset's centre above the nominal radius: given, or found for the force [m]."""
     @property
-    def frictional_power(self) -> float:
+    def frictional_power(self) -> object:
         """Power lost to friction in all patches [W]."""
     @property
-    def t_gamma(self) -> float:
+    def t_gamma(self) -> object:
         """|Fx xi| + |Fy eta|, summed over the patches [N]."""
     @property
-    def t_gamma_with_spin(self) -> float:
+    def t_gamma_with_spin(self) -> object:
         """|Fx xi| + |Fy eta| + |Mz phi|, summed over the patches [N]."""
     @property
-    def residual(self) -> float:
+    def residual(self) -> object:
         """Residual of the vertical force, relative [-]."""
     @property
-    def iterations(self) -> float:
+    def iterations(self) -> object:
         """Iterations over the wheel's height [-]."""
     @property
-    def patch_count(self) -> float:
+    def patch_count(self) -> object:
         """Number of patches in contact [-]."""
     @property
-    def y_over_q(self) -> float:
+    def y_over_q(self) -> object:
         """Y/Q: force on the wheel towards the track's centre over the vertical one [-]."""
     @property
-    def nadal_limit(self) -> float:
+    def nadal_limit(self) -> object:
         """Nadal's limit of Y/Q at the flange's steepest place [-]."""
     @property
-    def worn_mass_r8t(self) -> float:
+    def worn_mass_r8t(self) -> object:
         """Wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches [kg/m]."""
     @property
-    def worn_area(self) -> float:
+    def worn_area(self) -> object:
         """Archard's wear: cross-section that a passage wears off, or volume per metre; all patches [m^2]."""
     @property
     def patches(self) -> list[WheelRailPatch]:
