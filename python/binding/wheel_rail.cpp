@@ -283,8 +283,8 @@ void bind_inputs(py::module_& module) {
 }
 
 /// The number, or None where what it needs is not there.
-py::object number_or_none(double value) {
-  return std::isnan(value) ? py::object(py::none()) : py::object(py::float_(value));
+std::optional<double> number_or_none(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 void bind_patch(py::module_& module) {

@@ -1736,103 +1736,103 @@ class WheelRailPatch:
     """A patch in which a wheel touches its rail. Forces act on the wheel. What needs a number of
     the SurfaceStrength is None without it."""
     @property
-    def place_x(self) -> object:
+    def place_x(self) -> float | None:
         """Origin of the patch's frame on the rail, along the track [m]."""
     @property
-    def place_y(self) -> object:
+    def place_y(self) -> float | None:
         """The same to the left of the track's centre [m]."""
     @property
-    def place_z(self) -> object:
+    def place_z(self) -> float | None:
         """The same above the tops of the rails [m]."""
     @property
-    def angle(self) -> object:
+    def angle(self) -> float | None:
         """Of the contact plane against the track plane; positive rises to the left [rad]."""
     @property
-    def rail_y(self) -> object:
+    def rail_y(self) -> float | None:
         """Of the rail's profile there, in its own axes: to the field side positive [m]."""
     @property
-    def wheel_y(self) -> object:
+    def wheel_y(self) -> float | None:
         """Of the wheel's profile there, in its own axes [m]."""
     @property
-    def rolling_radius(self) -> object:
+    def rolling_radius(self) -> float | None:
         """Of the wheel there [m]."""
     @property
-    def turn(self) -> object:
+    def turn(self) -> float | None:
         """By how much the rail's surface turns across the patch [rad]."""
     @property
-    def approach(self) -> object:
+    def approach(self) -> float | None:
         """Greatest overlap of the undeformed bodies along the normal [m]."""
     @property
-    def rolling_speed(self) -> object:
+    def rolling_speed(self) -> float | None:
         """Rolling speed V [m/s]."""
     @property
-    def creepage_longitudinal(self) -> object:
+    def creepage_longitudinal(self) -> float | None:
         """Longitudinal creepage; positive for a braked wheel [-]."""
     @property
-    def creepage_lateral(self) -> object:
+    def creepage_lateral(self) -> float | None:
         """Lateral creepage, along the surface to the left [-]."""
     @property
-    def spin(self) -> object:
+    def spin(self) -> float | None:
         """Spin about the normal [1/m]."""
     @property
-    def normal_force(self) -> object:
+    def normal_force(self) -> float | None:
         """Force on the wheel along the normal [N]."""
     @property
-    def fx(self) -> object:
+    def fx(self) -> float | None:
         """Force on the wheel along the track [N]."""
     @property
-    def fy(self) -> object:
+    def fy(self) -> float | None:
         """Force on the wheel along the surface, to the left [N]."""
     @property
-    def mz(self) -> object:
+    def mz(self) -> float | None:
         """Moment on the wheel about the normal through the patch's origin [N m]."""
     @property
-    def contact_area(self) -> object:
+    def contact_area(self) -> float | None:
         """Area of the contact [m^2]."""
     @property
-    def slip_area(self) -> object:
+    def slip_area(self) -> float | None:
         """Area of slip [m^2]."""
     @property
-    def peak_pressure(self) -> object:
+    def peak_pressure(self) -> float | None:
         """Largest pressure [Pa]."""
     @property
-    def frictional_power(self) -> object:
+    def frictional_power(self) -> float | None:
         """Power lost to friction [W]."""
     @property
-    def t_gamma(self) -> object:
+    def t_gamma(self) -> float | None:
         """|Fx xi| + |Fy eta| [N]."""
     @property
-    def t_gamma_with_spin(self) -> object:
+    def t_gamma_with_spin(self) -> float | None:
         """|Fx xi| + |Fy eta| + |Mz phi| [N]."""
     @property
-    def friction(self) -> object:
+    def friction(self) -> float | None:
         """Friction coefficient at the patch's inclination [-]."""
     @property
-    def traction_coefficient(self) -> object:
+    def traction_coefficient(self) -> float | None:
         """Sqrt(Fx^2 + Fy^2)/Fn [-]."""
     @property
-    def t_gamma_per_area(self) -> object:
+    def t_gamma_per_area(self) -> float | None:
         """T-gamma over the area of the contact [N/m^2]."""
     @property
-    def worn_mass_r8t(self) -> object:
+    def worn_mass_r8t(self) -> float | None:
         """Wear of wheel steel R8T by T-gamma per area, per metre rolled [kg/m]."""
     @property
-    def worn_area(self) -> object:
+    def worn_area(self) -> float | None:
         """Archard's wear: cross-section that a passage wears off, or volume per metre [m^2]."""
     @property
-    def wear_depth(self) -> object:
+    def wear_depth(self) -> float | None:
         """Archard's wear: largest depth of a passage [m]."""
     @property
-    def fatigue_index(self) -> object:
+    def fatigue_index(self) -> float | None:
         """Surface fatigue index: traction coefficient less k over the largest pressure [-]."""
     @property
-    def shakedown_load(self) -> object:
+    def shakedown_load(self) -> float | None:
         """Largest pressure over the yield strength in shear: place on the shakedown map [-]."""
     @property
-    def shakedown_limit(self) -> object:
+    def shakedown_limit(self) -> float | None:
         """Limit of that load at the traction coefficient, of a point contact [-]."""
     @property
-    def nadal_limit(self) -> object:
+    def nadal_limit(self) -> float | None:
         """Nadal's limit of Y/Q at the patch's contact angle [-]."""
     @property
     def creepage(self) -> Creepage:
@@ -1847,55 +1847,55 @@ class WheelRailSolution:
     """Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.
     What needs a number of the SurfaceStrength, or a flange, is None without it."""
     @property
-    def force_x(self) -> object:
+    def force_x(self) -> float | None:
         """Force on the wheel along the track [N]."""
     @property
-    def force_y(self) -> object:
+    def force_y(self) -> float | None:
         """Force on the wheel to the left [N]."""
     @property
-    def force_z(self) -> object:
+    def force_z(self) -> float | None:
         """Force on the wheel upwards [N]."""
     @property
-    def moment_x(self) -> object:
+    def moment_x(self) -> float | None:
         """Moment on the wheel about its centre, about the track's x [N m]."""
     @property
-    def moment_y(self) -> object:
+    def moment_y(self) -> float | None:
         """The same about y: positive drives the wheel forward [N m]."""
     @property
-    def moment_z(self) -> object:
+    def moment_z(self) -> float | None:
         """The same about z [N m]."""
     @property
-    def vertical(self) -> object:
+    def vertical(self) -> float | None:
         """Height of the wheelset's centre above the nominal radius: given, or found for the force [m]."""
     @property
-    def frictional_power(self) -> object:
+    def frictional_power(self) -> float | None:
         """Power lost to friction in all patches [W]."""
     @property
-    def t_gamma(self) -> object:
+    def t_gamma(self) -> float | None:
         """|Fx xi| + |Fy eta|, summed over the patches [N]."""
     @property
-    def t_gamma_with_spin(self) -> object:
+    def t_gamma_with_spin(self) -> float | None:
         """|Fx xi| + |Fy eta| + |Mz phi|, summed over the patches [N]."""
     @property
-    def residual(self) -> object:
+    def residual(self) -> float | None:
         """Residual of the vertical force, relative [-]."""
     @property
-    def iterations(self) -> object:
+    def iterations(self) -> float | None:
         """Iterations over the wheel's height [-]."""
     @property
-    def patch_count(self) -> object:
+    def patch_count(self) -> float | None:
         """Number of patches in contact [-]."""
     @property
-    def y_over_q(self) -> object:
+    def y_over_q(self) -> float | None:
         """Y/Q: force on the wheel towards the track's centre over the vertical one [-]."""
     @property
-    def nadal_limit(self) -> object:
+    def nadal_limit(self) -> float | None:
         """Nadal's limit of Y/Q at the flange's steepest place [-]."""
     @property
-    def worn_mass_r8t(self) -> object:
+    def worn_mass_r8t(self) -> float | None:
         """Wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches [kg/m]."""
     @property
-    def worn_area(self) -> object:
+    def worn_area(self) -> float | None:
         """Archard's wear: cross-section that a passage wears off, or volume per metre; all patches [m^2]."""
     @property
     def patches(self) -> list[WheelRailPatch]:
