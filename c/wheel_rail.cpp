@@ -21,8 +21,8 @@ struct microslip_wheel_rail {
 namespace {
 
 // Members in the order of the tables of quantities.
-using StateNumber = double microslip_wheel_state::*;
-constexpr StateNumber state_numbers[] = {&microslip_wheel_state::lateral,
+using StateMember = double microslip_wheel_state::*;
+constexpr StateMember state_members[] = {&microslip_wheel_state::lateral,
                                          &microslip_wheel_state::vertical,
                                          &microslip_wheel_state::roll,
                                          &microslip_wheel_state::yaw,
@@ -51,8 +51,8 @@ constexpr StateNumber state_numbers[] = {&microslip_wheel_state::lateral,
                                          &microslip_wheel_state::deviation_vertical_velocity,
                                          &microslip_wheel_state::deviation_roll_velocity};
 
-using PatchNumber = double microslip_wheel_patch::*;
-constexpr PatchNumber patch_numbers[] = {&microslip_wheel_patch::place_x,
+using PatchMember = double microslip_wheel_patch::*;
+constexpr PatchMember patch_members[] = {&microslip_wheel_patch::place_x,
                                          &microslip_wheel_patch::place_y,
                                          &microslip_wheel_patch::place_z,
                                          &microslip_wheel_patch::angle,
@@ -90,12 +90,12 @@ constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 WheelState<double> state_of(const microslip_wheel_state& given) noexcept {
   WheelState<double> state;
-  for (std::size_t k = 0; k < std::size(state_numbers); ++k) state_quantities()[k].of(state) = given.*state_numbers[k];
+  for (std::size_t k = 0; k < std::size(state_members); ++k) state_quantities()[k].of(state) = given.*state_members[k];
   return state;
 }
 
 void store(const WheelRailPatch& from, microslip_wheel_patch& to) noexcept {
-  for (std::size_t k = 0; k < std::size(patch_numbers); ++k) to.*patch_numbers[k] = patch_quantities()[k].value(from);
+  for (std::size_t k = 0; k < std::size(patch_members); ++k) to.*patch_members[k] = patch_quantities()[k].value(from);
   to.status = code_of(from.status);
 }
 
@@ -136,8 +136,8 @@ void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail) {
 microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, microslip_wheel_state* state) {
   if (!wheel_rail || !state) return MICROSLIP_NULL_POINTER;
   const auto& [first, force] = wheel_rail->first;
-  for (std::size_t k = 0; k < std::size(state_numbers); ++k)
-    state->*state_numbers[k] = state_quantities()[k].value(first);
+  for (std::size_t k = 0; k < std::size(state_members); ++k)
+    state->*state_members[k] = state_quantities()[k].value(first);
   state->vertical_force = force.value_or(0);
   return MICROSLIP_OK;
 }

@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include "wheel_rail_pairs.hpp"
 
@@ -220,53 +221,120 @@ TEST(WheelRail, SlidesAtTheFrictionOfTheInclination) {
   EXPECT_NEAR(std::hypot(p.fx, p.fs) / p.normal_force, 0.3 + 2 * p.angle, 2e-3);
 }
 
-/// The largest error of a row of derivatives against differences, over the row's largest number.
-double derivative_error(WheelRail& contact, WheelState<double> state, std::optional<double> force) {
-  WheelRailSolution found, low, high;
-  WheelRailDerivatives d;
-  contact.differentiate(state, force, found, d);
-  EXPECT_EQ(found.status, Status::ok);
-  const std::vector<std::pair<WheelVariable, double WheelState<double>::*>> places = {
-      {WheelVariable::lateral, &WheelState<double>::lateral},
-      {WheelVariable::roll, &WheelState<double>::roll},
-      {WheelVariable::yaw, &WheelState<double>::yaw},
-      {WheelVariable::pitch_velocity, &WheelState<double>::pitch_velocity},
-      {WheelVariable::lateral_velocity, &WheelState<double>::lateral_velocity}};
-  double worst = 0;
-  if (!force) state.vertical = found.vertical;
-  for (const auto& [which, place] : places) {
-    const bool velocity = which >= WheelVariable::forward_velocity;
-    const double step = velocity ? 1e-5 : 1e-8;
-    WheelState<double> below = state, above = state;
-    below.*place -= step, above.*place += step;
-    contact.solve(below, force, low);
-    contact.solve(above, force, high);
-    const Vec3<double> expected = 0.5 / step * (high.force - low.force);
-    const Vec3<double> got = d.force[static_cast<std::size_t>(which)];
-    const double size = std::sqrt(dot(expected, expected)) + 1;
-    worst = std::max(worst, std::sqrt(dot(expected - got, expected - got)) / size);
-  }
-  return worst;
+/// A state in a curve with all that a state can have.
+WheelState<double> in_a_curve(double lateral) {
+  WheelState<double> s = running(lateral, 2e-3, 1e-3);
+  s.roll = 1e-3, s.curvature = 1.0 / 500, s.roll_velocity = 0.03;
+  s.deflection.lateral = 2e-4, s.deflection.roll = -1e-3, s.deflection.yaw = 1e-3, s.deflection.yaw_velocity = 0.02;
+  s.rail.lateral = 1e-4, s.rail.roll = 3e-3, s.rail.lateral_velocity = 0.002, s.rail.roll_velocity = 0.1;
+  return s;
 }
 
-TEST(WheelRail, HasTheDerivativesOfItsForces) {
-  WheelRail contact(pair(), {.tolerance = 1e-11});
-  // Where a row comes into contact forces have a kink; few states lie that near to one.
-  int good = 0, states = 0;
-  for (double y = -3.5e-3; y < 3.6e-3; y += 0.5e-3, ++states)
-    good += derivative_error(contact, running(y, 2e-3, 1e-3), 50e3) < 1e-4;
-  EXPECT_GE(good, states - 2);
-  WheelState<double> state = running(1.5e-3, 2e-3, 1e-3);
+/// Half a step of a difference by a number with this unit: as the derivatives' own but for yaw.
+double half_step(const StateQuantity& q) {
+  if (q.name == "deflection_longitudinal") return 1e-6;
+  if (q.name == "yaw" || q.name == "deflection_yaw") return 2e-7;
+  return q.unit == "m" || q.unit == "1/m" ? 1e-8 : q.unit == "rad" ? 2e-8 : q.unit == "m/s" ? 2e-5 : 4e-5;
+}
+
+/// The derivative by a number of the state as a difference, beside the one that was found.
+struct Compared {
+  Vec3<double> force, moment;
+  double vertical;
+};
+Compared difference(WheelRail& contact, const WheelState<double>& state, std::optional<double> force,
+                    const StateQuantity& quantity, double half) {
+  WheelState<double> below = state, above = state;
+  quantity.of(below) -= half, quantity.of(above) += half;
+  const auto low = contact.solve(below, force), high = contact.solve(above, force);
+  return {0.5 / half * (high.force - low.force), 0.5 / half * (high.moment - low.moment),
+          0.5 / half * (high.vertical - low.vertical)};
+}
+
+double size(const Vec3<double>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
+  for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
+    WheelRail contact(pair(side), {.tolerance = 1e-11});
+    for (const double y : {-3e-3, 0.0, 2e-3, 5e-3})
+      for (const bool held : {false, true}) {
+        WheelState<double> state = in_a_curve(y);
+        if (side == TrackSide::right) state = state.mirrored();
+        const auto loaded = contact.solve(state, 50e3);
+        if (y == 5e-3) {
+          EXPECT_EQ(loaded.patches.size(), 2U);
+        }
+        state.vertical = loaded.vertical;
+        const std::optional<double> force = held ? std::optional(50e3) : std::nullopt;
+        WheelRailSolution found;
+        WheelRailDerivatives d;
+        contact.differentiate(state, force, found, d);
+        ASSERT_EQ(found.status, Status::ok);
+        // What moves the wheel little against the rail has the rounding of differences of large numbers.
+        const double largest = size(d.force[static_cast<std::size_t>(WheelVariable::roll)]) + 1e9;
+        for (std::size_t k = 0; k < state_numbers; ++k) {
+          const StateQuantity& q = state_quantities()[k];
+          SCOPED_TRACE(q.name);
+          if (held && q.name == "vertical") {
+            EXPECT_EQ(size(d.force[k]) + size(d.moment[k]) + d.vertical[k], 0);
+            continue;
+          }
+          const Compared wanted = difference(contact, state, force, q, half_step(q));
+          const double rounding = q.unit == "m" || q.unit == "rad" ? 3e-8 * largest : 1e-3;
+          EXPECT_LT(size(d.force[k] - wanted.force), 1e-4 * size(wanted.force) + rounding);
+          EXPECT_LT(size(d.moment[k] - wanted.moment), 1e-4 * size(wanted.moment) + rounding);
+          EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 1e-8);
+        }
+        if (held) { // held by a force, the height changes with it as the stiffness says
+          const auto low = contact.solve(state, 49.995e3), high = contact.solve(state, 50.005e3);
+          EXPECT_LT(size(d.force[state_numbers] - 0.1 * (high.force - low.force)), 1e-4);
+          EXPECT_NEAR(d.vertical[state_numbers] * 10 / (high.vertical - low.vertical), 1, 1e-4);
+          EXPECT_NEAR(d.force[state_numbers].z, 1, 1e-12);
+          EXPECT_NEAR(d.force[0].z, 0, 1e-6);
+        } else {
+          EXPECT_EQ(size(d.force[state_numbers]), 0);
+          EXPECT_EQ(d.vertical[1], 1);
+        }
+      }
+  }
+}
+
+TEST(WheelRail, HasDerivativesAtTheExactLevel) {
+  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .elements = 16});
+  WheelState<double> state = in_a_curve(0);
   state.vertical = contact.solve(state, 50e3).vertical;
-  EXPECT_LT(derivative_error(contact, state, {}), 1e-4);
-  // Held by a force, the height changes with it as the stiffness says.
   WheelRailSolution found;
   WheelRailDerivatives d;
-  contact.differentiate(state, 50e3, found, d);
-  const double softer = contact.solve(state, 50.05e3).vertical - contact.solve(state, 49.95e3).vertical;
-  EXPECT_NEAR(d.vertical[1] * 100 / softer, 1, 1e-3);
-  EXPECT_NEAR(d.force[1].z, 1, 1e-9);
-  EXPECT_NEAR(d.force[0].z, 0, 1e-6);
+  contact.differentiate(state, {}, found, d);
+  for (std::size_t k = 0; k < state_numbers; ++k) {
+    const StateQuantity& q = state_quantities()[k];
+    SCOPED_TRACE(q.name);
+    const bool velocity = q.unit == "m/s" || q.unit == "rad/s";
+    if (!velocity && q.name != "vertical" && q.name != "roll" && q.name != "deviation_vertical") continue;
+    // By places the forces of neighbouring states scatter: only long differences tell.
+    const Compared wanted = difference(contact, state, {}, q, (velocity ? 0.1 : 500) * half_step(q));
+    EXPECT_LT(size(d.force[k] - wanted.force), (velocity ? 1e-4 : 2e-2) * size(wanted.force));
+    EXPECT_LT(size(d.moment[k] - wanted.moment), (velocity ? 1e-4 : 2e-2) * size(wanted.moment));
+  }
+}
+
+TEST(WheelRail, VariablesOfDerivativesStandInTheOrderOfTheTable) {
+  ASSERT_EQ(state_quantities().size(), state_numbers);
+  WheelState<double> state;
+  const auto numbers = state.numbers();
+  for (std::size_t k = 0; k < state_numbers; ++k) EXPECT_EQ(&state_quantities()[k].of(state), numbers[k]);
+  const std::pair<WheelVariable, std::string_view> some[] = {
+      {WheelVariable::yaw, "yaw"},
+      {WheelVariable::yaw_velocity, "yaw_velocity"},
+      {WheelVariable::curvature, "curvature"},
+      {WheelVariable::deflection_yaw, "deflection_yaw"},
+      {WheelVariable::deviation_lateral, "deviation_lateral"},
+      {WheelVariable::deviation_roll_velocity, "deviation_roll_velocity"}};
+  for (const auto& [variable, name] : some)
+    EXPECT_EQ(state_quantities()[static_cast<std::size_t>(variable)].name, name);
+  EXPECT_EQ(static_cast<std::size_t>(WheelVariable::vertical_force), state_numbers);
 }
 
 TEST(WheelRail, SaysWhereThereIsNoContact) {

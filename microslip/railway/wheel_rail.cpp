@@ -7,6 +7,7 @@
 #include "microslip/railway/exact_contact.hpp"
 #include "microslip/railway/patch_damage.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/relative_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,15 +38,9 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   if (shear_yield_strength) require_positive("shear_yield_strength", *shear_yield_strength, "Pa");
 }
 
-/// All numbers of a state added up: not finite if one of them is not.
-double checksum(const WheelState<double>& s) {
-  const WheelDeflection<double>& d = s.deflection;
-  const RailDeviation<double>& r = s.rail;
-  return s.lateral + s.vertical + s.roll + s.yaw + s.forward_velocity + s.lateral_velocity + s.vertical_velocity +
-         s.roll_velocity + s.pitch_velocity + s.yaw_velocity + s.curvature + d.longitudinal + d.lateral + d.vertical +
-         d.roll + d.yaw + d.longitudinal_velocity + d.lateral_velocity + d.vertical_velocity + d.roll_velocity +
-         d.pitch_velocity + d.yaw_velocity + r.lateral + r.vertical + r.roll + r.lateral_velocity +
-         r.vertical_velocity + r.roll_velocity;
+bool is_finite(WheelState<double> state) {
+  const auto numbers = state.numbers();
+  return std::all_of(numbers.begin(), numbers.end(), [](const double* x) { return std::isfinite(*x); });
 }
 
 /// A left wheel's solution as that of a right one.
@@ -58,30 +53,45 @@ void mirror(WheelRailSolution& out) {
   for (ContactSolution& fields : out.fields) mirror(fields);
 }
 
-/// The variable of a state.
-double& variable(WheelState<double>& s, WheelVariable which) {
-  double* const places[wheel_variables] = {&s.lateral,
-                                           &s.vertical,
-                                           &s.roll,
-                                           &s.yaw,
-                                           &s.forward_velocity,
-                                           &s.lateral_velocity,
-                                           &s.vertical_velocity,
-                                           &s.roll_velocity,
-                                           &s.pitch_velocity,
-                                           &s.yaw_velocity};
-  return *places[static_cast<std::size_t>(which)];
+/// And its derivatives.
+void mirror(WheelRailDerivatives& d) {
+  WheelState<double> ones;
+  for (double* x : ones.numbers()) *x = 1;
+  WheelState<double> mirrored = ones.mirrored();
+  for (std::size_t k = 0; k < wheel_variables; ++k) {
+    const double sign = k < state_numbers ? *mirrored.numbers()[k] : 1;
+    d.force[k] = sign * d.force[k], d.moment[k] = sign * d.moment[k], d.vertical[k] *= sign;
+    for (double* odd : {&d.force[k].y, &d.moment[k].x, &d.moment[k].z}) *odd = -*odd;
+  }
 }
 
-bool is_velocity(WheelVariable which) {
-  return which >= WheelVariable::forward_velocity;
+/// What all patches do to the wheel.
+struct Wrench {
+  Vec3<double> force, moment;
+
+  friend Wrench operator+(const Wrench& a, const Wrench& b) { return {a.force + b.force, a.moment + b.moment}; }
+  friend Wrench operator-(const Wrench& a, const Wrench& b) { return {a.force - b.force, a.moment - b.moment}; }
+  friend Wrench operator*(double f, const Wrench& a) { return {f * a.force, f * a.moment}; }
+};
+
+/// Central difference by the state's number k.
+template <class Forces>
+Wrench difference(const WheelState<double>& state, std::size_t k, double step, const Forces& forces) {
+  WheelState<double> low = state, high = state;
+  *low.numbers()[k] -= step, *high.numbers()[k] += step;
+  const Wrench above = forces(high);
+  return 0.5 / step * (above - forces(low));
+}
+
+bool is_velocity(std::size_t basic) {
+  return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
 }
 
 /// Half the step of a central difference: places change an approach of 50 um, velocities a creepage of .001
 /// by a ten-thousandth.
-double difference_step(WheelVariable which, double speed) {
+double difference_step(std::size_t basic, double speed) {
   constexpr double place = 5e-9, yaw = 2e-7, creepage = 1e-7, radius = 0.5; // [m], [rad], [-], [m]
-  switch (which) {
+  switch (static_cast<WheelVariable>(basic)) {
   case WheelVariable::lateral:
   case WheelVariable::vertical:
     return place;
@@ -98,89 +108,124 @@ double difference_step(WheelVariable which, double speed) {
   }
 }
 
+/// From derivatives with the height held to those with the vertical force held.
+void hold_vertical_force(WheelRailDerivatives& d) {
+  constexpr auto height = static_cast<std::size_t>(WheelVariable::vertical);
+  const Vec3<double> force = d.force[height], moment = d.moment[height];
+  d.force[height] = d.moment[height] = {};
+  for (std::size_t k = 0; k < state_numbers; ++k) {
+    d.vertical[k] = -d.force[k].z / force.z;
+    d.force[k] = d.force[k] + d.vertical[k] * force;
+    d.moment[k] = d.moment[k] + d.vertical[k] * moment;
+  }
+  d.vertical[state_numbers] = 1 / force.z;
+  d.force[state_numbers] = 1 / force.z * force, d.moment[state_numbers] = 1 / force.z * moment;
+}
+
 } // namespace
 
+/// Solves left wheels; right ones in a mirror.
 struct WheelRail::Workspace {
   WheelRailBodies bodies;
   WheelRailMethod method;
+  NominalPlacement nominal = nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel);
   CoarseContact coarse{bodies, method};
   std::optional<double> flange_angle = wheel_dimensions(bodies.wheel, default_tape_line(bodies.wheel)).flange_angle;
   WheelRailSolution trial{};
 
-  /// Forces in the place of the state, beside the solution in it; after a solve in the same place velocities alone need
-  /// no new pressures at the coarse level.
-  void try_state(const WheelState<double>& state, bool same_place) {
-    if (!same_place || method.level == WheelRailLevel::exact) {
-      solve(state, {}, trial);
-      return;
-    }
-    const bool right = bodies.side == TrackSide::right;
-    coarse.move(right ? state.mirrored() : state);
-    coarse.sum(trial);
-    if (right) mirror(trial);
+  Workspace(WheelRailBodies given, const WheelRailMethod& how) : bodies(std::move(given)), method(how) {
+    trial.patches.reserve(most_patches);
   }
 
-  void differentiate(WheelState<double> state, std::optional<double> vertical_force, WheelRailSolution& out,
+  bool is_right() const { return bodies.side == TrackSide::right; }
+  WheelState<double> left(const WheelState<double>& state) const { return is_right() ? state.mirrored() : state; }
+
+  void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
+    solve_left(left(state), vertical_force, out);
+    if (is_right()) mirror(out);
+  }
+
+  void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out,
                      WheelRailDerivatives& derivatives) {
-    solve(state, vertical_force, out);
     derivatives = {};
-    if (out.status != Status::ok) return;
-    state.vertical = out.vertical;
-    const double larger = method.level == WheelRailLevel::exact ? 100 : 1; // its forces have the error of a tolerance
-    double speed = 0;
-    for (const WheelRailPatch& patch : out.patches) speed = std::max(speed, patch.rolling_speed);
-    for (std::size_t k = wheel_variables; k-- > 0;) {
-      const WheelVariable which = static_cast<WheelVariable>(k);
-      const double step = larger * difference_step(which, speed);
-      if (!(step > 0)) continue;
-      const bool velocity = is_velocity(which);
-      if (k + 1 == wheel_variables && vertical_force) solve(state, {}, trial);
-      WheelState<double> low = state, high = state;
-      variable(low, which) -= step, variable(high, which) += step;
-      try_state(high, velocity);
-      const Vec3<double> force = trial.force, moment = trial.moment;
-      try_state(low, velocity);
-      derivatives.force[k] = 0.5 / step * (force - trial.force);
-      derivatives.moment[k] = 0.5 / step * (moment - trial.moment);
-    }
-    if (vertical_force) hold_vertical_force(derivatives);
+    solve_left(left(state), vertical_force, out);
+    if (out.status == Status::ok) differentiate_left(left(state), vertical_force, out, derivatives);
+    if (is_right()) mirror(out), mirror(derivatives);
   }
 
-  /// From derivatives with the height held to those with the vertical force held.
-  static void hold_vertical_force(WheelRailDerivatives& d) {
-    constexpr auto height = static_cast<std::size_t>(WheelVariable::vertical);
-    const Vec3<double> force = d.force[height], moment = d.moment[height];
-    for (std::size_t k = 0; k < wheel_variables; ++k) {
-      d.vertical[k] = k == height ? 1 / force.z : -d.force[k].z / force.z;
-      const Vec3<double> direct_force = k == height ? Vec3<double>{} : d.force[k];
-      const Vec3<double> direct_moment = k == height ? Vec3<double>{} : d.moment[k];
-      d.force[k] = direct_force + d.vertical[k] * force;
-      d.moment[k] = direct_moment + d.vertical[k] * moment;
-    }
+private:
+  void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
+    if (!solve_coarse(state, vertical_force, out)) return;
+    if (method.level == WheelRailLevel::exact) solve_exact(coarse, bodies, method, vertical_force, out);
   }
 
-  void solve(const WheelState<double>& given, std::optional<double> vertical_force, WheelRailSolution& out) {
-    const bool right = bodies.side == TrackSide::right;
-    const WheelState<double> state = right ? given.mirrored() : given;
+  /// Whether there is contact.
+  bool solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     out.patches.clear(), out.fields.clear();
+    out.patches.reserve(most_patches); // for all that come later
     out.force = out.moment = {};
     out.residual = 0, out.iterations = 0, out.at_profile_end = false;
     out.vertical = state.vertical;
-    out.y_over_q.reset(), out.nadal_limit.reset();
-    if (!std::isfinite(checksum(state)) || (vertical_force && !(*vertical_force > 0 && *vertical_force < 1e12))) {
+    if (!is_finite(state) || (vertical_force && !(*vertical_force > 0 && *vertical_force < 1e12))) {
       out.status = Status::invalid_input;
-      return;
+      return false;
     }
     coarse.solve(state, vertical_force, out);
-    if (out.status == Status::no_contact) return;
+    if (out.status == Status::no_contact) return false;
     coarse.sum(out);
-    if (method.level == WheelRailLevel::exact)
-      solve_exact(coarse, state, bodies, method, vertical_force, out);
-    else if (method.fields || bodies.strength.hardness)
-      coarse.add_fields(out);
-    assess(out);
-    if (method.level != WheelRailLevel::exact && !method.fields) out.fields.clear();
-    if (right) mirror(out);
+    return true;
+  }
+
+  void differentiate_left(WheelState<double> state, std::optional<double> vertical_force,
+                          const WheelRailSolution& found, WheelRailDerivatives& d) {
+    state.vertical = found.vertical;
+    double speed = 0;
+    for (const WheelRailPatch& patch : found.patches) speed = std::max(speed, patch.rolling_speed);
+    std::array<Wrench, basic_motions> basic;
+    if (method.level == WheelRailLevel::fastsim2 && vertical_force) solve_coarse(state, {}, trial);
+    for (std::size_t k = basic_motions; k-- > 0;) // velocities first, in the place of the last solve
+      if (const double step = difference_step(k, speed); step > 0)
+        basic[k] = method.level == WheelRailLevel::exact ? exact_derivative(state, k, step)
+                                                         : coarse_derivative(state, k, step);
+    const auto motions = relative_motions(nominal, state);
+    for (std::size_t k = 0; k < state_numbers; ++k) {
+      Wrench sum = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
+      for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * basic[i];
+      d.force[k] = sum.force, d.moment[k] = sum.moment;
+    }
+    d.vertical[static_cast<std::size_t>(WheelVariable::vertical)] = 1;
+    if (vertical_force) hold_vertical_force(d);
+  }
+
+  /// Velocities alone need no new pressures.
+  Wrench coarse_derivative(const WheelState<double>& state, std::size_t k, double step) {
+    return difference(state, k, step, [&](const WheelState<double>& there) -> Wrench {
+      if (is_velocity(k)) {
+        coarse.move(there);
+        coarse.sum(trial);
+      } else {
+        solve_coarse(there, {}, trial);
+      }
+      return {trial.force, trial.moment};
+    });
+  }
+
+  /// By places the forces scatter, as elements that nearly slip are taken for sliding ones or not. So what the exact
+  /// theory adds to the coarse level's derivative is a difference over a long step.
+  Wrench exact_derivative(const WheelState<double>& state, std::size_t k, double step) {
+    constexpr double long_step = 600; // a tenth of the approach or so
+    if (is_velocity(k))
+      return difference(state, k, step, [&](const WheelState<double>& there) -> Wrench {
+        solve_left(there, {}, trial);
+        return {trial.force, trial.moment};
+      });
+    const Wrench more = difference(state, k, long_step * step, [&](const WheelState<double>& there) -> Wrench {
+      if (!solve_coarse(there, {}, trial)) return {};
+      const Wrench before = {trial.force, trial.moment};
+      solve_exact(coarse, bodies, method, {}, trial);
+      return Wrench{trial.force, trial.moment} - before;
+    });
+    return more + coarse_derivative(state, k, step);
   }
 
   /// What the forces of a left wheel do to the surfaces and to its guidance.
@@ -196,7 +241,7 @@ struct WheelRail::Workspace {
 
 WheelRail::WheelRail(WheelRailBodies bodies, const WheelRailMethod& method) {
   check(bodies, method);
-  workspace_ = std::unique_ptr<Workspace>(new Workspace{std::move(bodies), method});
+  workspace_ = std::make_unique<Workspace>(std::move(bodies), method);
 }
 WheelRail::WheelRail(WheelRail&&) noexcept = default;
 WheelRail& WheelRail::operator=(WheelRail&&) noexcept = default;

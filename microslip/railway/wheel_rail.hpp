@@ -9,7 +9,8 @@
 
 namespace microslip {
 
-/// What the forces are differentiated by. A wheel's angle of pitch and its place along the track change nothing.
+/// What the forces are differentiated by: the numbers of a state in the order of state_quantities(), and the vertical
+/// force. A wheel's angle of pitch and its place along the track change nothing.
 enum class WheelVariable {
   lateral,
   vertical,
@@ -21,11 +22,30 @@ enum class WheelVariable {
   roll_velocity,
   pitch_velocity,
   yaw_velocity,
+  curvature,
+  deflection_longitudinal,
+  deflection_lateral,
+  deflection_vertical,
+  deflection_roll,
+  deflection_yaw,
+  deflection_longitudinal_velocity,
+  deflection_lateral_velocity,
+  deflection_vertical_velocity,
+  deflection_roll_velocity,
+  deflection_pitch_velocity,
+  deflection_yaw_velocity,
+  deviation_lateral,
+  deviation_vertical,
+  deviation_roll,
+  deviation_lateral_velocity,
+  deviation_vertical_velocity,
+  deviation_roll_velocity,
+  vertical_force,
 };
-inline constexpr std::size_t wheel_variables = 10;
+inline constexpr std::size_t wheel_variables = state_numbers + 1;
 
-/// Forces with their derivatives, in SI units: by a variable of the state, in the order of WheelVariable. Where the
-/// vertical force is given, it is held in all columns but that of the height, which holds the derivatives by the force.
+/// Derivatives of what a wheel bears, in SI units, by each WheelVariable. Those by what was not given are zero: by the
+/// height with a vertical force, by the vertical force with a height.
 struct WheelRailDerivatives {
   std::array<Vec3<double>, wheel_variables> force, moment;
   std::array<double, wheel_variables> vertical{}; ///< of the wheelset's height
@@ -47,10 +67,11 @@ public:
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution);
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 
-  /// The same with derivatives, by central differences of steps of a ten-thousandth of what changes the forces much,
-  /// the wheel being held in its height; so they hold where no patch comes or goes. Errors of 1e-5 of the largest of
-  /// their row at the level `fastsim2`, where they cost some three solves, of 1e-2 at `exact`, where they cost 20.
-  /// Derivatives of a solution that is not ok are zero.
+  /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
+  /// central differences with the wheel held in its height, by the others they follow (relative_motion.hpp). At the
+  /// level `fastsim2`, where they cost some three solves and allocate as little, their errors are 1e-5 of the largest of
+  /// their row. At `exact` they cost 20 solves; by velocities their errors are 1e-4, by places 1e-2, since the forces
+  /// of states next to each other scatter by 1e-4 of mu Fn. Derivatives of a solution that is not ok are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives);
 

@@ -2,6 +2,9 @@
 
 #include "microslip/railway/frame.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace microslip {
 
 /// Small motion of a wheel against its axle, in the wheelset's axes at the wheel's centre: [m], [rad], [m/s], [rad/s].
@@ -19,6 +22,9 @@ template <class T> struct RailDeviation {
   T lateral_velocity{}, vertical_velocity{}, roll_velocity{};
 };
 
+/// How many numbers a state has.
+inline constexpr std::size_t state_numbers = 28;
+
 /// Where a wheelset is on the track and how it moves, with all that concerns one of its wheels. Track axes: x forward,
 /// y to the left, z up, moving along the track with the wheelset. Angles are right-handed: roll > 0 raises the left
 /// wheel, yaw > 0 turns to the left. The wheelset's axes are those of the track turned first by yaw, then by roll: R =
@@ -33,9 +39,44 @@ template <class T> struct WheelState {
   WheelDeflection<T> deflection;
   RailDeviation<T> rail;
 
+  /// All of them in the order in which they stand here, that of state_quantities() (wheel_rail_quantities.hpp).
+  std::array<T*, state_numbers> numbers();
   /// The same seen in a mirror whose plane is x, z: turns a right wheel into a left one and back.
   WheelState mirrored() const;
 };
+
+template <class T> std::array<T*, state_numbers> WheelState<T>::numbers() {
+  WheelDeflection<T>& d = deflection;
+  RailDeviation<T>& r = rail;
+  return {&lateral,
+          &vertical,
+          &roll,
+          &yaw,
+          &forward_velocity,
+          &lateral_velocity,
+          &vertical_velocity,
+          &roll_velocity,
+          &pitch_velocity,
+          &yaw_velocity,
+          &curvature,
+          &d.longitudinal,
+          &d.lateral,
+          &d.vertical,
+          &d.roll,
+          &d.yaw,
+          &d.longitudinal_velocity,
+          &d.lateral_velocity,
+          &d.vertical_velocity,
+          &d.roll_velocity,
+          &d.pitch_velocity,
+          &d.yaw_velocity,
+          &r.lateral,
+          &r.vertical,
+          &r.roll,
+          &r.lateral_velocity,
+          &r.vertical_velocity,
+          &r.roll_velocity};
+}
 
 template <class T> WheelState<T> WheelState<T>::mirrored() const {
   WheelState m = *this;
