@@ -16,6 +16,7 @@ struct microslip_wheel_rail {
   WheelRail solver;
   LoadedWheelState first; ///< of the case file
   WheelRailSolution solution = {};
+  WheelRailDerivatives derivatives = {};
 };
 
 namespace {
@@ -114,6 +115,34 @@ void store(const WheelRailSolution& from, microslip_wheel_forces& to) noexcept {
   for (int k = 0; k < to.patch_count; ++k) store(from.patches[static_cast<std::size_t>(k)], to.patches[k]);
 }
 
+static_assert(wheel_variables == MICROSLIP_WHEEL_VARIABLES);
+
+void store(const WheelRailDerivatives& from,
+           double (&to)[MICROSLIP_WHEEL_RESULTS][MICROSLIP_WHEEL_VARIABLES]) noexcept {
+  for (std::size_t k = 0; k < wheel_variables; ++k) {
+    const Vec3<double>&f = from.force[k], &m = from.moment[k];
+    const double column[MICROSLIP_WHEEL_RESULTS] = {f.x, f.y, f.z, m.x, m.y, m.z, from.vertical[k]};
+    for (std::size_t row = 0; row < MICROSLIP_WHEEL_RESULTS; ++row) to[row][k] = column[row];
+  }
+}
+
+std::optional<double> prescribed_force(const microslip_wheel_state& state) noexcept {
+  return state.vertical_force == 0 ? std::nullopt : std::optional(state.vertical_force);
+}
+
+/// Runs a call on each of many states; `solve` returns the status of the k-th one. The code of the first that is not
+/// ok.
+template <class Solve> microslip_code for_each_state(std::size_t count, const Solve& solve) {
+  return guarded(nullptr, [&] {
+    microslip_code code = MICROSLIP_OK;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto status = static_cast<microslip_code>(solve(k));
+      if (code == MICROSLIP_OK) code = status;
+    }
+    return code;
+  });
+}
+
 } // namespace
 
 microslip_code microslip_wheel_rail_create(const char* text, const char* name, microslip_wheel_rail** wheel_rail,
@@ -145,15 +174,22 @@ microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail
 microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                           const microslip_wheel_state* states, microslip_wheel_forces* forces) {
   if (!wheel_rail || ((!states || !forces) && count > 0)) return MICROSLIP_NULL_POINTER;
-  microslip_code code = MICROSLIP_OK;
-  return guarded(nullptr, [&] {
-    for (std::size_t k = 0; k < count; ++k) {
-      const double force = states[k].vertical_force;
-      const std::optional<double> prescribed = force == 0 ? std::nullopt : std::optional(force);
-      wheel_rail->solver.solve(state_of(states[k]), prescribed, wheel_rail->solution);
-      store(wheel_rail->solution, forces[k]);
-      if (code == MICROSLIP_OK) code = static_cast<microslip_code>(forces[k].status);
-    }
-    return code;
+  return for_each_state(count, [&](std::size_t k) {
+    wheel_rail->solver.solve(state_of(states[k]), prescribed_force(states[k]), wheel_rail->solution);
+    store(wheel_rail->solution, forces[k]);
+    return forces[k].status;
+  });
+}
+
+microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
+                                                  const microslip_wheel_state* states,
+                                                  microslip_wheel_derivatives* derivatives) {
+  if (!wheel_rail || ((!states || !derivatives) && count > 0)) return MICROSLIP_NULL_POINTER;
+  return for_each_state(count, [&](std::size_t k) {
+    wheel_rail->solver.differentiate(state_of(states[k]), prescribed_force(states[k]), wheel_rail->solution,
+                                     wheel_rail->derivatives);
+    store(wheel_rail->solution, derivatives[k].forces);
+    store(wheel_rail->derivatives, derivatives[k].jacobian);
+    return derivatives[k].forces.status;
   });
 }

@@ -95,6 +95,14 @@ module microslip
     type(microslip_wheel_patch) :: patches(microslip_wheel_patches)
   end type
 
+  integer, parameter, public :: microslip_wheel_results = 7, microslip_wheel_variables = 29
+
+  !> Element (k, n) of C's jacobian, row n and column k counted from 1: members of the state come first here.
+  type, bind(c), public :: microslip_wheel_derivatives
+    type(microslip_wheel_forces) :: forces
+    real(c_double) :: jacobian(microslip_wheel_variables, microslip_wheel_results) = 0
+  end type
+
   type, bind(c), public :: microslip_bodies
     real(c_double) :: rolling_radius(2), transverse_radius(2)
     real(c_double) :: young_modulus(2), poisson_ratio(2)
@@ -427,6 +435,15 @@ module microslip
       type(microslip_wheel_forces), intent(inout) :: forces(*)
       integer(c_int) :: code
     end function
+
+    function microslip_wheel_rail_differentiate(wheel_rail, count, states, derivatives) bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      integer(c_size_t), value :: count
+      type(microslip_wheel_state), intent(in) :: states(*)
+      type(microslip_wheel_derivatives), intent(inout) :: derivatives(*)
+      integer(c_int) :: code
+    end function
   end interface
 
   public :: microslip_contact_check, microslip_polach_friction, microslip_hertz_from_load
@@ -441,7 +458,7 @@ module microslip
   public :: microslip_exact_solve, microslip_exact_differentiate, microslip_exact_get
   public :: microslip_exact_quantity, microslip_exact_field, microslip_solve_case
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
-  public :: microslip_wheel_rail_solve
+  public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate
   public :: microslip_version, microslip_code_text, microslip_error_text, microslip_text
 
 contains

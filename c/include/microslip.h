@@ -475,6 +475,17 @@ typedef struct microslip_wheel_forces {
   microslip_wheel_patch patches[MICROSLIP_WHEEL_PATCHES]; /* from the gauge to the field side of a left wheel */
 } microslip_wheel_forces;
 
+#define MICROSLIP_WHEEL_RESULTS 7
+#define MICROSLIP_WHEEL_VARIABLES 29
+
+/* Forces and their derivatives: rows force[0] to [2], moment[0] to [2], vertical; columns the members of
+ * microslip_wheel_state in their order, in SI units. Those by what was not given are zero: by `vertical` with a
+ * vertical force, by `vertical_force` without one. */
+typedef struct microslip_wheel_derivatives {
+  microslip_wheel_forces forces;
+  double jacobian[MICROSLIP_WHEEL_RESULTS][MICROSLIP_WHEEL_VARIABLES];
+} microslip_wheel_derivatives;
+
 /* Makes one from the text of a case file, whose sections [track], [rail], [wheelset], [wheel] (its side), [material],
  * [friction] and [solution] say all but the states; `name` is the file's name for messages, and profiles are read from
  * paths that start at its folder. Refused as by microslip_solve_case. */
@@ -491,6 +502,11 @@ MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_ra
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                                         const microslip_wheel_state* states,
                                                         microslip_wheel_forces* forces);
+/* The same with derivatives, which hold where no patch comes or goes; those of a state that is not MICROSLIP_OK are
+ * zero. With the theory "fastsim2" some three times the cost of a solve, and no memory either. */
+MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
+                                                                const microslip_wheel_state* states,
+                                                                microslip_wheel_derivatives* derivatives);
 
 #ifdef __cplusplus
 }

@@ -65,9 +65,13 @@ TEST(CHotCall, AWheelOnARailAtTheCoarseLevelAsWell) {
     if (k % 11 == 7) states[k].yaw = not_a_number;
   }
   std::vector<microslip_wheel_forces> forces(states.size());
+  std::vector<microslip_wheel_derivatives> derivatives(states.size());
   expect_silent([&] { microslip_wheel_rail_solve(wheel_rail, states.size(), states.data(), forces.data()); });
+  expect_silent(
+      [&] { microslip_wheel_rail_differentiate(wheel_rail, states.size(), states.data(), derivatives.data()); });
   EXPECT_EQ(forces[0].status, MICROSLIP_OK);
   EXPECT_EQ(forces[7].status, MICROSLIP_INVALID_INPUT);
+  EXPECT_EQ(derivatives[1].forces.force[1], forces[1].force[1]);
   microslip_wheel_rail_destroy(wheel_rail);
 }
 

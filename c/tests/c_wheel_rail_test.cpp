@@ -118,6 +118,41 @@ TEST(CWheelRail, SolvesManyStatesAndTellsOfTheFirstThatIsNotSolved) {
   EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 0, nullptr, nullptr), MICROSLIP_OK);
 }
 
+TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
+  const Handle handle(wheel_rail_text);
+  microslip_wheel_state states[3];
+  for (microslip_wheel_state& state : states) microslip_wheel_rail_state(handle.pointer, &state);
+  states[1].vertical_force = 0, states[1].vertical = -3e-4;
+  states[2].vertical_force = 0, states[2].vertical = 0.05;
+  microslip_wheel_derivatives found[3];
+  EXPECT_EQ(microslip_wheel_rail_differentiate(handle.pointer, 3, states, found), MICROSLIP_NO_CONTACT);
+
+  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  WheelRail solver(bodies_of(input), input.method);
+  for (int k = 0; k < 2; ++k) {
+    WheelState<double> state = input.states.front().state;
+    state.vertical = states[k].vertical;
+    WheelRailSolution solution;
+    WheelRailDerivatives d;
+    solver.differentiate(state, k == 0 ? std::optional(80e3) : std::nullopt, solution, d);
+    ASSERT_EQ(found[k].forces.status, MICROSLIP_OK);
+    EXPECT_EQ(found[k].forces.force[1], solution.force.y);
+    for (std::size_t variable = 0; variable < wheel_variables; ++variable) {
+      EXPECT_EQ(found[k].jacobian[0][variable], d.force[variable].x);
+      EXPECT_EQ(found[k].jacobian[1][variable], d.force[variable].y);
+      EXPECT_EQ(found[k].jacobian[2][variable], d.force[variable].z);
+      EXPECT_EQ(found[k].jacobian[4][variable], d.moment[variable].y);
+      EXPECT_EQ(found[k].jacobian[6][variable], d.vertical[variable]);
+    }
+  }
+  // The last column is that of the last member.
+  EXPECT_EQ(sizeof(microslip_wheel_state), MICROSLIP_WHEEL_VARIABLES * sizeof(double));
+  EXPECT_NEAR(found[0].jacobian[2][MICROSLIP_WHEEL_VARIABLES - 1], 1, 1e-12);
+  for (const auto& row : found[2].jacobian)
+    for (const double value : row) EXPECT_EQ(value, 0);
+  EXPECT_EQ(microslip_wheel_rail_differentiate(nullptr, 1, states, found), MICROSLIP_NULL_POINTER);
+}
+
 TEST(CWheelRail, RefusesWhatMakesNoSense) {
   const Handle wrong(with_part(wheel_rail_text, "gauge =", "gage ="));
   EXPECT_EQ(wrong.code, MICROSLIP_INVALID_OPTION);
