@@ -102,11 +102,10 @@ GaugeResult solve(const ConicityArguments& arguments, const Profiles& profiles, 
   Wheelset wheelset = arguments.wheelset;
   if (!arguments.tape_circle.empty()) wheelset.tape_circle = arguments.tape_circle.front();
   WheelsetSearch search(track, wheelset, profiles.left(), profiles.right());
-  // wheelsets that are not symmetric run beside the track's middle
-  const double reach = amplitudes.back() + (profiles.symmetric() ? 1e-4 : 5e-3);
   GaugeResult result;
   result.gauge = gauge;
-  result.curve = wheelset_curve(search, -reach, reach, from_word<RollRule>("--roll", arguments.roll));
+  result.curve = curve_of_amplitudes(search, amplitudes.back(), profiles.symmetric(),
+                                     from_word<RollRule>("--roll", arguments.roll));
   const RollingRadiusDifference difference(result.curve);
   const WheelsetBase base = base_of(arguments);
   for (const double amplitude : amplitudes) {

@@ -308,13 +308,27 @@ def wheel_rail(draw):
                            curvature=lambda: draw.number(-0.01, 0.01), deflection_lateral=lambda: draw.number(-1e-3, 1e-3),
                            deviation_vertical=lambda: draw.number(-1e-3, 1e-3)))
     if draw.random() < 0.7:
-        return pair.solve(**state)
+        return draw.choice((pair.solve, pair.differentiate))(**state)
     state["lateral"] = draw.array(np.array([draw.number(-0.01, 0.01) for _ in range(3)]))
-    many = pair.solve_batch(**state, threads=draw.count(0, 2))
-    return None if np.any(many.status) else (many.force_x, many.force_y)
+    many = pair.differentiate_batch(**state, threads=draw.count(0, 2))
+    return None if np.any(many.solution.status) else (many.solution.force_x, many.solution.force_y, many.jacobian)
 
 
-CALLS = (wheel_rail, wheel_rail, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
+def wheelset_geometry(draw):
+    """S1002 on 60E1 at any lateral displacement, and its conicity."""
+    rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
+    geometry = microslip.WheelsetGeometry(track=microslip.Track(cant=draw.number(0, 0.06)), rail=rail,
+                                          wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel,
+                                          contact_distance=draw.number(1, 2))
+    roll = {"roll": draw.word("equilibrium", "none")}
+    if draw.random() < 0.7:
+        found = geometry.contact(draw.array(np.array([draw.number(-0.01, 0.01) for _ in range(3)])), draw.number(-0.01, 0.01),
+                                 **roll, threads=draw.count(0, 2))
+        return None if np.any(found.status) else (found.rolling_radius_difference, found.left_rail_y, found.right_contact_angle)
+    return geometry.equivalent_conicity(draw.number(1e-4, 5e-3), **draw.some(gauge=lambda: draw.number(1.43, 1.44)), **roll)
+
+
+CALLS = (wheel_rail, wheel_rail, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
          normal_problem, patch_rolling, tangential_problem, interior, hertz, profile)
 
 

@@ -81,6 +81,12 @@ WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, Rol
   return curve;
 }
 
+WheelsetCurve curve_of_amplitudes(WheelsetSearch& search, double largest_amplitude, bool sides_are_alike,
+                                  RollRule rule) {
+  const double reach = largest_amplitude + (sides_are_alike ? 1e-4 : 5e-3);
+  return wheelset_curve(search, -reach, reach, rule);
+}
+
 RollingRadiusDifference::RollingRadiusDifference(std::vector<Value> values) : values_(std::move(values)) {
   if (values_.size() < 2) throw Error("rolling radius difference: fewer than two values");
   integrals_.push_back(0);

@@ -18,6 +18,11 @@ using WheelsetCurve = std::vector<WheelsetContact>;
 WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, RollRule rule = RollRule::equilibrium,
                              double yaw = 0, double step = 1e-4);
 
+/// The curve that motions with amplitudes [m] up to the largest one need. Sides that differ run beside the track's
+/// middle. Throws Error as above.
+WheelsetCurve curve_of_amplitudes(WheelsetSearch& search, double largest_amplitude, bool sides_are_alike,
+                                  RollRule rule = RollRule::equilibrium);
+
 /// The rolling radius difference over the lateral displacement, linear between values, with its integral.
 class RollingRadiusDifference {
 public:

@@ -49,12 +49,14 @@ TYPES_OF_ARGUMENTS = {
 }
 # Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
 TYPES_OF_PROPERTIES = {
+    "results": "tuple[str, ...]",
+    "variables": "tuple[str, ...]",
     "state": "NDArray[numpy.uint8]",
     "ForceArrays.status": "NDArray[numpy.uint8]",
     "WheelRailArrays.status": "NDArray[numpy.uint8]",
     "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
 }
-RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "angle": "Any", "curvature": "Any",
+RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "angle": "Any", "curvature": "Any", "derivative": "Any",
            "point": "tuple[Any, Any]",  # a number for numbers, else an array
            "to_dict": "dict[str, Any]"}
 

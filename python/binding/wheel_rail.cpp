@@ -1,10 +1,12 @@
-#include "binding/arrays.hpp"
+#include "binding/wheel_rail.hpp"
+
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
 #include "binding/damage.hpp"
 #include "binding/long_work.hpp"
 #include "binding/profile.hpp"
 #include "binding/value.hpp"
+#include "binding/wheel_rail_fields.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "microslip/error.hpp"
@@ -20,75 +22,50 @@
 
 namespace microslip::python {
 
-template <>
-inline constexpr auto fields<Track> =
-    std::tuple{Field{"gauge", &Track::gauge}, Field{"gauge_height", &Track::gauge_height},
-               Field{"rail_origin", &Track::rail_origin}, Field{"cant", &Track::cant}};
-template <>
-inline constexpr auto fields<Wheelset> =
-    std::tuple{Field{"flange_back_distance", &Wheelset::flange_back_distance},
-               Field{"flange_back_position", &Wheelset::flange_back_position},
-               Field{"nominal_radius", &Wheelset::nominal_radius}, Field{"tape_circle", &Wheelset::tape_circle}};
-template <>
-inline constexpr auto fields<Vec3<double>> =
-    std::tuple{Field{"x", &Vec3<double>::x}, Field{"y", &Vec3<double>::y}, Field{"z", &Vec3<double>::z}};
-template <>
-inline constexpr auto fields<PatchDamage> =
-    std::tuple{Field{"worn_area", &PatchDamage::worn_area}, Field{"wear_depth", &PatchDamage::wear_depth},
-               Field{"fatigue_index", &PatchDamage::fatigue_index},
-               Field{"shakedown_load", &PatchDamage::shakedown_load}};
-template <>
-inline constexpr auto fields<WheelRailPatch> = std::tuple{Field{"place", &WheelRailPatch::place},
-                                                          Field{"angle", &WheelRailPatch::angle},
-                                                          Field{"rail_y", &WheelRailPatch::rail_y},
-                                                          Field{"wheel_y", &WheelRailPatch::wheel_y},
-                                                          Field{"rolling_radius", &WheelRailPatch::rolling_radius},
-                                                          Field{"turn", &WheelRailPatch::turn},
-                                                          Field{"approach", &WheelRailPatch::approach},
-                                                          Field{"rolling_speed", &WheelRailPatch::rolling_speed},
-                                                          Field{"creepage", &WheelRailPatch::creepage},
-                                                          Field{"normal_force", &WheelRailPatch::normal_force},
-                                                          Field{"fx", &WheelRailPatch::fx},
-                                                          Field{"fs", &WheelRailPatch::fs},
-                                                          Field{"moment", &WheelRailPatch::moment},
-                                                          Field{"contact_area", &WheelRailPatch::contact_area},
-                                                          Field{"slip_area", &WheelRailPatch::slip_area},
-                                                          Field{"peak_pressure", &WheelRailPatch::peak_pressure},
-                                                          Field{"frictional_power", &WheelRailPatch::frictional_power},
-                                                          Field{"friction", &WheelRailPatch::friction},
-                                                          Field{"damage", &WheelRailPatch::damage},
-                                                          Field{"status", &WheelRailPatch::status}};
-template <>
-inline constexpr auto fields<WheelRailSolution> = std::tuple{
-    Field{"force", &WheelRailSolution::force},           Field{"moment", &WheelRailSolution::moment},
-    Field{"vertical", &WheelRailSolution::vertical},     Field{"patches", &WheelRailSolution::patches},
-    Field{"fields", &WheelRailSolution::fields},         Field{"residual", &WheelRailSolution::residual},
-    Field{"iterations", &WheelRailSolution::iterations}, Field{"at_profile_end", &WheelRailSolution::at_profile_end},
-    Field{"y_over_q", &WheelRailSolution::y_over_q},     Field{"nadal_limit", &WheelRailSolution::nadal_limit},
-    Field{"status", &WheelRailSolution::status}};
-
-namespace {
-
 namespace py = pybind11;
 using namespace py::literals;
 
-constexpr std::string_view force_name = "vertical_force";
-
-std::string text_of(std::string_view description, std::string_view unit, const std::string& shape = "") {
+std::string text_of(std::string_view description, std::string_view unit, const std::string& shape) {
   std::string text(description);
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text + shape + " [" + std::string(unit) + "].";
 }
 
-/// A wheel on its rail with what makes another one, for other threads.
-struct PythonWheelRail {
-  WheelRailBodies bodies;
-  WheelRailMethod method;
-  OneAtATime<WheelRail> solver;
+StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nominal_radius_(nominal_radius) {
+  std::vector<std::string_view> names = {force_name};
+  for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
+  for (const auto& [key, value] : given) {
+    const auto name = key.cast<std::string>();
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) throw Error(name + ": no number of the state" + suggestion(name, names));
+    const auto index = static_cast<std::size_t>(at - names.begin());
+    const StateQuantity* quantity = index == 0 ? nullptr : &state_quantities()[index - 1];
+    columns_.push_back({quantity, real_array(name.c_str(), py::reinterpret_borrow<py::object>(value)), nullptr});
+    broadcast(shape_, name.c_str(), columns_.back().values);
+  }
+  for (const auto extent : shape_) count_ *= static_cast<std::size_t>(extent);
+  for (Column& column : columns_) {
+    if (column.values.size() != static_cast<py::ssize_t>(count_)) column.values = spread(column.values, shape_);
+    column.data = column.values.data();
+  }
+  if (has("vertical") == has(force_name)) throw Error("vertical, vertical_force: either of them must be given");
+  pitch_is_given_ = has("pitch_velocity");
+}
 
-  PythonWheelRail(WheelRailBodies given, const WheelRailMethod& how)
-      : bodies(std::move(given)), method(how), solver(bodies, method) {}
-};
+void PythonWheelRail::for_batch(const StateArrays& states, int threads,
+                                const std::function<void(WheelRail& solver, std::size_t index)>& solve) const {
+  const int count = thread_count(threads);
+  const py::gil_scoped_release release;
+  const std::size_t chunk = method.level == WheelRailLevel::exact ? 1 : 16;
+  run_batch(states.count(), chunk, count, [&]() -> BatchWorker {
+    return
+        [&, solver = std::make_shared<WheelRail>(bodies, method)](std::size_t first, std::size_t n, const Progress&) {
+          for (std::size_t i = first; i < first + n; ++i) solve(*solver, i);
+        };
+  });
+}
+
+namespace {
 
 std::vector<InclinedFriction> friction_from(const py::object& friction) {
   if (py::isinstance<py::tuple>(friction)) {
@@ -126,103 +103,18 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
   return std::make_unique<PythonWheelRail>(std::move(bodies), method);
 }
 
-/// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
-class StateArrays {
-public:
-  /// Throws Error for names that are unknown, for arrays that are no real numbers or do not go together, and unless
-  /// there is either a height or a force.
-  StateArrays(const py::kwargs& given, double nominal_radius) : nominal_radius_(nominal_radius) {
-    std::vector<std::string_view> names = {force_name};
-    for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
-    for (const auto& [key, value] : given) {
-      const auto name = key.cast<std::string>();
-      const auto at = std::find(names.begin(), names.end(), name);
-      if (at == names.end()) throw Error(name + ": no number of the state" + suggestion(name, names));
-      const auto index = static_cast<std::size_t>(at - names.begin());
-      const StateQuantity* quantity = index == 0 ? nullptr : &state_quantities()[index - 1];
-      columns_.push_back({quantity, real_array(name.c_str(), py::reinterpret_borrow<py::object>(value)), nullptr});
-      broadcast(shape_, name.c_str(), columns_.back().values);
-    }
-    for (const auto extent : shape_) count_ *= static_cast<std::size_t>(extent);
-    for (Column& column : columns_) {
-      if (column.values.size() != static_cast<py::ssize_t>(count_)) column.values = spread(column.values, shape_);
-      column.data = column.values.data();
-    }
-    if (has("vertical") == has(force_name)) throw Error("vertical, vertical_force: either of them must be given");
-    pitch_is_given_ = has("pitch_velocity");
-  }
-
-  const Shape& shape() const { return shape_; }
-  std::size_t count() const { return count_; }
-
-  /// Needs no Python.
-  std::pair<WheelState<double>, std::optional<double>> operator[](std::size_t i) const {
-    WheelState<double> state;
-    std::optional<double> force;
-    for (const Column& column : columns_) {
-      if (column.quantity != nullptr)
-        column.quantity->of(state) = column.data[i];
-      else
-        force = column.data[i];
-    }
-    if (!pitch_is_given_) state.pitch_velocity = state.forward_velocity / nominal_radius_;
-    return {state, force};
-  }
-
-private:
-  struct Column {
-    const StateQuantity* quantity; ///< none for the force
-    RealArray values;
-    const double* data;
-  };
-
-  bool has(std::string_view name) const {
-    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
-      return column.quantity != nullptr ? column.quantity->name == name : name == force_name;
-    });
-  }
-
-  double nominal_radius_;
-  bool pitch_is_given_ = false;
-  Shape shape_;
-  std::size_t count_ = 1;
-  std::vector<Column> columns_;
-};
-
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
-  const StateArrays states(given, self.bodies.wheelset.nominal_radius);
-  if (!states.shape().empty()) throw Error("solve takes numbers; solve_batch takes arrays");
-  const auto [state, force] = states[0];
+  const auto [state, force] = StateArrays(given, self.bodies.wheelset.nominal_radius).single("solve");
   return self.solver.run([&, state = state, force = force](WheelRail& solver) { return solver.solve(state, force); });
 }
-
-/// Solutions of many states without fields.
-struct SolvedStates {
-  Shape shape;
-  std::vector<WheelRailSolution> solutions;
-
-  std::size_t most_patches() const {
-    std::size_t most = 0;
-    for (const WheelRailSolution& s : solutions) most = std::max(most, s.patches.size());
-    return most;
-  }
-};
 
 SolvedStates solve_batch(PythonWheelRail& self, int threads, const py::kwargs& given) {
   const StateArrays states(given, self.bodies.wheelset.nominal_radius);
   SolvedStates solved{states.shape(), std::vector<WheelRailSolution>(states.count())};
-  const int count = thread_count(threads);
-  const py::gil_scoped_release release;
-  const std::size_t chunk = self.method.level == WheelRailLevel::exact ? 1 : 16;
-  run_batch(states.count(), chunk, count, [&]() -> BatchWorker {
-    return [&, solver = std::make_shared<WheelRail>(self.bodies, self.method)](std::size_t first, std::size_t n,
-                                                                               const Progress&) {
-      for (std::size_t i = first; i < first + n; ++i) {
-        const auto [state, force] = states[i];
-        solver->solve(state, force, solved.solutions[i]);
-        solved.solutions[i].fields.clear();
-      }
-    };
+  self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i) {
+    const auto [state, force] = states[i];
+    solver.solve(state, force, solved.solutions[i]);
+    solved.solutions[i].fields.clear();
   });
   return solved;
 }
@@ -384,9 +276,11 @@ void bind_wheel_rail(py::module_& module) {
   bind_inputs(module);
   bind_patch(module);
   bind_wheel_solution(module);
-  py::class_<PythonWheelRail>(module, "WheelRail",
-                              "A wheel on a rail by their profiles: finds the patches and solves them. May be used "
-                              "from many threads, one call at a time.")
+  py::class_<PythonWheelRail> wheel_rail(
+      module, "WheelRail",
+      "A wheel on a rail by their profiles: finds the patches and solves them. May be used "
+      "from many threads, one call at a time.");
+  wheel_rail
       .def(py::init(&make_wheel_rail), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a, "side"_a = "left",
            "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
            "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
@@ -401,6 +295,7 @@ void bind_wheel_rail(py::module_& module) {
       .def("solve_batch", &solve_batch, "threads"_a = 0,
            "The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on\n"
            "so many threads; 0: one for each processor. Ctrl-C ends it.");
+  bind_wheel_rail_derivatives(module, wheel_rail);
 }
 
 } // namespace microslip::python

@@ -1571,6 +1571,12 @@ class WheelRail:
     def solve_batch(self, threads: int = 0, **kwargs) -> WheelRailArrays:
         """The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on
         so many threads; 0: one for each processor. Ctrl-C ends it."""
+    def differentiate(self, **kwargs) -> WheelRailDerivatives:
+        """The WheelRailDerivatives in a state given as for solve [SI units]: of forces and moments, and of the
+        height that a vertical force finds. They hold where no patch comes or goes; those of a state that is not
+        ok are zero. With theory "exact" those by velocities are right to 1e-4, by places to some percent."""
+    def differentiate_batch(self, threads: int = 0, **kwargs) -> WheelRailDerivativeArrays:
+        """The WheelRailDerivativeArrays of many states, given as for solve_batch [SI units]."""
 
 class WheelRailArrays:
     """Forces on a wheel in many states: arrays of the shape that the inputs broadcast to. Those of patches have one
@@ -1729,6 +1735,46 @@ class WheelRailArrays:
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     def __len__(self) -> int: ...
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelRailDerivativeArrays:
+    """Forces on a wheel in many states and their derivatives."""
+    @property
+    def jacobian(self) -> NDArray[numpy.float64]:
+        """All derivatives of [N], [N m] and [m] by SI units, shape (..., 7, 29), as `results` and `variables` say; zero by what was not given,
+        vertical or vertical_force."""
+    @property
+    def results(self) -> tuple[str, ...]:
+        """Names of the Jacobian's rows: forces [N], moments [N m] and the height [m]."""
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """Names of its columns: the numbers of a state and vertical_force [SI units]."""
+    def derivative(self, of: str, by: str) -> Any:
+        """One column of one row by their names [SI units]: derivative("force_y", "lateral")."""
+    @property
+    def solution(self) -> WheelRailArrays:
+        """The WheelRailArrays."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelRailDerivatives:
+    """Forces on a wheel and their derivatives."""
+    @property
+    def jacobian(self) -> NDArray[numpy.float64]:
+        """All derivatives of [N], [N m] and [m] by SI units, shape (7, 29), as `results` and `variables` say; zero by what was not given,
+        vertical or vertical_force."""
+    @property
+    def results(self) -> tuple[str, ...]:
+        """Names of the Jacobian's rows: forces [N], moments [N m] and the height [m]."""
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """Names of its columns: the numbers of a state and vertical_force [SI units]."""
+    def derivative(self, of: str, by: str) -> Any:
+        """One column of one row by their names [SI units]: derivative("force_y", "lateral")."""
+    @property
+    def solution(self) -> WheelRailSolution:
+        """The WheelRailSolution."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 

@@ -102,6 +102,40 @@ class WheelRailTest(unittest.TestCase):
         self.assertEqual(many.worn_area[1], solution.worn_area)
         self.assertEqual(pickle.loads(pickle.dumps(solution)), solution)
         self.assertEqual(pickle.loads(pickle.dumps(strength)), strength)
+    def test_derivatives_are_those_of_the_forces(self):
+        for options in ({"side": "left"}, {"side": "right"}):
+            pair = wheel_rail(tolerance=1e-11, **options)
+            state = {**STATE, "lateral": 0.002}
+            found = pair.differentiate(**state)
+            self.assertEqual(found.solution, pair.solve(**state))
+            self.assertEqual(found.jacobian.shape, (len(found.results), len(found.variables)))
+            for name, step in (("lateral", 1e-8), ("yaw", 2e-7), ("pitch_velocity", 4e-5), ("deviation_vertical", 1e-8),
+                               ("deflection_roll", 1e-8), ("vertical_force", 1.0)):
+                at = state.get(name, 30.0 / 0.46 if name == "pitch_velocity" else 0.0)
+                high, low = (pair.solve(**{**state, name: at + sign * step}) for sign in (1, -1))
+                for result in found.results:
+                    wanted = (getattr(high, result) - getattr(low, result)) / (2 * step)
+                    row = 1 + np.abs(found.jacobian[found.results.index(result)]).max()
+                    self.assertAlmostEqual(found.derivative(result, name), wanted, delta=1e-4 * abs(wanted) + 1e-5 * row + (1e-2 if result == "force_z" else 0))
+                    column = found.jacobian[:, found.variables.index(name)]
+                    self.assertEqual(found.derivative(result, name), column[found.results.index(result)])
+            self.assertEqual(found.derivative("force_y", "vertical"), 0)
+        with self.assertRaisesRegex(microslip.Error, "did you mean lateral"):
+            found.derivative("force_y", "latteral")
+        with self.assertRaisesRegex(microslip.Error, "did you mean force_y"):
+            found.derivative("forcey", "lateral")
+        self.assertEqual(pickle.loads(pickle.dumps(found)).jacobian.tolist(), found.jacobian.tolist())
+
+    def test_derivatives_come_in_batches(self):
+        lateral, yaw = np.linspace(-4e-3, 4e-3, 3), np.array([[0.0], [2e-3]])
+        many = self.pair.differentiate_batch(lateral=lateral, yaw=yaw, vertical=[-2.5e-4, -2.5e-4, 0.05], forward_velocity=30.0)
+        self.assertEqual(many.jacobian.shape, (2, 3, 7, 29))
+        self.assertEqual(many.solution.force_y.shape, (2, 3))
+        one = self.pair.differentiate(lateral=lateral[1], yaw=2e-3, vertical=-2.5e-4, forward_velocity=30.0)
+        np.testing.assert_array_equal(many.jacobian[1, 1], one.jacobian)
+        np.testing.assert_array_equal(many.derivative("moment_y", "yaw"), many.jacobian[..., 4, one.variables.index("yaw")])
+        self.assertTrue((many.jacobian[:, 2] == 0).all())
+        self.assertTrue((many.solution.status[:, 2] == microslip.Status.no_contact).all())
 
     def test_pitch_velocity_is_that_of_pure_rolling_by_default(self):
         given = self.pair.solve(**STATE, pitch_velocity=30.0 / 0.46)

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "binding/arrays.hpp"
+#include "binding/long_work.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace microslip::python {
+
+inline constexpr std::string_view force_name = "vertical_force";
+
+/// A description as a sentence with the shape of arrays and the unit.
+std::string text_of(std::string_view description, std::string_view unit, const std::string& shape = "");
+
+/// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
+class StateArrays {
+public:
+  /// Throws Error for names that are unknown, for arrays that are no real numbers or do not go together, and unless
+  /// there is either a height or a force.
+  StateArrays(const pybind11::kwargs& given, double nominal_radius);
+
+  /// Of a single state, for calls that take numbers. Throws Error for arrays.
+  std::pair<WheelState<double>, std::optional<double>> single(const char* call) const {
+    if (!shape_.empty())
+      throw Error(std::string(call) + " takes numbers; " + std::string(call) + "_batch takes arrays");
+    return (*this)[0];
+  }
+  const Shape& shape() const { return shape_; }
+  std::size_t count() const { return count_; }
+
+  /// Needs no Python.
+  std::pair<WheelState<double>, std::optional<double>> operator[](std::size_t i) const {
+    WheelState<double> state;
+    std::optional<double> force;
+    for (const Column& column : columns_) {
+      if (column.quantity != nullptr)
+        column.quantity->of(state) = column.data[i];
+      else
+        force = column.data[i];
+    }
+    if (!pitch_is_given_) state.pitch_velocity = state.forward_velocity / nominal_radius_;
+    return {state, force};
+  }
+
+private:
+  struct Column {
+    const StateQuantity* quantity; ///< none for the force
+    RealArray values;
+    const double* data;
+  };
+
+  bool has(std::string_view name) const {
+    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
+      return column.quantity != nullptr ? column.quantity->name == name : name == force_name;
+    });
+  }
+
+  double nominal_radius_;
+  bool pitch_is_given_ = false;
+  Shape shape_;
+  std::size_t count_ = 1;
+  std::vector<Column> columns_;
+};
+
+/// A wheel on its rail with what makes another one, for other threads.
+struct PythonWheelRail {
+  WheelRailBodies bodies;
+  WheelRailMethod method;
+  OneAtATime<WheelRail> solver;
+
+  PythonWheelRail(WheelRailBodies given, const WheelRailMethod& how)
+      : bodies(std::move(given)), method(how), solver(bodies, method) {}
+
+  /// Calls `solve` with a solver and the index of each state, on many threads without Python's lock. Ctrl-C ends it.
+  void for_batch(const StateArrays& states, int threads,
+                 const std::function<void(WheelRail& solver, std::size_t index)>& solve) const;
+};
+
+/// Solutions of many states without fields.
+struct SolvedStates {
+  Shape shape;
+  std::vector<WheelRailSolution> solutions;
+
+  std::size_t most_patches() const {
+    std::size_t most = 0;
+    for (const WheelRailSolution& s : solutions) most = std::max(most, s.patches.size());
+    return most;
+  }
+};
+
+/// WheelRail.differentiate and differentiate_batch.
+void bind_wheel_rail_derivatives(pybind11::module_& module, pybind11::class_<PythonWheelRail>& wheel_rail);
+
+} // namespace microslip::python

@@ -1,0 +1,160 @@
+#include "binding/bindings.hpp"
+#include "binding/value.hpp"
+#include "binding/wheel_rail.hpp"
+#include "binding/wheel_rail_fields.hpp"
+#include "io/nearest_word.hpp"
+
+#include <array>
+
+namespace microslip::python {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace {
+
+constexpr std::string_view results[] = {"force_x",  "force_y",  "force_z", "moment_x",
+                                        "moment_y", "moment_z", "vertical"};
+constexpr std::size_t result_count = std::size(results);
+
+std::vector<std::string_view> variables() {
+  std::vector<std::string_view> names;
+  for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
+  names.push_back(force_name);
+  return names;
+}
+
+/// The place of a name among others. Throws Error that has the nearest one.
+std::size_t index_of(const std::string& name, const std::vector<std::string_view>& names, const char* what) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw Error(name + ": no " + what + suggestion(name, names));
+  return static_cast<std::size_t>(at - names.begin());
+}
+
+/// Row by row.
+void store(const WheelRailDerivatives& d, double* to) {
+  for (std::size_t k = 0; k < wheel_variables; ++k) {
+    const Vec3<double>&f = d.force[k], &m = d.moment[k];
+    const std::array<double, result_count> column = {f.x, f.y, f.z, m.x, m.y, m.z, d.vertical[k]};
+    for (std::size_t row = 0; row < result_count; ++row) to[row * wheel_variables + k] = column[row];
+  }
+}
+
+} // namespace
+
+/// Forces in one state or in many, with the derivatives of all.
+template <class Solution> struct Differentiated {
+  Solution solution;
+  Shape shape; ///< of the states
+  std::vector<double> jacobian;
+
+  Differentiated() = default;
+  Differentiated(Solution of, Shape states, std::size_t count)
+      : solution(std::move(of)), shape(std::move(states)), jacobian(count * result_count * wheel_variables) {}
+
+  double* of_state(std::size_t k) { return jacobian.data() + k * result_count * wheel_variables; }
+};
+using DifferentiatedState = Differentiated<WheelRailSolution>;
+using DifferentiatedStates = Differentiated<SolvedStates>;
+
+template <>
+inline constexpr auto fields<DifferentiatedState> =
+    std::tuple{Field{"solution", &DifferentiatedState::solution}, Field{"jacobian", &DifferentiatedState::jacobian}};
+
+namespace {
+
+DifferentiatedState differentiate(PythonWheelRail& self, const py::kwargs& given) {
+  const auto [state, force] = StateArrays(given, self.bodies.wheelset.nominal_radius).single("differentiate");
+  DifferentiatedState out({}, {}, 1);
+  self.solver.run([&, state = state, force = force](WheelRail& solver) {
+    WheelRailDerivatives derivatives;
+    solver.differentiate(state, force, out.solution, derivatives);
+    store(derivatives, out.of_state(0));
+  });
+  return out;
+}
+
+DifferentiatedStates differentiate_batch(PythonWheelRail& self, int threads, const py::kwargs& given) {
+  const StateArrays states(given, self.bodies.wheelset.nominal_radius);
+  DifferentiatedStates out({states.shape(), std::vector<WheelRailSolution>(states.count())}, states.shape(),
+                           states.count());
+  self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i) {
+    const auto [state, force] = states[i];
+    WheelRailDerivatives derivatives;
+    solver.differentiate(state, force, out.solution.solutions[i], derivatives);
+    out.solution.solutions[i].fields.clear();
+    store(derivatives, out.of_state(i));
+  });
+  return out;
+}
+
+/// One derivative in all states.
+template <class Solution>
+py::object derivative(const Differentiated<Solution>& self, const std::string& of, const std::string& by) {
+  const std::size_t row = index_of(of, {std::begin(results), std::end(results)}, "number that is differentiated"),
+                    column = index_of(by, variables(), "number of the state");
+  RealArray out(self.shape);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(out.size()); ++k)
+    out.mutable_data()[k] = self.jacobian[(k * result_count + row) * wheel_variables + column];
+  return self.shape.empty() ? py::object(py::float_(*out.data())) : py::object(std::move(out));
+}
+
+template <class Names> py::tuple names(const Names& of) {
+  py::list list;
+  for (const std::string_view name : of) list.append(std::string(name));
+  return py::tuple(list);
+}
+
+/// What both classes have.
+template <class Solution>
+py::class_<Differentiated<Solution>> bind(py::module_& module, const char* name, const char* text, const char* shape) {
+  using Self = Differentiated<Solution>;
+  py::class_<Self> of(module, name, text);
+  of.def_property_readonly(
+        "jacobian",
+        [](const py::object& self) {
+          const auto& it = self.cast<const Self&>();
+          Shape whole = it.shape;
+          for (const std::size_t extent : {result_count, wheel_variables})
+            whole.push_back(static_cast<py::ssize_t>(extent));
+          return view(it.jacobian, whole, self);
+        },
+        (std::string("All derivatives of [N], [N m] and [m] by SI units, shape ") + shape +
+         ",\nas `results` and `variables` say; zero by what was not given, vertical or vertical_force.")
+            .c_str())
+      .def_property_readonly(
+          "results", [](const Self&) { return names(results); },
+          "Names of the Jacobian's rows: forces [N], moments [N m] and the height [m].")
+      .def_property_readonly(
+          "variables", [](const Self&) { return names(variables()); },
+          "Names of its columns: the numbers of a state and vertical_force [SI units].")
+      .def("derivative", &derivative<Solution>, "of"_a, "by"_a,
+           "One column of one row by their names [SI units]: derivative(\"force_y\", \"lateral\").");
+  return of;
+}
+
+} // namespace
+
+void bind_wheel_rail_derivatives(py::module_& module, py::class_<PythonWheelRail>& wheel_rail) {
+  auto one =
+      bind<WheelRailSolution>(module, "WheelRailDerivatives", "Forces on a wheel and their derivatives.", "(7, 29)");
+  one.def_property_readonly(
+      "solution", [](const DifferentiatedState& self) -> const WheelRailSolution& { return self.solution; },
+      "The WheelRailSolution.");
+  add_value(one, {"solution"});
+  auto many = bind<SolvedStates>(module, "WheelRailDerivativeArrays",
+                                 "Forces on a wheel in many states and their derivatives.", "(..., 7, 29)");
+  many.def_property_readonly(
+      "solution", [](const DifferentiatedStates& self) -> const SolvedStates& { return self.solution; },
+      "The WheelRailArrays.");
+  add_description(many, {"solution"});
+  wheel_rail
+      .def("differentiate", &differentiate,
+           "The WheelRailDerivatives in a state given as for solve [SI units]: of forces and moments, and of the\n"
+           "height that a vertical force finds. They hold where no patch comes or goes; those of a state that is not\n"
+           "ok are zero. With theory \"exact\" those by velocities are right to 1e-4, by places to some percent.")
+      .def("differentiate_batch", &differentiate_batch, "threads"_a = 0,
+           "The WheelRailDerivativeArrays of many states, given as for solve_batch [SI units].");
+}
+
+} // namespace microslip::python
