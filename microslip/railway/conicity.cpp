@@ -89,6 +89,8 @@ WheelsetCurve curve_of_amplitudes(WheelsetSearch& search, double largest_amplitu
 
 RollingRadiusDifference::RollingRadiusDifference(std::vector<Value> values) : values_(std::move(values)) {
   if (values_.size() < 2) throw Error("rolling radius difference: fewer than two values");
+  require_finite("lateral", values_.front().lateral, "m");
+  require_finite("rolling radius difference", values_.front().difference, "m");
   integrals_.push_back(0);
   for (std::size_t k = 1; k < values_.size(); ++k) {
     const Value &a = values_[k - 1], &b = values_[k];

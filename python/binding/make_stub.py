@@ -36,6 +36,7 @@ TYPES_OF_ARGUMENTS = {
     "shape": 'Literal["flat", "curved"]',
     "motion": 'Literal["steady", "transient", "shift"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
+    "roll": 'Literal["equilibrium", "none"]',
     "kind": 'Literal["rail", "wheel"]',
     "format": 'Literal["simpack", "miniprof", "columns"]',
     "y_axis": 'Literal["field", "gauge"]',
@@ -54,9 +55,12 @@ TYPES_OF_PROPERTIES = {
     "state": "NDArray[numpy.uint8]",
     "ForceArrays.status": "NDArray[numpy.uint8]",
     "WheelRailArrays.status": "NDArray[numpy.uint8]",
+    "WheelsetContacts.status": "NDArray[numpy.uint8]",
     "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
 }
 RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "angle": "Any", "curvature": "Any", "derivative": "Any",
+           "at": "Any", "equivalent_conicity": "Any", "wavelength": "Any", "nonlinearity_parameter": "Any",
+           "radial_steering_index": "Any",
            "point": "tuple[Any, Any]",  # a number for numbers, else an array
            "to_dict": "dict[str, Any]"}
 
@@ -159,7 +163,7 @@ def property_type(owner, name, member):
 SPECIAL_METHODS = {
     "__iter__": {"Creepage": "Iterator[float]", "ContactRun": "ContactRun"},
     "__next__": {"ContactRun": "ContactCase"},
-    "__len__": {"ForceArrays": "int", "WheelRailArrays": "int"},
+    "__len__": {"ForceArrays": "int", "WheelRailArrays": "int", "WheelsetContacts": "int"},
 }
 
 

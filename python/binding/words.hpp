@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/option_words.hpp"
+#include "microslip/railway/wheelset_contact.hpp"
 
 #include <pybind11/pybind11.h>
 
@@ -23,6 +24,7 @@ template <> inline constexpr const char* field_of<ProfileRole> = "kind";
 template <> inline constexpr const char* field_of<ProfileFormat> = "format";
 template <> inline constexpr const char* field_of<LateralSense> = "y_axis";
 template <> inline constexpr const char* field_of<VerticalSense> = "z_axis";
+template <> inline constexpr const char* field_of<RollRule> = "roll";
 
 /// Options are words in Python, those of the case files.
 template <class Option> class WordCaster {
@@ -68,5 +70,6 @@ template <>
 class type_caster<microslip::LateralSense> : public microslip::python::WordCaster<microslip::LateralSense> {};
 template <>
 class type_caster<microslip::VerticalSense> : public microslip::python::WordCaster<microslip::VerticalSense> {};
+template <> class type_caster<microslip::RollRule> : public microslip::python::WordCaster<microslip::RollRule> {};
 
 } // namespace pybind11::detail

@@ -805,7 +805,7 @@ class InteriorField:
     def __init__(self, material: Material, body: Literal[1, 2], grid: ElementGrid, *, px: ArrayLike | None = None, py: ArrayLike | None = None, pn: ArrayLike | None = None) -> None:
         """body 1 (wheel, z > 0) or 2 (rail) [-]; px, py, pn [Pa] are the tractions **on body 1** of the
         grid's elements, shape (my, mx), none: zero. Error for what is out of range or not finite."""
-    def at(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike) -> InteriorStates:
+    def at(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike) -> Any:
         """At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to
         shape (...). Returns InteriorStates. Cost .3 us for every point and element with tractions;
         Ctrl-C ends it."""
@@ -1183,6 +1183,25 @@ class RollingContactResult:
         """Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot be written."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+
+class RollingRadiusDifference:
+    """The rolling radius difference of a wheelset over its lateral displacement, linear between values; what EN 15302 finds from it."""
+    def __init__(self, lateral: ArrayLike, difference: ArrayLike) -> None:
+        """Left less right rolling radius [m], shape (n), at ascending lateral displacements [m], shape (n); two
+        equal ones are a jump. Error for fewer than two."""
+    def at(self, lateral: ArrayLike) -> Any:
+        """The difference [m] at lateral displacements [m], shape (...); NaN beyond the ends."""
+    def equivalent_conicity(self, amplitude: ArrayLike, contact_distance: float = 1.5, nominal_radius: float = 0.46) -> Any:
+        """Equivalent conicity [-] by EN 15302 at amplitudes [m], shape (...): that of conical wheels with the same
+        kinematic wavelength; NaN where no such motion exists. contact_distance e [m] of both contacts."""
+    def wavelength(self, amplitude: ArrayLike, contact_distance: float = 1.5, nominal_radius: float = 0.46) -> Any:
+        """Wavelength [m] of the motion of a free wheelset with these amplitudes [m], shape (...), that rolls without
+        slip."""
+    def nonlinearity_parameter(self, contact_distance: float = 1.5, nominal_radius: float = 0.46) -> Any:
+        """Change of the equivalent conicity from 2 to 4 mm of amplitude, per metre [1/m]; the standard's is per mm."""
+    def radial_steering_index(self, lateral: ArrayLike, curve_radius: ArrayLike, contact_distance: float = 1.5, nominal_radius: float = 0.46) -> Any:
+        """The difference at lateral displacements [m] over the one that rolls without slip through a curve of that
+        radius [m], shape (...) [-]: from 1 on the wheelset can steer itself radially."""
 
 class RowSolver:
     """What Fastsim and Fastsim2 have in common: all memory is taken when one is made, then it is used again and again."""
@@ -1742,8 +1761,8 @@ class WheelRailDerivativeArrays:
     """Forces on a wheel in many states and their derivatives."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """All derivatives of [N], [N m] and [m] by SI units, shape (..., 7, 29), as `results` and `variables` say; zero by what was not given,
-        vertical or vertical_force."""
+        """All derivatives of [N], [N m] and [m] by SI units, shape (..., 7, 29),
+        as `results` and `variables` say; zero by what was not given, vertical or vertical_force."""
     @property
     def results(self) -> tuple[str, ...]:
         """Names of the Jacobian's rows: forces [N], moments [N m] and the height [m]."""
@@ -1762,8 +1781,8 @@ class WheelRailDerivatives:
     """Forces on a wheel and their derivatives."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """All derivatives of [N], [N m] and [m] by SI units, shape (7, 29), as `results` and `variables` say; zero by what was not given,
-        vertical or vertical_force."""
+        """All derivatives of [N], [N m] and [m] by SI units, shape (7, 29),
+        as `results` and `variables` say; zero by what was not given, vertical or vertical_force."""
     @property
     def results(self) -> tuple[str, ...]:
         """Names of the Jacobian's rows: forces [N], moments [N m] and the height [m]."""
@@ -1979,6 +1998,90 @@ class Wheelset:
         """y in the profile where the radius is the nominal one [m]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelsetContacts:
+    """Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact."""
+    @property
+    def lateral(self) -> NDArray[numpy.float64]:
+        """Displacement of the wheelset's centre, to the left positive, shape (...) [m]."""
+    @property
+    def roll(self) -> NDArray[numpy.float64]:
+        """Roll of the wheelset; positive raises the left wheel, shape (...) [rad]."""
+    @property
+    def vertical(self) -> NDArray[numpy.float64]:
+        """Height of the wheelset's centre above the nominal radius where the wheels touch, shape (...) [m]."""
+    @property
+    def rolling_radius_difference(self) -> NDArray[numpy.float64]:
+        """Left less right rolling radius, shape (...) [m]."""
+    @property
+    def contact_angle_difference(self) -> NDArray[numpy.float64]:
+        """Left less right inclination, each positive where it rises to the field side, shape (...) [rad]."""
+    @property
+    def left_rail_y(self) -> NDArray[numpy.float64]:
+        """Of the left wheel: on the rail's profile, in its own axes: to the field side positive, shape (...) [m]."""
+    @property
+    def right_rail_y(self) -> NDArray[numpy.float64]:
+        """Of the right wheel: on the rail's profile, in its own axes: to the field side positive, shape (...) [m]."""
+    @property
+    def left_wheel_y(self) -> NDArray[numpy.float64]:
+        """Of the left wheel: on the wheel's profile, in its own axes, shape (...) [m]."""
+    @property
+    def right_wheel_y(self) -> NDArray[numpy.float64]:
+        """Of the right wheel: on the wheel's profile, in its own axes, shape (...) [m]."""
+    @property
+    def left_rolling_radius(self) -> NDArray[numpy.float64]:
+        """Of the left wheel: of the wheel there, shape (...) [m]."""
+    @property
+    def right_rolling_radius(self) -> NDArray[numpy.float64]:
+        """Of the right wheel: of the wheel there, shape (...) [m]."""
+    @property
+    def left_contact_angle(self) -> NDArray[numpy.float64]:
+        """Of the left wheel: inclination of the surfaces against the track plane; positive rises to the left, shape (...) [rad]."""
+    @property
+    def right_contact_angle(self) -> NDArray[numpy.float64]:
+        """Of the right wheel: inclination of the surfaces against the track plane; positive rises to the left, shape (...) [rad]."""
+    @property
+    def left_place_x(self) -> NDArray[numpy.float64]:
+        """Of the left wheel: along the track, ahead of the wheelset's centre, shape (...) [m]."""
+    @property
+    def right_place_x(self) -> NDArray[numpy.float64]:
+        """Of the right wheel: along the track, ahead of the wheelset's centre, shape (...) [m]."""
+    @property
+    def left_place_y(self) -> NDArray[numpy.float64]:
+        """Of the left wheel: to the left of the track's centre, shape (...) [m]."""
+    @property
+    def right_place_y(self) -> NDArray[numpy.float64]:
+        """Of the right wheel: to the left of the track's centre, shape (...) [m]."""
+    @property
+    def status(self) -> NDArray[numpy.uint8]:
+        """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
+    def __len__(self) -> int: ...
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class WheelsetGeometry:
+    """A rigid wheelset on a track by their profiles: where both wheels touch, and its conicity."""
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, contact_distance: float = 1.5) -> None:
+        """The profiles of rail and wheel, as read_profile gives them, of both sides or of the left one;
+        contact_distance e [m] between the contacts of both wheels. Error for values out of range and profiles
+        that do not fit the track or the wheelset."""
+    def contact(self, lateral: ArrayLike, yaw: ArrayLike = 0.0, *, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> WheelsetContacts:
+        """The WheelsetContacts at lateral displacements [m] and yaw angles [rad] that broadcast. With roll
+        "equilibrium" both wheels touch, with "none" the roll angle is zero as in EN 15302. Ctrl-C ends it."""
+    def curve(self, lateral_from: float, lateral_to: float, *, roll: Literal["equilibrium", "none"] = 'equilibrium', yaw: float = 0.0) -> WheelsetContacts:
+        """The WheelsetContacts over lateral displacements [m], 0 between or at an end: .1 mm apart and as fine as the
+        rolling radius difference needs to be linear in between within 1e-7 m. Jumps are two places closer than
+        1e-9 m. Ends early where a wheel leaves its rail; Error if there is no contact at 0."""
+    def equivalent_conicity(self, amplitude: ArrayLike, *, gauge: ArrayLike | None = None, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> Any:
+        """Equivalent conicity [-] by EN 15302 at amplitudes [m] and gauges [m], by default the track's, that
+        broadcast: gauge[:, None] makes a map, shape (...). NaN where no periodic motion exists. Ctrl-C ends it."""
+    def wavelength(self, amplitude: ArrayLike, *, gauge: ArrayLike | None = None, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> Any:
+        """Wavelength [m] of the motion that rolls without slip, as equivalent_conicity, shape (...)."""
+    def nonlinearity_parameter(self, *, gauge: ArrayLike | None = None, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> Any:
+        """Change of the equivalent conicity from 2 to 4 mm of amplitude, per metre [1/m], shape (...)."""
+    def radial_steering_index(self, lateral: ArrayLike, curve_radius: float, *, gauge: ArrayLike | None = None, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> Any:
+        """The rolling radius difference at lateral displacements [m] over the one that rolls without slip through a
+        curve of that radius [m], shape (...) [-]."""
 
 def build_info() -> dict[str, str]:
     """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
