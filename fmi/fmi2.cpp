@@ -1,10 +1,9 @@
 #include "fmi/fmi2.h"
 
+#include "fmi/description.hpp"
 #include "fmi/unit.hpp"
-#include "microslip_fmu_guid.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <initializer_list>
 #include <new>
@@ -39,15 +38,38 @@ void require(bool condition, const char* text) {
 constexpr std::initializer_list<Stage> readable = {Stage::initialization, Stage::stepping, Stage::terminated};
 constexpr std::initializer_list<Stage> writable = {Stage::instantiated, Stage::initialization, Stage::stepping};
 
-/// In initialization mode results follow the inputs; while stepping they stand from the last step.
-void update(Unit& unit) {
-  if (unit.stage == Stage::initialization) unit.evaluate();
+/// Values of variables of a kind; `store(unit, reference, k)` puts one into the caller's k-th place. In initialization
+/// mode results follow the inputs; while stepping they stand from the last step.
+template <class Store>
+fmi2Status get(fmi2Component instance, const char* call, Kind kind, const fmi2ValueReference vr[], size_t count,
+               const Store& store) {
+  return in_stage(instance, call, readable, [&](Unit& unit) {
+    for (size_t k = 0; k < count; ++k) unit.variable(vr[k], kind);
+    if (unit.stage == Stage::initialization) unit.evaluate();
+    for (size_t k = 0; k < count; ++k) store(unit.values, vr[k], k);
+  });
+}
+
+/// Sets variables of a kind likewise.
+template <class Store>
+fmi2Status set(fmi2Component instance, const char* call, Kind kind, const fmi2ValueReference vr[], size_t count,
+               const Store& store) {
+  return in_stage(instance, call, writable, [&](Unit& unit) {
+    for (size_t k = 0; k < count; ++k) {
+      const Causality causality = unit.variable(vr[k], kind).causality;
+      require(causality == Causality::input || causality == Causality::parameter, "an output cannot be set");
+      require(causality == Causality::input || unit.stage != Stage::stepping,
+              "a parameter cannot be set after initialization");
+      store(unit.values, vr[k], k);
+      unit.changed(causality);
+    }
+  });
 }
 
 /// There are no variables of this type.
 fmi2Status none_of_this_type(fmi2Component instance, const char* call, size_t count) {
   return in_stage(instance, call, {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated},
-                  [&](Unit&) { require(count == 0, "there are only real and integer variables"); });
+                  [&](Unit&) { require(count == 0, "there are no Boolean variables"); });
 }
 
 fmi2Status refuse(fmi2Component instance, const char* why) {
@@ -56,20 +78,6 @@ fmi2Status refuse(fmi2Component instance, const char* why) {
 
 fmi2Status discard(fmi2Component instance) {
   return instance ? fmi2Discard : fmi2Error;
-}
-
-/// What a saved state holds.
-struct Saved {
-  Stage stage;
-  double time;
-  Variables variables;
-};
-
-void restore(Unit& unit, const Saved& saved) {
-  unit.stage = saved.stage;
-  unit.time = saved.time;
-  unit.variables = saved.variables;
-  unit.parameters_changed();
 }
 
 } // namespace
@@ -88,12 +96,13 @@ fmi2Status fmi2SetDebugLogging(fmi2Component instance, fmi2Boolean on, size_t, c
   return fmi2OK;
 }
 
-fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String,
+fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions* functions, fmi2Boolean, fmi2Boolean logging) {
   if (!name || !*name || !guid || !functions || type != fmi2CoSimulation) return nullptr;
   try {
-    auto unit = std::make_unique<Unit>(name, *functions, logging != fmi2False);
-    if (std::strcmp(guid, MICROSLIP_FMU_GUID) == 0) return unit.release();
+    const ModelInfo info = model_info();
+    auto unit = std::make_unique<Unit>(name, info, folder_of(resources), *functions, logging != fmi2False);
+    if (guid == microslip::fmi::guid(info)) return unit.release();
     unit->fail("the guid is not that of modelDescription.xml");
   } catch (const std::exception&) { // no memory
   }
@@ -135,68 +144,49 @@ fmi2Status fmi2Reset(fmi2Component instance) {
 }
 
 fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2Real values[]) {
-  return in_stage(instance, __func__, readable, [&](Unit& unit) {
-    for (size_t k = 0; k < count; ++k) require(vr[k] < real_count, "no real variable has this value reference");
-    update(unit);
-    for (size_t k = 0; k < count; ++k) values[k] = unit.variables.real[vr[k]];
-  });
+  return get(instance, __func__, Kind::real, vr, count,
+             [&](const Values& from, size_t reference, size_t k) { values[k] = from.real[reference]; });
 }
-
 fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2Integer values[]) {
-  return in_stage(instance, __func__, readable, [&](Unit& unit) {
-    for (size_t k = 0; k < count; ++k) require(vr[k] < integer_count, "no integer variable has this value reference");
-    update(unit);
-    for (size_t k = 0; k < count; ++k) values[k] = unit.variables.integer[vr[k]];
-  });
+  return get(instance, __func__, Kind::integer, vr, count,
+             [&](const Values& from, size_t reference, size_t k) { values[k] = from.integer[reference]; });
+}
+fmi2Status fmi2GetString(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2String values[]) {
+  return get(instance, __func__, Kind::text, vr, count,
+             [&](const Values& from, size_t reference, size_t k) { values[k] = from.text[reference].c_str(); });
 }
 
 fmi2Status fmi2SetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t count, const fmi2Real values[]) {
-  return in_stage(instance, __func__, writable, [&](Unit& unit) {
-    for (size_t k = 0; k < count; ++k) {
-      require(vr[k] < real_count, "no real variable has this value reference");
-      const auto v = static_cast<RealVariable>(vr[k]);
-      require(is_input(v) || is_parameter(v), "an output cannot be set");
-      require(is_input(v) || unit.stage != Stage::stepping, "a parameter cannot be set after initialization");
-      unit.variables.real[v] = values[k];
-      is_parameter(v) ? unit.parameters_changed() : unit.inputs_changed();
-    }
-  });
+  return set(instance, __func__, Kind::real, vr, count,
+             [&](Values& to, size_t reference, size_t k) { to.real[reference] = values[k]; });
 }
-
 fmi2Status fmi2SetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t count,
                           const fmi2Integer values[]) {
-  return in_stage(instance, __func__, writable, [&](Unit& unit) {
-    for (size_t k = 0; k < count; ++k) {
-      require(vr[k] < integer_count, "no integer variable has this value reference");
-      require(is_parameter(static_cast<IntegerVariable>(vr[k])), "an output cannot be set");
-      require(unit.stage != Stage::stepping, "a parameter cannot be set after initialization");
-      unit.variables.integer[vr[k]] = values[k];
-      unit.parameters_changed();
-    }
+  return set(instance, __func__, Kind::integer, vr, count,
+             [&](Values& to, size_t reference, size_t k) { to.integer[reference] = values[k]; });
+}
+fmi2Status fmi2SetString(fmi2Component instance, const fmi2ValueReference vr[], size_t count,
+                         const fmi2String values[]) {
+  return set(instance, __func__, Kind::text, vr, count, [&](Values& to, size_t reference, size_t k) {
+    require(values[k] != nullptr, "a string is NULL");
+    to.text[reference] = values[k];
   });
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component instance, const fmi2ValueReference[], size_t count, fmi2Boolean[]) {
   return none_of_this_type(instance, __func__, count);
 }
-fmi2Status fmi2GetString(fmi2Component instance, const fmi2ValueReference[], size_t count, fmi2String[]) {
-  return none_of_this_type(instance, __func__, count);
-}
 fmi2Status fmi2SetBoolean(fmi2Component instance, const fmi2ValueReference[], size_t count, const fmi2Boolean[]) {
-  return none_of_this_type(instance, __func__, count);
-}
-fmi2Status fmi2SetString(fmi2Component instance, const fmi2ValueReference[], size_t count, const fmi2String[]) {
   return none_of_this_type(instance, __func__, count);
 }
 
 fmi2Status fmi2GetFMUstate(fmi2Component instance, fmi2FMUstate* state) {
   return in_stage(instance, __func__, {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated},
                   [&](Unit& unit) {
-                    const Saved saved = {unit.stage, unit.time, unit.variables};
                     if (*state)
-                      *static_cast<Saved*>(*state) = saved;
+                      *static_cast<Unit::Saved*>(*state) = unit.save();
                     else
-                      *state = new Saved(saved);
+                      *state = new Unit::Saved(unit.save());
                   });
 }
 
@@ -205,14 +195,14 @@ fmi2Status fmi2SetFMUstate(fmi2Component instance, fmi2FMUstate state) {
                   {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated, Stage::error},
                   [&](Unit& unit) {
                     require(state != nullptr, "there is no state to set");
-                    restore(unit, *static_cast<Saved*>(state));
+                    unit.restore(*static_cast<Unit::Saved*>(state));
                   });
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component instance, fmi2FMUstate* state) {
   if (!instance) return fmi2Error;
   if (!state) return fmi2OK;
-  delete static_cast<Saved*>(*state);
+  delete static_cast<Unit::Saved*>(*state);
   *state = nullptr;
   return fmi2OK;
 }
@@ -232,15 +222,16 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueR
                                         const fmi2Real known_changes[], fmi2Real unknown_changes[]) {
   return in_stage(instance, __func__, readable, [&](Unit& unit) {
     for (size_t k = 0; k < unknown_count; ++k)
-      require(unknowns[k] < real_count && is_output(static_cast<RealVariable>(unknowns[k])),
-              "derivatives are those of fx, fy and mz");
+      require(unit.variable(unknowns[k], Kind::real).causality == Causality::output,
+              "derivatives are those of real outputs");
     for (size_t k = 0; k < known_count; ++k)
-      require(knowns[k] < real_count && is_input(static_cast<RealVariable>(knowns[k])),
-              "derivatives are those to the inputs");
-    const auto by = unit.differentiate();
+      require(unit.variable(knowns[k], Kind::real).causality == Causality::input,
+              "derivatives are those by real inputs");
+    unit.differentiate();
     for (size_t i = 0; i < unknown_count; ++i) {
       unknown_changes[i] = 0;
-      for (size_t k = 0; k < known_count; ++k) unknown_changes[i] += by[unknowns[i] - fx][knowns[k]] * known_changes[k];
+      for (size_t k = 0; k < known_count; ++k)
+        unknown_changes[i] += unit.derivative(unknowns[i], knowns[k]) * known_changes[k];
     }
   });
 }

@@ -1,30 +1,123 @@
 #include "fmi/unit.hpp"
 
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
 namespace microslip::fmi {
+
+Values::Values(std::span<const Variable> variables)
+    : real(variables.size()), integer(variables.size()), text(variables.size()) {
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    real[k] = variables[k].start;
+    integer[k] = static_cast<int>(variables[k].start);
+    text[k] = variables[k].start_text;
+  }
+}
+
+std::filesystem::path folder_of(const char* uri) {
+  constexpr std::string_view scheme = "file:", host = "//";
+  std::string_view rest = uri ? uri : "";
+  if (!rest.starts_with(scheme)) return {};
+  rest.remove_prefix(scheme.size());
+  if (rest.starts_with(host)) rest.remove_prefix(std::min(rest.find('/', host.size()), rest.size()));
+  std::string path;
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    int code = 0;
+    const char* const digits = rest.data() + k + 1;
+    if (rest[k] == '%' && k + 2 < rest.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      path += static_cast<char>(code);
+      k += 2;
+    } else {
+      path += rest[k];
+    }
+  }
+  return path;
+}
+
+Unit::Unit(std::string name, ModelInfo info, std::filesystem::path resources, const fmi2CallbackFunctions& functions,
+           bool logging)
+    : values(info.variables), name_(std::move(name)), info_(std::move(info)), resources_(std::move(resources)),
+      functions_(functions), logging_(logging), model_(make_model(resources_)), place_(info_.variables.size()) {
+  std::size_t outputs = 0;
+  for (std::size_t k = 0; k < place_.size(); ++k) {
+    const Variable& v = info_.variables[k];
+    if (v.kind == Kind::real && v.causality == Causality::input) place_[k] = inputs_++;
+    if (v.kind == Kind::real && v.causality == Causality::output) place_[k] = outputs++;
+  }
+}
+
+const Variable& Unit::variable(fmi2ValueReference reference, Kind kind) const {
+  if (reference < info_.variables.size() && info_.variables[reference].kind == kind) return info_.variables[reference];
+  constexpr const char* kinds[] = {"real", "integer", "string"};
+  throw std::invalid_argument(std::string("no ") + kinds[static_cast<int>(kind)] +
+                              " variable has this value reference");
+}
+
+void Unit::log(fmi2Status status, const char* category, const char* text) const {
+  if (logging_ && functions_.logger)
+    functions_.logger(functions_.componentEnvironment, name_.c_str(), status, category, "%s", text);
+}
 
 fmi2Status Unit::fail(const char* text) {
   stage = Stage::error;
-  if (logging_ && functions_.logger)
-    functions_.logger(functions_.componentEnvironment, name_.c_str(), fmi2Error, "logStatusError", "%s", text);
+  log(fmi2Error, "logStatusError", text);
   return fmi2Error;
 }
 
-TangentialLaw& Unit::law() {
-  if (!law_) law_.emplace(variables.parameters());
-  return *law_;
+void Unit::changed(Causality causality) {
+  evaluated_ = false;
+  if (causality == Causality::parameter) parameters_changed_ = true;
+}
+
+bool Unit::has_parameters_of(const Values& other) const {
+  for (std::size_t k = 0; k < info_.variables.size(); ++k)
+    if (info_.variables[k].causality == Causality::parameter &&
+        (values.real[k] != other.real[k] || values.integer[k] != other.integer[k] || values.text[k] != other.text[k]))
+      return false;
+  return true;
+}
+
+Model& Unit::model() {
+  if (!parameters_changed_) return *model_;
+  if (!applied_ || !has_parameters_of(*applied_)) {
+    applied_.reset();
+    for (const std::string& warning : model_->set_parameters(values))
+      log(fmi2Warning, "logStatusWarning", warning.c_str());
+    applied_ = values;
+  }
+  parameters_changed_ = false;
+  return *model_;
 }
 
 void Unit::evaluate() {
   if (evaluated_) return;
-  variables.set_results(law().evaluate(variables.input()));
+  model().evaluate(values);
   evaluated_ = true;
+}
+
+void Unit::differentiate() {
+  derivatives_ = model().differentiate(values);
+}
+
+double Unit::derivative(fmi2ValueReference of, fmi2ValueReference by) const {
+  return derivatives_[place_[of] * inputs_ + place_[by]];
 }
 
 void Unit::reset() {
   stage = Stage::instantiated;
-  variables = {};
   time = 0;
-  parameters_changed();
+  values = Values(info_.variables);
+  model_ = make_model(resources_);
+  applied_.reset();
+  changed(Causality::parameter);
+}
+
+void Unit::restore(const Saved& saved) {
+  stage = saved.stage;
+  time = saved.time;
+  values = saved.values;
+  changed(Causality::parameter);
 }
 
 } // namespace microslip::fmi

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fmi/fmi2.h"
-#include "fmi/variables.hpp"
+#include "fmi/model.hpp"
 
 #include <memory>
 #include <optional>
@@ -12,37 +12,62 @@ namespace microslip::fmi {
 /// Where an instance stands in the standard's order of calls (FMI 2.0, section 4.2.4).
 enum class Stage { instantiated, initialization, stepping, terminated, error };
 
-/// An instance of the functional mock-up unit: variables, and the law that joins them.
+/// The folder of a URI as fmi2Instantiate gets it, file:///tmp/unit/resources; empty if there is none.
+std::filesystem::path folder_of(const char* uri);
+
+/// An instance of a functional mock-up unit: its variables, and the model that joins them.
 class Unit {
 public:
-  Unit(std::string name, const fmi2CallbackFunctions& functions, bool logging)
-      : name_(std::move(name)), functions_(functions), logging_(logging) {}
+  Unit(std::string name, ModelInfo info, std::filesystem::path resources, const fmi2CallbackFunctions& functions,
+       bool logging);
+
+  /// What a saved state holds.
+  struct Saved {
+    Stage stage;
+    double time;
+    Values values;
+  };
 
   Stage stage = Stage::instantiated;
-  Variables variables;
   double time = 0;
+  Values values;
+
+  /// Throws std::invalid_argument unless the reference is that of a variable of this kind.
+  const Variable& variable(fmi2ValueReference reference, Kind kind) const;
 
   void set_logging(bool on) { logging_ = on; }
   /// Tells the importer and leaves the instance unusable until it is reset.
   fmi2Status fail(const char* text);
 
-  /// The variables have been set: results are found when they are next asked for.
-  void parameters_changed() { law_.reset(), evaluated_ = false; }
-  void inputs_changed() { evaluated_ = false; }
+  /// A variable has been set: results are found when they are next asked for.
+  void changed(Causality causality);
   /// Finds the results. Throws Error for a variable out of range.
   void evaluate();
-  /// As TangentialLaw.
-  std::array<std::array<double, 5>, 3> differentiate() { return law().differentiate(variables.input()); }
+  /// Of a real output by a real input. The references must be those of such.
+  double derivative(fmi2ValueReference of, fmi2ValueReference by) const;
+  /// Finds what derivative() gives. Throws as evaluate.
+  void differentiate();
   void reset();
+  Saved save() const { return {stage, time, values}; }
+  void restore(const Saved& saved);
 
 private:
-  TangentialLaw& law();
+  void log(fmi2Status status, const char* category, const char* text) const;
+  /// The model with the parameters as they are now.
+  Model& model();
+  bool has_parameters_of(const Values& other) const;
 
   std::string name_;
+  ModelInfo info_;
+  std::filesystem::path resources_;
   fmi2CallbackFunctions functions_;
   bool logging_;
-  std::optional<TangentialLaw> law_; ///< made again when parameters change
-  bool evaluated_ = false;
+  std::unique_ptr<Model> model_;
+  std::optional<Values> applied_;  ///< of which the model has the parameters
+  std::vector<std::size_t> place_; ///< of a real output or input among those
+  std::size_t inputs_ = 0;         ///< real ones
+  std::span<const double> derivatives_;
+  bool parameters_changed_ = true, evaluated_ = false;
 };
 
 } // namespace microslip::fmi

@@ -1,9 +1,10 @@
 """Checks a co-simulation unit against the rules of FMI 2.0 for archive and modelDescription.xml: check_fmu.py FILE.fmu
 
 Prints each broken rule and exits with 1 if there is one. The rules are those of sections 2.2 (description), 2.3 (archive)
-and 4.3 (co-simulation) that concern units like ours: real and integer variables, no states.
+and 4.3 (co-simulation) that concern units like ours: no Boolean variables, no states.
 """
 
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 import zipfile
@@ -23,6 +24,7 @@ ATTRIBUTES = {
     "Real": {"declaredType", "quantity", "unit", "displayUnit", "relativeQuantity", "min", "max", "nominal", "unbounded",
              "start", "derivative", "reinit"},
     "Integer": {"declaredType", "quantity", "min", "max", "start"},
+    "String": {"declaredType", "start"},
     "BaseUnit": {"kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset"},
     "Unit": {"name", "index", "dependencies", "dependenciesKind"},
 }
@@ -67,7 +69,7 @@ def number(text):
 def check_value(name, value, initial, causality, units, report):
     start = value.get("start")
     needs_start = causality in ("input", "parameter") or initial in ("exact", "approx")
-    if needs_start and number(start) is None:
+    if needs_start and (start is None if value.tag == "String" else number(start) is None):
         report(f"{name} needs a start value")
     if initial == "calculated" and start is not None:
         report(f"{name} is calculated and must not have a start value")
@@ -103,6 +105,17 @@ def check_variables(variables, units, report):
         if not (variable.get("valueReference") or "").isdigit():
             report(f"{name} has no whole value reference")
         check_value(name, values[0], initial, causality, units, report)
+
+
+# Names by the variable naming convention "structured" (section 2.2.9): a.b[1].c
+STRUCTURED = re.compile(r"[A-Za-z_]\w*(\[\d+(,\d+)*\])?(\.[A-Za-z_]\w*(\[\d+(,\d+)*\])?)*")
+
+
+def check_names(variables, report):
+    for variable in variables:
+        name = variable.get("name") or ""
+        if not STRUCTURED.fullmatch(name):
+            report(f"{name} is no structured name")
 
 
 def check_structure(structure, variables, report):
@@ -145,6 +158,8 @@ def check_description(text, report):
     units = {unit.get("name") for unit in root.iterfind("UnitDefinitions/Unit")}
     variables = list(root.find("ModelVariables"))
     check_variables(variables, units, report)
+    if root.get("variableNamingConvention") == "structured":
+        check_names(variables, report)
     check_structure(root.find("ModelStructure"), variables, report)
     return root.find("CoSimulation").get("modelIdentifier")
 

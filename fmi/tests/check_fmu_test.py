@@ -18,7 +18,7 @@ CHANGES = [
     ('<Real unit="N.m"/>', "<Integer/>", "continuous, but not real"),
     ('causality="parameter" variability="fixed"', 'causality="parameter" variability="continuous"', "do not go together"),
     ('start="0.28"', 'start="0.6"', "starts outside its range"),
-    ('<Unknown index="18" dependencies="4"/>', "", "must list all outputs"),
+    ('<Unknown index="18" dependencies="1 2 3 4 5"/>', "", "must list all outputs"),
     ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="6" dependencies="11"/>', "is no input"),
     ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="6" dependencies="19"/>', "no variable 19"),
     ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="9"/>', "ascending"),
@@ -45,6 +45,11 @@ class CheckFmuTest(unittest.TestCase):
             with self.subTest(change=new, words=words):
                 self.assertIn(old, self.good)
                 self.assertIn(words, self.faults(self.good.replace(old, new)))
+
+    def test_structured_names_have_their_syntax(self):
+        structured = self.good.replace('variableNamingConvention="flat"', 'variableNamingConvention="structured"')
+        self.assertEqual(self.faults(structured.replace('name="spin"', 'name="patch[1].spin"')), "")
+        self.assertIn("no structured name", self.faults(structured.replace('name="spin"', 'name="patch[1]..spin"')))
 
 
 if __name__ == "__main__":

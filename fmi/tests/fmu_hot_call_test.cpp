@@ -1,49 +1,49 @@
-// A step of the unit without new parameters takes no memory and no lock, writes nothing and throws nothing.
+// A step of a unit without new parameters, and its derivatives, take no memory and no lock, write nothing and throw
+// nothing. MICROSLIP_HOT_INPUT is varied.
 
-#include "fmi/fmi2.h"
-#include "microslip_fmu_guid.hpp"
+#include "fmi/tests/importer.hpp"
 #include "tests/call_counters.hpp"
 
 #include <cmath>
+#include <vector>
 
-namespace microslip {
+namespace microslip::fmi {
 namespace {
 
-template <class Function> Function* find(void* binary, const char* name) {
-  return reinterpret_cast<Function*>(dlsym(binary, name));
-}
-
 TEST(FmuHotCall, AStepTakesNoMemoryNorLock) {
-  void* const binary = dlopen(MICROSLIP_UNPACKED_FMU "/binaries/linux64/microslip_tangential.so", RTLD_NOW);
-  ASSERT_NE(binary, nullptr) << dlerror();
-  const auto set = find<decltype(fmi2SetReal)>(binary, "fmi2SetReal");
-  const auto get = find<decltype(fmi2GetReal)>(binary, "fmi2GetReal");
-  const auto step = find<decltype(fmi2DoStep)>(binary, "fmi2DoStep");
-  const auto derivative = find<decltype(fmi2GetDirectionalDerivative)>(binary, "fmi2GetDirectionalDerivative");
-  const fmi2CallbackFunctions functions = {};
-  const fmi2Component unit = find<decltype(fmi2Instantiate)>(binary, "fmi2Instantiate")(
-      "hot", fmi2CoSimulation, MICROSLIP_FMU_GUID, "", &functions, fmi2False, fmi2False);
-  ASSERT_NE(unit, nullptr);
-  find<decltype(fmi2EnterInitializationMode)>(binary, "fmi2EnterInitializationMode")(unit);
-  find<decltype(fmi2ExitInitializationMode)>(binary, "fmi2ExitInitializationMode")(unit);
+  Instance instance;
+  instance.initialize();
+  std::vector<fmi2ValueReference> inputs, outputs;
+  for (const auto& [name, causality] : description().causalities) {
+    if (description().types.at(name) != "Real") continue;
+    if (causality == "input") inputs.push_back(description().references.at(name));
+    if (causality == "output") outputs.push_back(description().references.at(name));
+  }
+  ASSERT_GE(inputs.size(), 5U);
+  ASSERT_GE(outputs.size(), 3U);
+  const fmi2ValueReference varied = description().references.at(MICROSLIP_HOT_INPUT);
+  const std::vector<double> seed(inputs.size(), 1e-6);
+  std::vector<double> values(outputs.size()), changes(outputs.size());
+  const auto set = FMI(fmi2SetReal);
+  const auto get = FMI(fmi2GetReal);
+  const auto step = FMI(fmi2DoStep);
+  const auto derivative = FMI(fmi2GetDirectionalDerivative);
   double sum = 0;
   int failed = 0;
   expect_silent([&] {
     for (int k = 0; k < 100; ++k) {
-      const fmi2ValueReference inputs[] = {0, 1, 2, 3, 4}, outputs[] = {5, 6, 7};
-      const double values[] = {1e-4 * (k - 50), 5e-4, 0.2, 1e3 * (k - 10), 0.3}, seed[] = {1, 1, 1, 1, 1};
-      double forces[3], changes[3];
-      failed += set(unit, inputs, 5, values) != fmi2OK;
-      failed += step(unit, k * 1e-3, 1e-3, fmi2True) != fmi2OK;
-      failed += get(unit, outputs, 3, forces) != fmi2OK;
-      failed += derivative(unit, outputs, 3, inputs, 5, seed, changes) != fmi2OK;
-      sum += std::abs(forces[1]) + std::abs(changes[0]);
+      const double value = 1e-4 * (k - 50);
+      failed += set(instance.unit, &varied, 1, &value) != fmi2OK;
+      failed += step(instance.unit, k * 1e-3, 1e-3, fmi2True) != fmi2OK;
+      failed += get(instance.unit, outputs.data(), outputs.size(), values.data()) != fmi2OK;
+      failed += derivative(instance.unit, outputs.data(), outputs.size(), inputs.data(), inputs.size(), seed.data(),
+                           changes.data()) != fmi2OK;
+      sum += std::abs(values[1]) + std::abs(changes[0]);
     }
   });
   EXPECT_EQ(failed, 0);
   EXPECT_GT(sum, 0);
-  find<decltype(fmi2FreeInstance)>(binary, "fmi2FreeInstance")(unit);
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::fmi

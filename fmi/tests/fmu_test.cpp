@@ -1,138 +1,17 @@
-// Loads the unpacked unit as an importer would: names and value references come from modelDescription.xml, functions
-// from the binary.
+// The tangential contact law as an importer sees it, and what all units have from the functions of the standard.
 
-#include "fmi/fmi2.h"
 #include "fmi/tangential_law.hpp"
+#include "fmi/tests/importer.hpp"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
-#include <fstream>
-#include <limits>
-#include <map>
-#include <regex>
-#include <sstream>
-#include <string>
-
-#include <dlfcn.h>
-
-#include <gtest/gtest.h>
 
 namespace microslip::fmi {
 namespace {
 
-std::string attribute(const std::string& element, const std::string& name) {
-  std::smatch match;
-  return std::regex_search(element, match, std::regex("\\b" + name + "=\"([^\"]*)\"")) ? match[1].str() : "";
-}
-
-/// What the tests need of modelDescription.xml.
-struct Description {
-  std::string guid, identifier;
-  std::map<std::string, fmi2ValueReference> references;
-  std::map<std::string, double> starts;
-
-  Description() {
-    std::ifstream file(MICROSLIP_UNPACKED_FMU "/modelDescription.xml");
-    std::stringstream contents;
-    contents << file.rdbuf();
-    const std::string text = contents.str();
-    guid = attribute(text, "guid");
-    identifier = attribute(text, "modelIdentifier");
-    static const std::regex variable("<ScalarVariable[^]*?</ScalarVariable>");
-    for (std::sregex_iterator i(text.begin(), text.end(), variable), end; i != end; ++i) {
-      const std::string element = i->str(), name = attribute(element, "name"), start = attribute(element, "start");
-      references[name] = static_cast<fmi2ValueReference>(std::stoul(attribute(element, "valueReference")));
-      if (!start.empty()) starts[name] = std::stod(start);
-    }
-  }
-};
-
-const Description& description() {
-  static const Description read;
-  return read;
-}
-
-/// The binary; functions by name.
-class Binary {
+class LawInstance : public Instance {
 public:
-  Binary()
-      : handle_(dlopen((MICROSLIP_UNPACKED_FMU "/binaries/linux64/" + description().identifier + ".so").c_str(),
-                       RTLD_NOW | RTLD_LOCAL)) {}
-  bool loaded() const { return handle_ != nullptr; }
-  template <class Function> Function* find(const char* name) const {
-    return reinterpret_cast<Function*>(dlsym(handle_, name));
-  }
+  using Instance::Instance;
 
-private:
-  void* handle_; // stays loaded: sanitizers want its symbols at the end
-};
-
-const Binary& binary() {
-  static const Binary loaded;
-  return loaded;
-}
-
-#define FMI(name) (*binary().find<decltype(name)>(#name))
-
-struct Messages {
-  int count = 0;
-  std::string last, instance;
-  std::string category;
-};
-
-void log_message(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status, fmi2String category,
-                 fmi2String message, ...) {
-  auto& messages = *static_cast<Messages*>(environment);
-  ++messages.count;
-  messages.instance = instance;
-  messages.category = category;
-  va_list arguments;
-  va_start(arguments, message);
-  char text[256];
-  std::vsnprintf(text, sizeof text, message, arguments);
-  va_end(arguments);
-  messages.last = text;
-}
-
-/// An instance as an importer holds it.
-class Instance {
-public:
-  explicit Instance(const std::string& name = "law", const std::string& guid = description().guid,
-                    fmi2Type type = fmi2CoSimulation)
-      : functions_{log_message, nullptr, nullptr, nullptr, &messages},
-        unit(FMI(fmi2Instantiate)(name.c_str(), type, guid.c_str(), "", &functions_, fmi2False, fmi2True)) {}
-  ~Instance() { FMI(fmi2FreeInstance)(unit); }
-  Instance(const Instance&) = delete;
-
-  Messages messages;
-
-private:
-  fmi2CallbackFunctions functions_;
-
-public:
-  fmi2Component unit;
-
-  fmi2Status set(const std::string& name, double value) {
-    const fmi2ValueReference vr = description().references.at(name);
-    return FMI(fmi2SetReal)(unit, &vr, 1, &value);
-  }
-  fmi2Status set_integer(const std::string& name, int value) {
-    const fmi2ValueReference vr = description().references.at(name);
-    return FMI(fmi2SetInteger)(unit, &vr, 1, &value);
-  }
-  double get(const std::string& name) {
-    const fmi2ValueReference vr = description().references.at(name);
-    double value = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(FMI(fmi2GetReal)(unit, &vr, 1, &value), fmi2OK) << name << ": " << messages.last;
-    return value;
-  }
-  int get_integer(const std::string& name) {
-    const fmi2ValueReference vr = description().references.at(name);
-    int value = -1;
-    EXPECT_EQ(FMI(fmi2GetInteger)(unit, &vr, 1, &value), fmi2OK);
-    return value;
-  }
   void set_input(const LawInput& input) {
     EXPECT_EQ(set("creepage_longitudinal", input.creepage.longitudinal), fmi2OK);
     EXPECT_EQ(set("creepage_lateral", input.creepage.lateral), fmi2OK);
@@ -140,12 +19,6 @@ public:
     EXPECT_EQ(set("normal_force", input.normal_force), fmi2OK);
     EXPECT_EQ(set("friction", input.friction), fmi2OK);
   }
-  void initialize() {
-    EXPECT_EQ(FMI(fmi2SetupExperiment)(unit, fmi2False, 0, 0, fmi2False, 0), fmi2OK);
-    EXPECT_EQ(FMI(fmi2EnterInitializationMode)(unit), fmi2OK);
-    EXPECT_EQ(FMI(fmi2ExitInitializationMode)(unit), fmi2OK);
-  }
-  fmi2Status step(double time, double length = 1e-3) { return FMI(fmi2DoStep)(unit, time, length, fmi2True); }
   void expect_forces(const ContactForces& wanted) {
     EXPECT_EQ(get("fx"), wanted.fx);
     EXPECT_EQ(get("fy"), wanted.fy);
@@ -183,15 +56,15 @@ TEST(Fmu, StartsWithTheValuesOfTheDescription) {
   instance.initialize();
   EXPECT_GE(description().starts.size(), 12U);
   for (const auto& [name, start] : description().starts) {
-    if (name == "mx" || name == "my")
-      EXPECT_EQ(instance.get_integer(name), start) << name;
+    if (description().types.at(name) == "Integer")
+      EXPECT_EQ(instance.get_integer(name), std::stoi(start)) << name;
     else
-      EXPECT_EQ(instance.get(name), start) << name;
+      EXPECT_EQ(instance.get(name), std::stod(start)) << name;
   }
 }
 
 TEST(Fmu, StepsAsTheLawDoes) {
-  Instance instance;
+  LawInstance instance;
   instance.initialize();
   TangentialLaw law({});
   int lifted = 0;
@@ -213,7 +86,7 @@ TEST(Fmu, StepsAsTheLawDoes) {
 }
 
 TEST(Fmu, ParametersReachTheLaw) {
-  Instance instance;
+  LawInstance instance;
   const LawParameters p{.semi_axis_x = 4e-3,
                         .semi_axis_y = 8e-3,
                         .reference_force = 50e3,
@@ -237,7 +110,7 @@ TEST(Fmu, ParametersReachTheLaw) {
 }
 
 TEST(Fmu, ResultsStandUntilTheNextStep) {
-  Instance instance;
+  LawInstance instance;
   instance.set_input(input_at(0.01));
   instance.initialize();
   const double before = instance.get("fx");
@@ -248,7 +121,7 @@ TEST(Fmu, ResultsStandUntilTheNextStep) {
 }
 
 TEST(Fmu, DirectionalDerivatives) {
-  Instance instance;
+  LawInstance instance;
   const LawInput input = input_at(0.013);
   instance.set_input(input);
   instance.initialize();
@@ -271,7 +144,7 @@ TEST(Fmu, DirectionalDerivatives) {
 }
 
 TEST(Fmu, TwoInstancesAtOnceAreIndependent) {
-  Instance one("one"), two("two");
+  LawInstance one("one"), two("two");
   EXPECT_EQ(two.set("semi_axis_x", 9e-3), fmi2OK);
   one.initialize();
   two.initialize();
@@ -362,7 +235,7 @@ TEST(Fmu, CallsOutOfOrderAreErrors) {
 }
 
 TEST(Fmu, StatesAreSavedAndRestored) {
-  Instance instance;
+  LawInstance instance;
   instance.initialize();
   instance.set_input(input_at(0.02));
   ASSERT_EQ(instance.step(0), fmi2OK);

@@ -1,0 +1,195 @@
+#include "fmi/description.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/version.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <set>
+
+namespace microslip::fmi {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// The name of a unit in a description: of products with dots, of powers without a sign, 1 for none.
+std::string unit_name(const std::string& unit) {
+  if (unit == "-") return "1";
+  std::string name;
+  for (const char c : unit)
+    if (c != '^') name += c == ' ' ? '.' : c;
+  return name;
+}
+
+/// A unit as powers of kg, m, s, K and rad.
+using Powers = std::array<int, 5>;
+constexpr const char* bases[] = {"kg", "m", "s", "K", "rad"};
+
+struct Symbol {
+  std::string_view name;
+  Powers powers;
+};
+constexpr Symbol symbols[] = {{"kg", {1, 0, 0, 0, 0}}, {"m", {0, 1, 0, 0, 0}},   {"s", {0, 0, 1, 0, 0}},
+                              {"K", {0, 0, 0, 1, 0}},  {"rad", {0, 0, 0, 0, 1}}, {"N", {1, 1, -2, 0, 0}},
+                              {"J", {1, 2, -2, 0, 0}}, {"W", {1, 2, -3, 0, 0}},  {"Pa", {1, -1, -2, 0, 0}},
+                              {"1", {0, 0, 0, 0, 0}},  {"-", {0, 0, 0, 0, 0}}};
+
+/// Of products of symbols with powers, divided by what follows the first stroke: "N m", "W/m^2", "W/(m K)".
+Powers powers_of(const std::string& unit) {
+  Powers sum{};
+  int sign = 1;
+  for (std::size_t i = 0; i < unit.size();) {
+    if (unit[i] == '/') sign = -1;
+    if (unit[i] == '/' || unit[i] == ' ' || unit[i] == '(' || unit[i] == ')') {
+      ++i;
+      continue;
+    }
+    const std::size_t end = std::min(unit.find_first_of(" /^()", i), unit.size());
+    const auto symbol = std::find_if(std::begin(symbols), std::end(symbols), [&](const Symbol& s) {
+      return s.name == std::string_view(unit).substr(i, end - i);
+    });
+    if (symbol == std::end(symbols)) throw Error("the unit " + unit + " has no powers of base units");
+    i = end;
+    int power = 1;
+    if (i < unit.size() && unit[i] == '^')
+      i = static_cast<std::size_t>(std::from_chars(unit.data() + i + 1, unit.data() + unit.size(), power).ptr -
+                                   unit.data());
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += sign * power * symbol->powers[k];
+  }
+  return sum;
+}
+
+std::string unit_definitions(const ModelInfo& info) {
+  std::set<std::string> units;
+  for (const Variable& v : info.variables)
+    if (v.kind == Kind::real) units.insert(v.unit);
+  std::string text = "  <UnitDefinitions>\n";
+  for (const std::string& unit : units) {
+    text += "    <Unit name=\"" + unit_name(unit) + "\"><BaseUnit";
+    const Powers powers = powers_of(unit);
+    for (std::size_t k = 0; k < powers.size(); ++k)
+      if (powers[k] != 0) text += std::string(" ") + bases[k] + "=\"" + std::to_string(powers[k]) + "\"";
+    text += "/></Unit>\n";
+  }
+  return text + "  </UnitDefinitions>\n";
+}
+
+bool has_start(const Variable& v) {
+  return v.causality == Causality::input || v.causality == Causality::parameter;
+}
+
+std::string type_of(const Variable& v) {
+  if (v.kind == Kind::text) return "<String start=\"" + escaped(v.start_text) + "\"/>";
+  std::string text = v.kind == Kind::real ? "<Real unit=\"" + unit_name(v.unit) + "\"" : "<Integer";
+  if (std::isfinite(v.min)) text += " min=\"" + number(v.min) + "\"";
+  if (std::isfinite(v.max)) text += " max=\"" + number(v.max) + "\"";
+  if (has_start(v)) text += " start=\"" + number(v.start) + "\"";
+  return text + "/>";
+}
+
+std::string scalar_variable(const Variable& v, std::size_t reference) {
+  constexpr const char* causalities[] = {"parameter", "input", "output", "local"};
+  const char* variability = v.causality == Causality::parameter ? "fixed"
+                            : v.kind == Kind::real              ? "continuous"
+                                                                : "discrete";
+  std::string text = "    <ScalarVariable name=\"" + escaped(v.name) + "\" valueReference=\"" +
+                     std::to_string(reference) + "\" causality=\"" + causalities[static_cast<int>(v.causality)] +
+                     "\" variability=\"" + variability + "\"";
+  if (v.causality != Causality::input)
+    text += std::string(" initial=\"") + (v.causality == Causality::parameter ? "exact" : "calculated") + "\"";
+  return text + "\n      description=\"" + escaped(v.description) + "\">\n      " + type_of(v) + "</ScalarVariable>\n";
+}
+
+/// Indices from 1 on, of inputs or of inputs and parameters.
+std::string indices(const ModelInfo& info, bool with_parameters) {
+  std::string text;
+  for (std::size_t k = 0; k < info.variables.size(); ++k) {
+    const Causality c = info.variables[k].causality;
+    if (c == Causality::input || (with_parameters && c == Causality::parameter))
+      text += (text.empty() ? "" : " ") + std::to_string(k + 1);
+  }
+  return text;
+}
+
+std::string unknowns(const ModelInfo& info, const char* group, bool with_parameters) {
+  const std::string dependencies = indices(info, with_parameters);
+  std::string text = std::string("    <") + group + ">\n";
+  for (std::size_t k = 0; k < info.variables.size(); ++k)
+    if (info.variables[k].causality == Causality::output)
+      text += "      <Unknown index=\"" + std::to_string(k + 1) + "\" dependencies=\"" + dependencies + "\"/>\n";
+  return text + "    </" + group + ">\n";
+}
+
+std::string description_with(const ModelInfo& info, const std::string& guid) {
+  const std::string version(build_info().version);
+  const bool structured = std::any_of(info.variables.begin(), info.variables.end(),
+                                      [](const Variable& v) { return v.name.find('.') != std::string::npos; });
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"2.0\" modelName=\"" + info.name +
+      "\" guid=\"" + guid + "\"\n  description=\"" + escaped(info.description) + "\"\n  version=\"" + version +
+      "\" generationTool=\"microslip " + version + "\" variableNamingConvention=\"" +
+      (structured ? "structured" : "flat") + "\">\n";
+  text += "  <CoSimulation modelIdentifier=\"" + info.identifier +
+          "\" canHandleVariableCommunicationStepSize=\"true\"\n"
+          "    canInterpolateInputs=\"false\" maxOutputDerivativeOrder=\"0\" canRunAsynchronuously=\"false\"\n"
+          "    canBeInstantiatedOnlyOncePerProcess=\"false\" canNotUseMemoryManagementFunctions=\"true\"\n"
+          "    canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"false\" providesDirectionalDerivative=\"true\"/>\n";
+  text += unit_definitions(info);
+  text += "  <LogCategories>\n"
+          "    <Category name=\"logStatusError\" description=\"Why a call failed\"/>\n"
+          "    <Category name=\"logStatusWarning\" description=\"What is probably wrong with the parameters\"/>\n"
+          "  </LogCategories>\n"
+          "  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n";
+  for (std::size_t k = 0; k < info.variables.size(); ++k) text += scalar_variable(info.variables[k], k);
+  text += "  </ModelVariables>\n  <ModelStructure>\n" + unknowns(info, "Outputs", false) +
+          unknowns(info, "InitialUnknowns", true) + "  </ModelStructure>\n</fmiModelDescription>\n";
+  return text;
+}
+
+/// FNV-1a.
+std::uint64_t hash(const std::string& text, std::uint64_t start) {
+  std::uint64_t h = start;
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return h;
+}
+
+} // namespace
+
+std::string guid(const ModelInfo& info) {
+  const std::string text = description_with(info, "");
+  constexpr char digits[] = "0123456789abcdef";
+  std::string out;
+  for (const std::uint64_t start : {0xcbf29ce484222325U, 0x84222325cbf29ce4U}) {
+    const std::uint64_t h = hash(text, start);
+    for (int k = 60; k >= 0; k -= 4) out += digits[h >> k & 15U];
+  }
+  for (const std::size_t place : {20, 16, 12, 8}) out.insert(place, "-");
+  return out;
+}
+
+std::string model_description(const ModelInfo& info) {
+  return description_with(info, guid(info));
+}
+
+} // namespace microslip::fmi
