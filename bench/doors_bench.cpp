@@ -2,10 +2,10 @@
 // interface, and as a step of the functional mock-up unit. Doors take turns; each figure is the shortest of many
 // rounds.
 
+#include "fmi/description.hpp"
 #include "fmi/fmi2.h"
 #include "microslip.h"
 #include "microslip/simplified/fastsim2.hpp"
-#include "microslip_fmu_guid.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>
@@ -57,7 +57,8 @@ public:
     if (!handle_) throw std::runtime_error(dlerror());
     const fmi2CallbackFunctions functions = {};
     const auto instantiate = find<decltype(fmi2Instantiate)>("fmi2Instantiate");
-    unit_ = instantiate("bench", fmi2CoSimulation, MICROSLIP_FMU_GUID, "", &functions, fmi2False, fmi2False);
+    const std::string guid = fmi::guid(fmi::model_info());
+    unit_ = instantiate("bench", fmi2CoSimulation, guid.c_str(), "", &functions, fmi2False, fmi2False);
     if (!unit_) throw std::runtime_error("the unit refuses to be made");
     find<decltype(fmi2EnterInitializationMode)>("fmi2EnterInitializationMode")(unit_);
     find<decltype(fmi2ExitInitializationMode)>("fmi2ExitInitializationMode")(unit_);
