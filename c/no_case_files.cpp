@@ -27,3 +27,19 @@ microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* /*wheel_rail*/, 
                                           const microslip_wheel_state* /*states*/, microslip_wheel_forces* /*forces*/) {
   return MICROSLIP_NO_RESULT;
 }
+microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* /*wheel_rail*/, size_t /*count*/,
+                                                  const microslip_wheel_state* /*states*/,
+                                                  microslip_wheel_derivatives* /*derivatives*/) {
+  return MICROSLIP_NO_RESULT;
+}
+microslip_code microslip_wheelset_contacts(microslip_wheel_rail* /*wheel_rail*/, microslip_roll_rule /*roll*/,
+                                           double /*yaw*/, size_t /*count*/, const double* /*lateral*/,
+                                           microslip_wheelset_contact* /*contacts*/, microslip_error* error) {
+  return report(error, MICROSLIP_NO_RESULT, without_case_files);
+}
+microslip_code microslip_equivalent_conicity(microslip_wheel_rail* /*wheel_rail*/, microslip_roll_rule /*roll*/,
+                                             double /*contact_distance*/, size_t /*count*/,
+                                             const double* /*amplitudes*/, double* /*conicity*/,
+                                             microslip_error* error) {
+  return report(error, MICROSLIP_NO_RESULT, without_case_files);
+}

@@ -1,5 +1,6 @@
 #include "c/guarded_call.hpp"
 #include "io/wheel_rail_case.hpp"
+#include "microslip/railway/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ struct microslip_wheel_rail {
   LoadedWheelState first; ///< of the case file
   WheelRailSolution solution = {};
   WheelRailDerivatives derivatives = {};
+  std::unique_ptr<WheelRailCase> input;
+  std::unique_ptr<WheelsetSearch> wheelset = nullptr; ///< made when it is first asked for
 };
 
 namespace {
@@ -130,6 +133,36 @@ std::optional<double> prescribed_force(const microslip_wheel_state& state) noexc
   return state.vertical_force == 0 ? std::nullopt : std::optional(state.vertical_force);
 }
 
+WheelsetSearch& wheelset_of(microslip_wheel_rail& wheel_rail) {
+  const WheelRailCase& input = *wheel_rail.input;
+  const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
+  if (!wheel_rail.wheelset)
+    wheel_rail.wheelset = std::make_unique<WheelsetSearch>(input.track, input.wheelset, side, side);
+  return *wheel_rail.wheelset;
+}
+
+microslip_touch touch_of(const WheelRailCase& input, const ContactPoint& point, double side) {
+  return {.rail_y = input.rail.profile.at(point.s_rail).value.y,
+          .wheel_y = input.wheel.profile.at(point.s_wheel).value.y,
+          .rolling_radius = point.radius,
+          .contact_angle = side * point.inclination};
+}
+
+microslip_wheelset_contact contact_of(const WheelRailCase& input, const WheelsetContact& found) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr microslip_touch no_touch = {none, none, none, none};
+  if (found.status == Status::no_contact)
+    return {found.lateral, none, none, none, none, no_touch, no_touch, code_of(found.status)};
+  return {.lateral = found.lateral,
+          .roll = found.roll,
+          .vertical = found.vertical,
+          .rolling_radius_difference = found.rolling_radius_difference(),
+          .contact_angle_difference = found.contact_angle_difference(),
+          .left = touch_of(input, found.left, 1),
+          .right = touch_of(input, found.right, -1),
+          .status = code_of(found.status)};
+}
+
 /// Runs a call on each of many states; `solve` returns the status of the k-th one. The code of the first that is not
 /// ok.
 template <class Solve> microslip_code for_each_state(std::size_t count, const Solve& solve) {
@@ -151,8 +184,10 @@ microslip_code microslip_wheel_rail_create(const char* text, const char* name, m
     require_pointer("wheel_rail", wheel_rail);
     *wheel_rail = nullptr;
     const WheelRailCase input = parse_wheel_rail_case(require_pointer("text", text), require_pointer("name", name));
-    auto made = std::make_unique<microslip_wheel_rail>(
-        microslip_wheel_rail{WheelRail(bodies_of(input), input.method), input.states.front()});
+    auto made =
+        std::make_unique<microslip_wheel_rail>(microslip_wheel_rail{.solver = WheelRail(bodies_of(input), input.method),
+                                                                    .first = input.states.front(),
+                                                                    .input = std::make_unique<WheelRailCase>(input)});
     made->solution.patches.reserve(MICROSLIP_WHEEL_PATCHES); // solving takes no memory then
     *wheel_rail = made.release();
   });
@@ -191,5 +226,42 @@ microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_ra
     store(wheel_rail->solution, derivatives[k].forces);
     store(wheel_rail->derivatives, derivatives[k].jacobian);
     return derivatives[k].forces.status;
+  });
+}
+
+microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll, double yaw,
+                                           size_t count, const double* lateral, microslip_wheelset_contact* contacts,
+                                           microslip_error* error) {
+  return guarded(error, [&] {
+    require_pointer("wheel_rail", wheel_rail);
+    if (count > 0) require_pointer("lateral", lateral), require_pointer("contacts", contacts);
+    const auto rule = choice<RollRule>("roll", roll, 2);
+    WheelsetSearch& search = wheelset_of(*wheel_rail);
+    microslip_code code = MICROSLIP_OK;
+    for (std::size_t k = 0; k < count; ++k) {
+      contacts[k] = contact_of(*wheel_rail->input, search.solve(lateral[k], yaw, rule));
+      if (code == MICROSLIP_OK) code = static_cast<microslip_code>(contacts[k].status);
+    }
+    return report(error, code, code == MICROSLIP_OK ? "" : microslip_code_text(code));
+  });
+}
+
+microslip_code microslip_equivalent_conicity(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
+                                             double contact_distance, size_t count, const double* amplitudes,
+                                             double* conicity, microslip_error* error) {
+  return guarded(error, [&] {
+    require_pointer("wheel_rail", wheel_rail);
+    if (count == 0) return;
+    require_pointer("amplitudes", amplitudes), require_pointer("conicity", conicity);
+    const auto rule = choice<RollRule>("roll", roll, 2);
+    for (std::size_t k = 0; k < count; ++k) require_positive("amplitude", amplitudes[k], "m");
+    const WheelsetBase base{require_positive("contact_distance", contact_distance, "m"),
+                            wheel_rail->input->wheelset.nominal_radius};
+    const double largest = *std::max_element(amplitudes, amplitudes + count);
+    const RollingRadiusDifference difference(curve_of_amplitudes(wheelset_of(*wheel_rail), largest, true, rule));
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto motion = kinematic_oscillation(difference, amplitudes[k], base);
+      conicity[k] = motion ? motion->conicity : std::numeric_limits<double>::quiet_NaN();
+    }
   });
 }

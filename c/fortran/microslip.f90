@@ -103,6 +103,19 @@ module microslip
     real(c_double) :: jacobian(microslip_wheel_variables, microslip_wheel_results) = 0
   end type
 
+  integer(c_int), parameter, public :: microslip_roll_equilibrium = 0, microslip_roll_none = 1
+
+  type, bind(c), public :: microslip_touch
+    real(c_double) :: rail_y = 0, wheel_y = 0, rolling_radius = 0, contact_angle = 0
+  end type
+
+  type, bind(c), public :: microslip_wheelset_contact
+    real(c_double) :: lateral = 0, roll = 0, vertical = 0
+    real(c_double) :: rolling_radius_difference = 0, contact_angle_difference = 0
+    type(microslip_touch) :: left, right
+    integer(c_int) :: status = 0
+  end type
+
   type, bind(c), public :: microslip_bodies
     real(c_double) :: rolling_radius(2), transverse_radius(2)
     real(c_double) :: young_modulus(2), poisson_ratio(2)
@@ -444,6 +457,31 @@ module microslip
       type(microslip_wheel_derivatives), intent(inout) :: derivatives(*)
       integer(c_int) :: code
     end function
+
+    function microslip_wheelset_contacts(wheel_rail, roll, yaw, count, lateral, contacts, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      integer(c_int), value :: roll
+      real(c_double), value :: yaw
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: lateral(*)
+      type(microslip_wheelset_contact), intent(inout) :: contacts(*)
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_equivalent_conicity(wheel_rail, roll, contact_distance, count, amplitudes, conicity, error) &
+        bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      integer(c_int), value :: roll
+      real(c_double), value :: contact_distance
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: amplitudes(*)
+      real(c_double), intent(out) :: conicity(*)
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
   end interface
 
   public :: microslip_contact_check, microslip_polach_friction, microslip_hertz_from_load
@@ -459,6 +497,7 @@ module microslip
   public :: microslip_exact_quantity, microslip_exact_field, microslip_solve_case
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
   public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate
+  public :: microslip_wheelset_contacts, microslip_equivalent_conicity
   public :: microslip_version, microslip_code_text, microslip_error_text, microslip_text
 
 contains

@@ -508,6 +508,43 @@ MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_
                                                                 const microslip_wheel_state* states,
                                                                 microslip_wheel_derivatives* derivatives);
 
+/* What decides the roll angle of a rigid wheelset. */
+typedef enum microslip_roll_rule {
+  MICROSLIP_ROLL_EQUILIBRIUM = 0, /* both wheels touch their rails */
+  MICROSLIP_ROLL_NONE = 1         /* zero, as in the reference calculations of EN 15302 */
+} microslip_roll_rule;
+
+/* Where one wheel of a rigid wheelset touches. */
+typedef struct microslip_touch {
+  double rail_y, wheel_y; /* of both profiles, in their own axes: to the field side positive [m] */
+  double rolling_radius;  /* [m] */
+  double contact_angle;   /* of the surfaces against the track plane [rad], > 0 rising to the left */
+} microslip_touch;
+
+/* A rigid wheelset on both rails, which are alike, as are its wheels. */
+typedef struct microslip_wheelset_contact {
+  double lateral;                   /* of the wheelset's centre, as given [m] */
+  double roll;                      /* [rad] */
+  double vertical;                  /* of the wheelset's centre above the nominal radius [m] */
+  double rolling_radius_difference; /* left less right [m] */
+  double contact_angle_difference;  /* left less right, each > 0 where it rises to the field side [rad] */
+  microslip_touch left, right;
+  int status; /* a microslip_code below 16; numbers of one that is MICROSLIP_NO_CONTACT are NaN */
+} microslip_wheelset_contact;
+
+/* Contacts of a rigid wheelset with the profiles, track and wheelset of the case at `count` lateral displacements [m]
+ * of a yaw angle [rad]. The code is that of the first that is not MICROSLIP_OK. */
+MICROSLIP_API microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
+                                                         double yaw, size_t count, const double* lateral,
+                                                         microslip_wheelset_contact* contacts, microslip_error* error);
+/* Equivalent conicity [-] by EN 15302 at `count` amplitudes [m], > 0; contact_distance e [m], > 0, is that of both
+ * contacts, usually 1.5. NaN where no periodic motion exists. The nonlinearity parameter is the difference of those at
+ * 4 and 2 mm over 2 mm. */
+MICROSLIP_API microslip_code microslip_equivalent_conicity(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
+                                                           double contact_distance, size_t count,
+                                                           const double* amplitudes, double* conicity,
+                                                           microslip_error* error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -3,6 +3,7 @@
 #include "microslip.h"
 
 #include "io/wheel_rail_case.hpp"
+#include "microslip/railway/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "tests/wheel_rail_text.hpp"
 
@@ -151,6 +152,47 @@ TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
   for (const auto& row : found[2].jacobian)
     for (const double value : row) EXPECT_EQ(value, 0);
   EXPECT_EQ(microslip_wheel_rail_differentiate(nullptr, 1, states, found), MICROSLIP_NULL_POINTER);
+}
+
+TEST(CWheelRail, HasTheWheelsetsContactsAndConicity) {
+  const Handle handle(wheel_rail_text);
+  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
+  WheelsetSearch search(input.track, input.wheelset, side, side);
+  const double lateral[] = {-3e-3, 0, 2e-3, 0.3};
+  microslip_wheelset_contact found[4];
+  EXPECT_EQ(microslip_wheelset_contacts(handle.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 1e-3, 4, lateral, found, nullptr),
+            MICROSLIP_NO_CONTACT);
+  for (int k = 0; k < 3; ++k) {
+    const WheelsetContact wanted = search.solve(lateral[k], 1e-3);
+    EXPECT_EQ(found[k].status, MICROSLIP_OK);
+    EXPECT_EQ(found[k].lateral, lateral[k]);
+    EXPECT_NEAR(found[k].roll, wanted.roll, 1e-11);
+    EXPECT_NEAR(found[k].rolling_radius_difference, wanted.rolling_radius_difference(), 1e-10);
+    EXPECT_NEAR(found[k].left.contact_angle, wanted.left.inclination, 1e-9);
+    EXPECT_NEAR(found[k].right.contact_angle, -wanted.right.inclination, 1e-9);
+    EXPECT_NEAR(found[k].left.wheel_y, input.wheel.profile.at(wanted.left.s_wheel).value.y, 1e-9);
+  }
+  EXPECT_EQ(found[3].status, MICROSLIP_NO_CONTACT);
+  EXPECT_TRUE(std::isnan(found[3].left.rolling_radius));
+
+  const double amplitudes[] = {3e-3, 1e-3, 0.1};
+  double conicity[3];
+  ASSERT_EQ(microslip_equivalent_conicity(handle.pointer, MICROSLIP_ROLL_NONE, 1.5, 2, amplitudes, conicity, nullptr),
+            MICROSLIP_OK);
+  const RollingRadiusDifference difference(curve_of_amplitudes(search, 3e-3, true, RollRule::none));
+  for (int k = 0; k < 2; ++k)
+    EXPECT_NEAR(conicity[k], kinematic_oscillation(difference, amplitudes[k], {1.5, 0.46})->conicity, 1e-9);
+  EXPECT_EQ(microslip_equivalent_conicity(handle.pointer, MICROSLIP_ROLL_NONE, 1.5, 3, amplitudes, conicity, nullptr),
+            MICROSLIP_OK);
+  EXPECT_TRUE(std::isnan(conicity[2])); // a wheel leaves its rail
+  microslip_error error;
+  const double wrong = -1;
+  EXPECT_EQ(microslip_equivalent_conicity(handle.pointer, MICROSLIP_ROLL_NONE, 1.5, 1, &wrong, conicity, &error),
+            MICROSLIP_INVALID_OPTION);
+  EXPECT_EQ(std::string(error.text), "amplitude = -1 [m]: must be positive and finite");
+  EXPECT_EQ(microslip_wheelset_contacts(nullptr, MICROSLIP_ROLL_NONE, 0, 1, lateral, found, &error),
+            MICROSLIP_NULL_POINTER);
 }
 
 TEST(CWheelRail, RefusesWhatMakesNoSense) {
