@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/relative_motion.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include "wheel_rail_pairs.hpp"
@@ -272,8 +273,6 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
         WheelRailDerivatives d;
         contact.differentiate(state, force, found, d);
         ASSERT_EQ(found.status, Status::ok);
-        // What moves the wheel little against the rail has the rounding of differences of large numbers.
-        const double largest = size(d.force[static_cast<std::size_t>(WheelVariable::roll)]) + 1e9;
         for (std::size_t k = 0; k < state_numbers; ++k) {
           const StateQuantity& q = state_quantities()[k];
           SCOPED_TRACE(q.name);
@@ -282,10 +281,11 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
             continue;
           }
           const Compared wanted = difference(contact, state, force, q, half_step(q));
-          const double rounding = q.unit == "m" || q.unit == "rad" ? 3e-8 * largest : 1e-3;
-          EXPECT_LT(size(d.force[k] - wanted.force), 1e-4 * size(wanted.force) + rounding);
-          EXPECT_LT(size(d.moment[k] - wanted.moment), 1e-4 * size(wanted.moment) + rounding);
-          EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 1e-8);
+          // What hardly moves the wheel against the rail has the errors of larger numbers, whose sum it is.
+          const double errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
+          EXPECT_LT(size(d.force[k] - wanted.force), 1e-4 * size(wanted.force) + errors);
+          EXPECT_LT(size(d.moment[k] - wanted.moment), 1e-4 * size(wanted.moment) + errors);
+          EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 1e-7);
         }
         if (held) { // held by a force, the height changes with it as the stiffness says
           const auto low = contact.solve(state, 49.995e3), high = contact.solve(state, 50.005e3);
@@ -298,6 +298,40 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
           EXPECT_EQ(d.vertical[1], 1);
         }
       }
+  }
+}
+
+TEST(WheelRail, MovesAsCombinationsOfTheBasicNumbersDo) {
+  const WheelRailBodies bodies = pair();
+  WheelRail contact(bodies);
+  WheelState<double> state = in_a_curve(2e-3);
+  state.vertical = contact.solve(state, 50e3).vertical;
+  const auto here = contact.solve(state);
+  const auto motions =
+      relative_motions(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel), state);
+  for (std::size_t k = 0; k < state_numbers; ++k) {
+    const StateQuantity& q = state_quantities()[k];
+    SCOPED_TRACE(q.name);
+    const RelativeMotion& motion = motions[k];
+    if (k < basic_motions) {
+      for (std::size_t i = 0; i < basic_motions; ++i) EXPECT_NEAR(motion.combination[i], i == k, 1e-9);
+      EXPECT_EQ(size(motion.turn), 0);
+      continue;
+    }
+    const double half = half_step(q);
+    WheelState<double> below = state, above = state;
+    for (std::size_t i = 0; i < basic_motions; ++i) {
+      *below.numbers()[i] -= half * motion.combination[i];
+      *above.numbers()[i] += half * motion.combination[i];
+    }
+    const auto low = contact.solve(below), high = contact.solve(above);
+    const Vec3<double> force = 0.5 / half * (high.force - low.force) + cross(motion.turn, here.force);
+    const Vec3<double> moment = 0.5 / half * (high.moment - low.moment) + cross(motion.turn, here.moment);
+    const Compared wanted = difference(contact, state, {}, q, half);
+    // Elements are laid in the track's vertical, so a little of a turned rail remains.
+    const double remainder = q.name == "deviation_roll" ? 50 : q.unit == "m" || q.unit == "rad" ? 5 : 1e-3;
+    EXPECT_LT(size(force - wanted.force), 2e-5 * size(wanted.force) + remainder);
+    EXPECT_LT(size(moment - wanted.moment), 2e-5 * size(wanted.moment) + remainder);
   }
 }
 
@@ -315,8 +349,9 @@ TEST(WheelRail, HasDerivativesAtTheExactLevel) {
     if (!velocity && q.name != "vertical" && q.name != "roll" && q.name != "deviation_vertical") continue;
     // By places the forces of neighbouring states scatter: only long differences tell.
     const Compared wanted = difference(contact, state, {}, q, (velocity ? 0.1 : 500) * half_step(q));
-    EXPECT_LT(size(d.force[k] - wanted.force), (velocity ? 1e-4 : 2e-2) * size(wanted.force));
-    EXPECT_LT(size(d.moment[k] - wanted.moment), (velocity ? 1e-4 : 2e-2) * size(wanted.moment));
+    const double errors = velocity ? 1 : 0;
+    EXPECT_LT(size(d.force[k] - wanted.force), (velocity ? 1e-4 : 2e-2) * size(wanted.force) + errors);
+    EXPECT_LT(size(d.moment[k] - wanted.moment), (velocity ? 1e-4 : 2e-2) * size(wanted.moment) + errors);
   }
 }
 

@@ -503,7 +503,7 @@ MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wh
                                                         const microslip_wheel_state* states,
                                                         microslip_wheel_forces* forces);
 /* The same with derivatives, which hold where no patch comes or goes; those of a state that is not MICROSLIP_OK are
- * zero. With the theory "fastsim2" some three times the cost of a solve, and no memory either. */
+ * zero. With the theory "fastsim2" some three solves, and no memory either. */
 MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
                                                                 const microslip_wheel_state* states,
                                                                 microslip_wheel_derivatives* derivatives);

@@ -74,9 +74,18 @@ struct Wrench {
   friend Wrench operator*(double f, const Wrench& a) { return {f * a.force, f * a.moment}; }
 };
 
-/// Central difference by the state's number k.
+/// Forward difference by the state's number k.
 template <class Forces>
-Wrench difference(const WheelState<double>& state, std::size_t k, double step, const Forces& forces) {
+Wrench forward_difference(const WheelState<double>& state, std::size_t k, double step, const Wrench& here,
+                          const Forces& forces) {
+  WheelState<double> there = state;
+  *there.numbers()[k] += step;
+  return 1 / step * (forces(there) - here);
+}
+
+/// Central difference likewise.
+template <class Forces>
+Wrench central_difference(const WheelState<double>& state, std::size_t k, double step, const Forces& forces) {
   WheelState<double> low = state, high = state;
   *low.numbers()[k] -= step, *high.numbers()[k] += step;
   const Wrench above = forces(high);
@@ -87,10 +96,9 @@ bool is_velocity(std::size_t basic) {
   return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
 }
 
-/// Half the step of a central difference: places change an approach of 50 um, velocities a creepage of .001
-/// by a ten-thousandth.
+/// The step of a forward difference: a hundred-thousandth or less of an approach of 50 um and a creepage of .001.
 double difference_step(std::size_t basic, double speed) {
-  constexpr double place = 5e-9, yaw = 2e-7, creepage = 1e-7, radius = 0.5; // [m], [rad], [-], [m]
+  constexpr double place = 1e-10, yaw = 5e-9, creepage = 5e-10, radius = 0.5; // [m], [rad], [-], [m]
   switch (static_cast<WheelVariable>(basic)) {
   case WheelVariable::lateral:
   case WheelVariable::vertical:
@@ -181,12 +189,17 @@ private:
     state.vertical = found.vertical;
     double speed = 0;
     for (const WheelRailPatch& patch : found.patches) speed = std::max(speed, patch.rolling_speed);
+    const bool exact = method.level == WheelRailLevel::exact;
+    Wrench coarse_here = {found.force, found.moment};
+    if (exact || vertical_force) {
+      solve_coarse(state, {}, trial);
+      coarse_here = {trial.force, trial.moment};
+    }
     std::array<Wrench, basic_motions> basic;
-    if (method.level == WheelRailLevel::fastsim2 && vertical_force) solve_coarse(state, {}, trial);
     for (std::size_t k = basic_motions; k-- > 0;) // velocities first, in the place of the last solve
       if (const double step = difference_step(k, speed); step > 0)
-        basic[k] = method.level == WheelRailLevel::exact ? exact_derivative(state, k, step)
-                                                         : coarse_derivative(state, k, step);
+        basic[k] = exact ? exact_derivative(state, k, step, {found.force, found.moment}, coarse_here)
+                         : coarse_derivative(state, k, step, coarse_here);
     const auto motions = relative_motions(nominal, state);
     for (std::size_t k = 0; k < state_numbers; ++k) {
       Wrench sum = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
@@ -198,8 +211,8 @@ private:
   }
 
   /// Velocities alone need no new pressures.
-  Wrench coarse_derivative(const WheelState<double>& state, std::size_t k, double step) {
-    return difference(state, k, step, [&](const WheelState<double>& there) -> Wrench {
+  Wrench coarse_derivative(const WheelState<double>& state, std::size_t k, double step, const Wrench& here) {
+    return forward_difference(state, k, step, here, [&](const WheelState<double>& there) -> Wrench {
       if (is_velocity(k)) {
         coarse.move(there);
         coarse.sum(trial);
@@ -212,20 +225,22 @@ private:
 
   /// By places the forces scatter, as elements that nearly slip are taken for sliding ones or not. So what the exact
   /// theory adds to the coarse level's derivative is a difference over a long step.
-  Wrench exact_derivative(const WheelState<double>& state, std::size_t k, double step) {
-    constexpr double long_step = 600; // a tenth of the approach or so
+  Wrench exact_derivative(const WheelState<double>& state, std::size_t k, double step, const Wrench& here,
+                          const Wrench& coarse_here) {
+    constexpr double longer = 20, // its rounding is larger
+        long_step = 30000;        // a tenth of the approach or so
     if (is_velocity(k))
-      return difference(state, k, step, [&](const WheelState<double>& there) -> Wrench {
+      return forward_difference(state, k, longer * step, here, [&](const WheelState<double>& there) -> Wrench {
         solve_left(there, {}, trial);
         return {trial.force, trial.moment};
       });
-    const Wrench more = difference(state, k, long_step * step, [&](const WheelState<double>& there) -> Wrench {
+    const Wrench more = central_difference(state, k, long_step * step, [&](const WheelState<double>& there) -> Wrench {
       if (!solve_coarse(there, {}, trial)) return {};
       const Wrench before = {trial.force, trial.moment};
       solve_exact(coarse, bodies, method, {}, trial);
       return Wrench{trial.force, trial.moment} - before;
     });
-    return more + coarse_derivative(state, k, step);
+    return more + coarse_derivative(state, k, step, coarse_here);
   }
 
   /// What the forces of a left wheel do to the surfaces and to its guidance.

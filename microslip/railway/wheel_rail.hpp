@@ -68,10 +68,10 @@ public:
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
-  /// central differences with the wheel held in its height, by the others they follow (relative_motion.hpp). At the
-  /// level `fastsim2`, where they cost some three solves and allocate as little, their errors are 1e-5 of the largest of
-  /// their row. At `exact` they cost 20 solves; by velocities their errors are 1e-4, by places 1e-2, since the forces
-  /// of states next to each other scatter by 1e-4 of mu Fn. Derivatives of a solution that is not ok are zero.
+  /// differences with the wheel held in its height, by the others they follow (relative_motion.hpp). At the level
+  /// `fastsim2`, where they cost some two solves and allocate as little, their errors are 1e-5 of the largest of their
+  /// row. At `exact` they cost 14 solves; by velocities their errors are as small, by places 1e-2, since the forces of
+  /// states next to each other scatter by 1e-4 of mu Fn. Derivatives of a solution that is not ok are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives);
 
