@@ -1,5 +1,6 @@
 #include "fmi/unit.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 #include <string_view>

@@ -6,11 +6,10 @@
 #include "io/option_words.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/error.hpp"
-#include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>

@@ -80,6 +80,15 @@ TEST(WheelRailUnit, StartsWithTheValuesOfTheDescription) {
   EXPECT_EQ(instance.messages.count, 0) << instance.messages.last;
 }
 
+TEST(WheelRailUnit, HasAsOutputsWhatHasDerivatives) {
+  std::vector<std::string> outputs;
+  for (const auto& [name, causality] : description().causalities)
+    if (causality == "output" && description().types.at(name) == "Real") outputs.push_back(name);
+  const std::vector<std::string> wanted = {"wheel.force_x",  "wheel.force_y",  "wheel.force_z", "wheel.moment_x",
+                                           "wheel.moment_y", "wheel.moment_z", "wheel.vertical"};
+  EXPECT_EQ(outputs, wanted);
+}
+
 TEST(WheelRailUnit, StepsAsTheLibraryDoes) {
   WheelInstance instance;
   EXPECT_EQ(instance.set("track.cant", 0.05), fmi2OK);
