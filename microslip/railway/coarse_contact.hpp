@@ -13,6 +13,9 @@
 
 namespace microslip {
 
+/// Patches of a wheel for which a solution takes memory at once.
+inline constexpr std::size_t most_patches = 8;
+
 /// A patch that was found by its rows.
 struct ContactPatch {
   PatchOutline outline;

@@ -164,7 +164,22 @@ struct WheelRail::Workspace {
 private:
   void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     if (!solve_coarse(state, vertical_force, out)) return;
-    if (method.level == WheelRailLevel::exact) solve_exact(coarse, bodies, method, vertical_force, out);
+    if (method.level == WheelRailLevel::exact)
+      solve_exact(coarse, state, bodies, method, vertical_force, out);
+    else if (method.fields || bodies.strength.hardness)
+      coarse.add_fields(out);
+    assess(out);
+    if (method.level != WheelRailLevel::exact && !method.fields) out.fields.clear();
+  }
+
+  /// What the forces of a left wheel do to the surfaces and to its guidance.
+  void assess(WheelRailSolution& out) const {
+    for (std::size_t k = 0; k < out.patches.size(); ++k) {
+      const ContactSolution* fields = k < out.fields.size() ? &out.fields[k] : nullptr;
+      out.patches[k].damage = patch_damage(bodies.strength, out.patches[k], fields);
+    }
+    if (out.force.z > 0) out.y_over_q = -out.force.y / out.force.z;
+    if (flange_angle) out.nadal_limit = nadal_limit(*flange_angle, coarse.friction(*flange_angle));
   }
 
   /// Whether there is contact.
@@ -173,6 +188,7 @@ private:
     out.patches.reserve(most_patches); // for all that come later
     out.force = out.moment = {};
     out.residual = 0, out.iterations = 0, out.at_profile_end = false;
+    out.y_over_q.reset(), out.nadal_limit.reset();
     out.vertical = state.vertical;
     if (!is_finite(state) || (vertical_force && !(*vertical_force > 0 && *vertical_force < 1e12))) {
       out.status = Status::invalid_input;
@@ -237,20 +253,10 @@ private:
     const Wrench more = central_difference(state, k, long_step * step, [&](const WheelState<double>& there) -> Wrench {
       if (!solve_coarse(there, {}, trial)) return {};
       const Wrench before = {trial.force, trial.moment};
-      solve_exact(coarse, bodies, method, {}, trial);
+      solve_exact(coarse, there, bodies, method, {}, trial);
       return Wrench{trial.force, trial.moment} - before;
     });
     return more + coarse_derivative(state, k, step, coarse_here);
-  }
-
-  /// What the forces of a left wheel do to the surfaces and to its guidance.
-  void assess(WheelRailSolution& out) const {
-    for (std::size_t k = 0; k < out.patches.size(); ++k) {
-      const ContactSolution* fields = k < out.fields.size() ? &out.fields[k] : nullptr;
-      out.patches[k].damage = patch_damage(bodies.strength, out.patches[k], fields);
-    }
-    if (out.force.z > 0) out.y_over_q = -out.force.y / out.force.z;
-    if (flange_angle) out.nadal_limit = nadal_limit(*flange_angle, coarse.friction(*flange_angle));
   }
 };
 
