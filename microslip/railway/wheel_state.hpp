@@ -45,6 +45,19 @@ template <class T> struct WheelState {
   WheelState mirrored() const;
 };
 
+/// Where a wheelset is and how it moves, with all that concerns both wheels.
+struct WheelsetState {
+  WheelState<double> left; ///< the wheelset's, with what concerns the left wheel alone
+  WheelDeflection<double> right_deflection;
+  RailDeviation<double> right_rail;
+
+  /// The wheelset's state with what concerns the right wheel.
+  WheelState<double> right() const {
+    WheelState<double> state = left;
+    state.deflection = right_deflection, state.rail = right_rail;
+    return state;
+  }
+};
 template <class T> std::array<T*, state_numbers> WheelState<T>::numbers() {
   WheelDeflection<T>& d = deflection;
   RailDeviation<T>& r = rail;

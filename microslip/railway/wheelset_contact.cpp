@@ -24,16 +24,22 @@ WheelsetSearch::Touch WheelsetSearch::touch(ContactSearch& search, const Nominal
 }
 
 WheelsetContact WheelsetSearch::solve(double lateral, double yaw, RollRule rule) {
-  WheelState<double> state;
-  state.lateral = lateral;
-  state.yaw = yaw;
+  WheelsetState state;
+  state.left.lateral = lateral;
+  state.left.yaw = yaw;
+  return solve(state, rule);
+}
+
+WheelsetContact WheelsetSearch::solve(const WheelsetState& given, RollRule rule) {
+  WheelsetState state = given;
+  state.left.vertical = 0;
   WheelsetContact result;
-  result.lateral = lateral;
+  result.lateral = state.left.lateral;
   Touch left, right;
   const auto difference = [&](double roll) {
-    state.roll = roll;
-    left = touch(left_, left_place_, state, 1);
-    right = touch(right_, right_place_, state.mirrored(), -1);
+    state.left.roll = roll;
+    left = touch(left_, left_place_, state.left, 1);
+    right = touch(right_, right_place_, state.right().mirrored(), -1);
     return left.point.gap - right.point.gap;
   };
   double value = difference(0);
@@ -56,7 +62,7 @@ WheelsetContact WheelsetSearch::solve(double lateral, double yaw, RollRule rule)
       if (missing()) break;
     }
   }
-  result.roll = state.roll;
+  result.roll = state.left.roll;
   if (missing()) {
     result.status = Status::no_contact;
     return result;

@@ -1,0 +1,505 @@
+#include "microslip/railway/wheelset_on_track.hpp"
+
+#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheelset_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+using Three = std::array<double, 3>;
+using Matrix3 = std::array<Three, 3>;
+
+constexpr std::size_t column(WheelVariable which) {
+  return static_cast<std::size_t>(which);
+}
+/// What may be found: height, roll, pitch velocity.
+constexpr std::array<std::size_t, 3> unknown_columns = {column(WheelVariable::vertical), column(WheelVariable::roll),
+                                                        column(WheelVariable::pitch_velocity)};
+
+Three unknowns_of(const WheelsetState& state) {
+  return {state.left.vertical, state.left.roll, state.left.pitch_velocity};
+}
+void set_unknowns(WheelsetState& state, const Three& u) {
+  state.left.vertical = u[0], state.left.roll = u[1], state.left.pitch_velocity = u[2];
+}
+
+double largest(const Three& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+double length(const Three& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+Vec3<double> mirrored(const Vec3<double>& v) {
+  return {v.x, -v.y, v.z};
+}
+
+/// Solves m x = b, by elimination with row exchange; false for a matrix that is singular.
+bool solve_linear(Matrix3 m, Three b, Three& x) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < 3; ++i)
+      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
+    if (!(std::abs(m[pivot][k]) > 0)) return false;
+    std::swap(m[k], m[pivot]), std::swap(b[k], b[pivot]);
+    for (std::size_t i = k + 1; i < 3; ++i) {
+      const double factor = m[i][k] / m[k][k];
+      for (std::size_t j = k; j < 3; ++j) m[i][j] -= factor * m[k][j];
+      b[i] -= factor * b[k];
+    }
+  }
+  for (std::size_t k = 3; k-- > 0;) {
+    x[k] = b[k];
+    for (std::size_t j = k + 1; j < 3; ++j) x[k] -= m[k][j] * x[j];
+    x[k] /= m[k][k];
+  }
+  return true;
+}
+
+/// Broyden's update: the matrix that differs least from m and has the difference `change` along `step`.
+void update(Matrix3& m, const Three& step, const Three& change) {
+  const double square = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double missing = change[i] - m[i][0] * step[0] - m[i][1] * step[1] - m[i][2] * step[2];
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] += missing * step[j] / square;
+  }
+}
+
+struct Range {
+  double low, high;
+};
+
+/// The zero of a decreasing function near x: bracketed in steps that double, then by the rule of false position, every
+/// third time by halving. x stays where it is if there is none in the range.
+template <class Function>
+Status find_zero(double& x, double step, const Range& range, double tolerance, const Function& function) {
+  constexpr int most_places = 100;
+  const double start = x, precision = 1e-10 * step;
+  double low = x, low_value = function(x);
+  if (std::abs(low_value) <= tolerance) return Status::ok;
+  step = std::copysign(step, low_value);
+  double high = low, high_value = low_value;
+  for (; high_value * low_value > 0; step *= 2) {
+    low = high, low_value = high_value;
+    x = high = std::clamp(low + step, range.low, range.high);
+    if (!(std::abs(high - low) > precision)) {
+      x = start;
+      return Status::no_solution;
+    }
+    high_value = function(x);
+  }
+  for (int k = 0; k < most_places && std::abs(high - low) > precision; ++k) {
+    x = k % 3 == 2 ? (low + high) / 2 : low - low_value * (high - low) / (high_value - low_value);
+    const double value = function(x);
+    if (std::abs(value) <= tolerance) return Status::ok;
+    if (value * low_value > 0)
+      low = x, low_value = value, high_value /= 2;
+    else
+      high = x, high_value = value, low_value /= 2;
+  }
+  return Status::not_converged;
+}
+
+struct Wheels {
+  WheelRail left, right;
+};
+
+/// The prescribed forces as three numbers: F_z; M_x, or F_z of the left wheel less that of the right one; the moment of
+/// the contacts about the axle. With sizes that their residuals are measured by, and those of the unknowns.
+struct Target {
+  bool load = false, of_wheels = false, torque = false;
+  Three value{}, size{1, 1, 1}, unknown_size{};
+
+  bool finds(std::size_t k) const { return k < 2 ? load : torque; }
+};
+
+Vec3<double> axle(const WheelState<double>& s) {
+  return rotation_about_x(s.roll) * (rotation_about_z(s.yaw) * Vec3<double>{0, 1, 0});
+}
+
+/// The axes about which roll and yaw turn the wheelset.
+Vec3<double> turning_axis(const WheelState<double>& s, std::size_t variable) {
+  if (variable == column(WheelVariable::roll)) return {1, 0, 0};
+  if (variable == column(WheelVariable::yaw)) return rotation_about_x(s.roll) * Vec3<double>{0, 0, 1};
+  return {};
+}
+
+bool is_finite(const WheelState<double>& state) {
+  return std::ranges::all_of(state_quantities(), [&](const StateQuantity& q) { return std::isfinite(q.value(state)); });
+}
+bool is_load(double force) {
+  return force > 0 && force < 1e12;
+}
+
+} // namespace
+
+struct WheelsetOnTrack::Workspace {
+  WheelRailMethod method;
+  NominalPlacement left_place, right_place;
+  WheelsetSearch rigid;
+  Wheels wheels;
+  std::optional<Wheels> coarse; ///< at the level exact: for starts and slopes
+  WheelsetSolution trial{};
+  WheelRailDerivatives by_left{}, by_right{};
+  WheelsetDerivatives slopes{};
+
+  Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& how)
+      : method(how), left_place(nominal_placement(l.track, l.rail, l.wheelset, l.wheel)),
+        right_place(nominal_placement(r.track, r.rail, r.wheelset, r.wheel)),
+        rigid(l.track, l.wheelset, {l.rail, l.wheel}, {r.rail, r.wheel}), wheels{{l, how}, {r, how}} {
+    WheelRailMethod fast = how;
+    fast.level = WheelRailLevel::fastsim2;
+    if (how.level == WheelRailLevel::exact) coarse.emplace(Wheels{{l, fast}, {r, fast}});
+  }
+
+  double tolerance() const { return coarse ? std::max(method.tolerance, 1e-5) : method.tolerance; }
+
+  /// From the wheelset's centre to that of a wheel.
+  static Vec3<double> lever(const NominalPlacement& nominal, const WheelState<double>& s) {
+    return place(nominal, s).wheel.frame.origin - Vec3<double>{0, s.lateral, nominal.nominal_radius + s.vertical};
+  }
+  Vec3<double> left_lever(const WheelsetState& s) const { return lever(left_place, s.left); }
+  Vec3<double> right_lever(const WheelsetState& s) const { return mirrored(lever(right_place, s.right().mirrored())); }
+
+  /// Adds up both wheels.
+  void sum(const WheelsetState& state, WheelsetSolution& out) const {
+    const auto &l = out.left, &r = out.right;
+    out.force = l.force + r.force;
+    out.moment = l.moment + r.moment + cross(left_lever(state), l.force) + cross(right_lever(state), r.force);
+    out.vertical = state.left.vertical, out.roll = state.left.roll, out.pitch_velocity = state.left.pitch_velocity;
+    const auto either = [&](Status status) { return l.status == status || r.status == status; };
+    out.status = Status::ok;
+    if (either(Status::not_converged)) out.status = Status::not_converged;
+    if (l.status == Status::no_contact && r.status == Status::no_contact) out.status = Status::no_contact;
+    if (either(Status::invalid_input)) out.status = Status::invalid_input;
+  }
+
+  /// Both wheels where they are.
+  void evaluate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) const {
+    by.left.solve(state.left, {}, out.left);
+    by.right.solve(state.right(), {}, out.right);
+    sum(state, out);
+  }
+
+  /// The same with derivatives, nothing held.
+  void differentiate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) {
+    by.left.differentiate(state.left, {}, out.left, by_left);
+    by.right.differentiate(state.right(), {}, out.right, by_right);
+    sum(state, out);
+    slopes = {};
+    const Vec3<double> left = left_lever(state), right = right_lever(state);
+    for (std::size_t k = 0; k < wheel_variables; ++k) {
+      const Vec3<double> axis = turning_axis(state.left, k);
+      slopes.force[k] = by_left.force[k] + by_right.force[k];
+      slopes.moment[k] = by_left.moment[k] + by_right.moment[k] + cross(left, by_left.force[k]) +
+                         cross(right, by_right.force[k]) + cross(cross(axis, left), out.left.force) +
+                         cross(cross(axis, right), out.right.force);
+    }
+  }
+
+  Three residual(const Target& target, const WheelsetState& state, const WheelsetSolution& out) const {
+    const Three found = {out.force.z, target.of_wheels ? out.left.force.z - out.right.force.z : out.moment.x,
+                         dot(axle(state.left), out.moment)};
+    Three r{};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (target.finds(i)) r[i] = (found[i] - target.value[i]) / target.size[i];
+    return r;
+  }
+
+  /// Derivatives of the residual by a variable of the state.
+  Three residual_slope(const Target& target, const WheelsetState& state, const WheelsetSolution& out,
+                       std::size_t variable) const {
+    const Vec3<double> direction = axle(state.left), moment = slopes.moment[variable];
+    const Three found = {
+        slopes.force[variable].z, target.of_wheels ? by_left.force[variable].z - by_right.force[variable].z : moment.x,
+        dot(direction, moment) + dot(cross(turning_axis(state.left, variable), direction), out.moment)};
+    Three r{};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (target.finds(i)) r[i] = found[i] / target.size[i];
+    return r;
+  }
+
+  /// Of the residual by the unknowns in their sizes; that of 1 for what is not looked for.
+  Matrix3 jacobian(const Target& target, const WheelsetState& state, const WheelsetSolution& out) const {
+    Matrix3 m{};
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Three slope = residual_slope(target, state, out, unknown_columns[j]);
+      for (std::size_t i = 0; i < 3; ++i)
+        m[i][j] = target.finds(i) && target.finds(j) ? slope[i] * target.unknown_size[j] : i == j;
+    }
+    return m;
+  }
+
+  Target target_of(const WheelsetState& state, const WheelsetLoad& load, const WheelsetSolution& out) const {
+    const double base = left_place.wheel.lateral, radius = left_place.nominal_radius;
+    Target target{.load = load.vertical.has_value(), .torque = load.axle_torque.has_value()};
+    double whole = std::max(std::abs(out.force.z), 1.0);
+    if (target.load) {
+      if (const auto* both = std::get_if<AxleLoad>(&*load.vertical)) {
+        whole = both->vertical_force;
+        target.value = {whole, both->roll_moment};
+        target.size[1] = whole * base;
+      } else {
+        const auto& [left, right] = std::get<WheelLoads>(*load.vertical);
+        whole = left + right;
+        target.of_wheels = true;
+        target.value = {whole, left - right};
+        target.size[1] = whole;
+      }
+    }
+    target.value[2] = -load.axle_torque.value_or(0);
+    target.size[0] = whole, target.size[2] = whole * radius;
+    constexpr double height = 1e-5, creepage = 1e-3, least_speed = 1e-3; // [m], [-], [m/s]
+    target.unknown_size = {height, height / base,
+                           creepage * std::max(std::abs(state.left.forward_velocity), least_speed) / radius};
+    return target;
+  }
+
+  /// Where both rigid wheels touch, lowered until each bears its share; rolling freely.
+  Status start(const WheelsetLoad& load, WheelsetState& state) {
+    double radius = left_place.nominal_radius;
+    if (load.vertical) {
+      const WheelsetContact touch = rigid.solve(state);
+      if (touch.status == Status::no_contact) return touch.status;
+      state.left.roll = touch.roll, state.left.vertical = touch.vertical;
+      radius = (touch.left.radius + touch.right.radius) / 2;
+    }
+    if (load.axle_torque) state.left.pitch_velocity = state.left.forward_velocity / radius;
+    if (load.vertical) {
+      const auto* both = std::get_if<AxleLoad>(&*load.vertical);
+      lower(first(), state,
+            both ? WheelLoads{both->vertical_force / 2, both->vertical_force / 2}
+                 : std::get<WheelLoads>(*load.vertical));
+      state.left.roll += apart() / (2 * left_place.wheel.lateral);
+      state.left.vertical = (trial.left.vertical + trial.right.vertical) / 2;
+    }
+    return Status::ok;
+  }
+
+  /// Each wheel by itself lowered until it bears its load: `trial`.
+  void lower(Wheels& by, const WheelsetState& state, const WheelLoads& loads) {
+    by.left.solve(state.left, loads.left, trial.left);
+    by.right.solve(state.right(), loads.right, trial.right);
+    sum(state, trial);
+  }
+  /// By how much the left wheel is then higher than the right one.
+  double apart() const { return trial.left.vertical - trial.right.vertical; }
+
+  Wheels& first() { return coarse ? *coarse : wheels; }
+
+  /// Newton's method, with Broyden's updates while they do; `state` becomes the best one found. Of no use across jumps.
+  bool newton(Wheels& by, Wheels& for_slopes, const Target& target, WheelsetState& state, WheelsetSolution& out) {
+    constexpr int most_iterations = 25, most_halvings = 6;
+    constexpr double good = 0.1;        // reduction of the residual
+    constexpr double longest_step = 30; // in the unknowns' sizes
+    const double wanted = tolerance();
+    evaluate(by, state, out);
+    Three value = residual(target, state, out), step{};
+    Matrix3 slope{};
+    bool stale = true;
+    for (int k = 0; k < most_iterations && largest(value) > wanted; ++k) {
+      if (stale) {
+        differentiate(for_slopes, state, trial);
+        slope = jacobian(target, state, trial);
+      }
+      if (!solve_linear(slope, value, step)) break;
+      const Three here = unknowns_of(state);
+      WheelsetState there = state;
+      Three next{}, scaled{};
+      double part = std::min(1.0, longest_step / largest(step));
+      for (int halving = 0;; ++halving, part /= 2) {
+        if (halving == most_halvings) break;
+        Three u = here;
+        for (std::size_t i = 0; i < 3; ++i) {
+          scaled[i] = target.finds(i) ? -part * step[i] : 0;
+          u[i] += scaled[i] * target.unknown_size[i];
+        }
+        set_unknowns(there, u);
+        evaluate(by, there, trial);
+        next = residual(target, there, trial);
+        if (length(next) < length(value)) break;
+      }
+      ++out.iterations;
+      const double reduction = length(next) / length(value);
+      if (!(reduction < 1)) {
+        if (stale) break;
+        stale = true; // the updates have led astray
+        continue;
+      }
+      Three change{};
+      for (std::size_t i = 0; i < 3; ++i) change[i] = next[i] - value[i];
+      update(slope, scaled, change);
+      stale = reduction > good;
+      state = there, value = next;
+      const int iterations = out.iterations;
+      std::swap(out, trial);
+      out.iterations = iterations;
+    }
+    out.residual = largest(value);
+    return out.residual <= wanted;
+  }
+
+  /// The pitch velocity at which the contacts balance the torque, bracketed; `trial` by `forces` for a state.
+  template <class Forces> Status bracket_pitch(const Target& target, WheelsetState& state, const Forces& forces) {
+    if (!target.torque) {
+      forces(state);
+      return Status::ok;
+    }
+    double& pitch = state.left.pitch_velocity;
+    const double reach = 1e3 * target.unknown_size[2]; // up to full sliding
+    return find_zero(pitch, target.unknown_size[2], {pitch - reach, pitch + reach}, tolerance() / 4, [&](double) {
+      forces(state);
+      return residual(target, state, trial)[2];
+    });
+  }
+
+  /// By shares of the load: the wheels are lowered each by itself until they bear theirs; the roll angle at which both
+  /// are at the same height, and the share that has the roll moment, are bracketed. Forces of a wheel are a smooth
+  /// function of its load also where they change much with its height.
+  Status bracket(Wheels& by, const Target& target, WheelsetState& state, int& iterations) {
+    if (!target.load)
+      return bracket_pitch(target, state, [&](const WheelsetState& s) { evaluate(by, s, trial), ++iterations; });
+    constexpr double least_share = 1e-3, first_step = 0.05, largest_roll = 0.05;
+    double share = target.of_wheels ? 0.5 + target.value[1] / (2 * target.value[0]) : 0.5;
+    Status level = Status::ok, pitch = Status::ok;
+    const auto find_roll = [&](double part) {
+      const WheelLoads loads = {part * target.value[0], (1 - part) * target.value[0]};
+      double& roll = state.left.roll;
+      level = find_zero(roll, target.unknown_size[1], {roll - largest_roll, roll + largest_roll},
+                        tolerance() * target.unknown_size[0], [&](double) {
+                          pitch = bracket_pitch(target, state,
+                                                [&](const WheelsetState& s) { lower(by, s, loads), ++iterations; });
+                          return apart();
+                        });
+      return target.of_wheels ? 0 : -residual(target, state, trial)[1];
+    };
+    const Status shared = find_zero(share, first_step, {least_share, 1 - least_share}, tolerance(), find_roll);
+    state.left.vertical = (trial.left.vertical + trial.right.vertical) / 2;
+    for (const Status status : {pitch, level, shared})
+      if (status == Status::no_solution) return status;
+    return Status::ok;
+  }
+
+  void solve(WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& out) {
+    out.residual = 0, out.iterations = 0;
+    if (!is_valid(state, load)) {
+      out.left = out.right = {};
+      sum(state, out);
+      out.status = Status::invalid_input;
+      return;
+    }
+    if (!load.vertical && !load.axle_torque) return evaluate(wheels, state, out);
+    if (const Status status = start(load, state); status != Status::ok) {
+      out.left = out.right = {};
+      sum(state, out);
+      out.status = status;
+      return;
+    }
+    evaluate(first(), state, out);
+    const Target target = target_of(state, load, out);
+    const WheelsetState begin = state;
+    bool found = newton(first(), first(), target, state, out);
+    Status reason = Status::not_converged;
+    if (!found) {
+      state = begin;
+      if (bracket(first(), target, state, out.iterations) == Status::no_solution) reason = Status::no_solution;
+      found = newton(first(), first(), target, state, out);
+    }
+    if (coarse) found = newton(wheels, *coarse, target, state, out);
+    if (!found) out.status = reason;
+  }
+
+  static bool is_valid(const WheelsetState& state, const WheelsetLoad& load) {
+    if (!is_finite(state.left) || !is_finite(state.right())) return false;
+    if (load.axle_torque && !std::isfinite(*load.axle_torque)) return false;
+    if (!load.vertical) return true;
+    if (const auto* both = std::get_if<AxleLoad>(&*load.vertical))
+      return is_load(both->vertical_force) && std::isfinite(both->roll_moment);
+    const auto& [left, right] = std::get<WheelLoads>(*load.vertical);
+    return is_load(left) && is_load(right);
+  }
+
+  void differentiate(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out,
+                     WheelsetDerivatives& derivatives) {
+    solve(state, load, out);
+    derivatives = {};
+    if (out.status != Status::ok) return;
+    const double residual = out.residual;
+    const int iterations = out.iterations;
+    differentiate(wheels, state, out);
+    out.residual = residual, out.iterations = iterations;
+    hold(target_of(state, load, out), state, out, derivatives);
+  }
+
+  /// From derivatives with nothing held to those with the prescribed forces held: du/dx = -R_u^-1 R_x.
+  void hold(const Target& target, const WheelsetState& state, const WheelsetSolution& out, WheelsetDerivatives& d) {
+    const Matrix3 matrix = jacobian(target, state, out);
+    for (std::size_t k = 0; k < wheel_variables; ++k) {
+      const auto at = std::ranges::find(unknown_columns, k) - unknown_columns.begin();
+      const bool is_found = at < 3 && target.finds(static_cast<std::size_t>(at));
+      const Three wanted =
+          is_found ? prescribed(target, static_cast<std::size_t>(at)) : residual_slope(target, state, out, k);
+      Three change{};
+      if (!solve_linear(matrix, wanted, change)) continue;
+      if (!is_found) d.force[k] = slopes.force[k], d.moment[k] = slopes.moment[k];
+      std::array<double*, 3> found = {&d.vertical[k], &d.roll[k], &d.pitch_velocity[k]};
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (!target.finds(j)) continue;
+        *found[j] = (is_found ? 1 : -1) * change[j] * target.unknown_size[j];
+        d.force[k] = d.force[k] + *found[j] * slopes.force[unknown_columns[j]];
+        d.moment[k] = d.moment[k] + *found[j] * slopes.moment[unknown_columns[j]];
+      }
+    }
+  }
+
+  /// Derivative of the prescribed numbers by the k-th prescribed force.
+  static Three prescribed(const Target& target, std::size_t k) {
+    Three r{};
+    r[k] = (k == 2 ? -1 : 1) / target.size[k];
+    if (target.of_wheels && k < 2) r[0] = 1 / target.size[0], r[1] = (k == 0 ? 1 : -1) / target.size[1];
+    return r;
+  }
+};
+
+namespace {
+
+WheelRailBodies on_side(WheelRailBodies bodies, TrackSide side) {
+  bodies.side = side;
+  return bodies;
+}
+
+} // namespace
+
+WheelsetOnTrack::WheelsetOnTrack(const WheelRailBodies& bodies, const WheelRailMethod& method)
+    : WheelsetOnTrack(bodies, bodies, method) {}
+
+WheelsetOnTrack::WheelsetOnTrack(WheelRailBodies left, WheelRailBodies right, const WheelRailMethod& method) {
+  right.track = left.track, right.wheelset = left.wheelset;
+  workspace_ = std::make_unique<Workspace>(on_side(std::move(left), TrackSide::left),
+                                           on_side(std::move(right), TrackSide::right), method);
+}
+WheelsetOnTrack::WheelsetOnTrack(WheelsetOnTrack&&) noexcept = default;
+WheelsetOnTrack& WheelsetOnTrack::operator=(WheelsetOnTrack&&) noexcept = default;
+WheelsetOnTrack::~WheelsetOnTrack() = default;
+
+void WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution) {
+  WheelsetState there = state;
+  workspace_->solve(there, load, solution);
+}
+
+WheelsetSolution WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load) {
+  WheelsetSolution solution;
+  solve(state, load, solution);
+  return solution;
+}
+
+void WheelsetOnTrack::differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
+                                    WheelsetDerivatives& derivatives) {
+  workspace_->differentiate(state, load, solution, derivatives);
+}
+
+} // namespace microslip

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "microslip/railway/wheel_rail.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <variant>
+
+namespace microslip {
+
+/// What both rails bear of a wheelset together, as forces on it.
+struct AxleLoad {
+  double vertical_force = 0; ///< [N], > 0
+  double roll_moment = 0;    ///< [N m] about the wheelset's centre, about the track's x
+};
+
+/// What each rail bears, as forces on the wheels.
+struct WheelLoads {
+  double left = 0, right = 0; ///< [N], > 0, vertical
+};
+
+/// Forces that are prescribed; what they leave open is the state's.
+struct WheelsetLoad {
+  std::optional<std::variant<AxleLoad, WheelLoads>> vertical; ///< finds height and roll
+  /// [N m] about the axle, > 0 drives the wheelset forward: finds the pitch velocity at which the contacts balance it,
+  /// at 0 that of free rolling.
+  std::optional<double> axle_torque;
+};
+
+struct WheelsetSolution {
+  WheelRailSolution left, right; ///< moments about each wheel's own centre
+  Vec3<double> force;            ///< of both, on the wheelset, in track axes [N]
+  Vec3<double> moment;           ///< of both, about the wheelset's centre [N m]
+  double vertical = 0;           ///< of the wheelset's centre, as given or found [m]
+  double roll = 0;               ///< as given or found [rad]
+  double pitch_velocity = 0;     ///< as given or found [rad/s]
+  /// The largest of: vertical force over the load, roll moment over the load times half the wheels' distance, axle
+  /// torque over the load times the radius.
+  double residual = 0;
+  int iterations = 0; ///< over height, roll and pitch velocity
+  Status status = Status::ok;
+};
+
+/// Derivatives of a wheelset's forces in SI units, by a variable of the state in the order of WheelVariable. What is
+/// prescribed is held in all columns but those of what is found: with an axle load, the column of the height holds the
+/// derivatives by the vertical force and that of roll those by the roll moment; with wheel loads those by the left and
+/// the right one; with an axle torque the column of the pitch velocity holds those by the torque.
+struct WheelsetDerivatives {
+  std::array<Vec3<double>, wheel_variables> force, moment;
+  std::array<double, wheel_variables> vertical{}, roll{}, pitch_velocity{}; ///< of what is found
+};
+
+/// Solves both wheels of a wheelset on their rails, state after state, with all tables made once.
+class WheelsetOnTrack {
+public:
+  /// Both wheels and rails alike: the side does not count. Throws Error as WheelRail.
+  explicit WheelsetOnTrack(const WheelRailBodies& bodies, const WheelRailMethod& method = {});
+  /// Each wheel with its own profiles and friction; track and wheelset are the left one's.
+  WheelsetOnTrack(WheelRailBodies left, WheelRailBodies right, const WheelRailMethod& method = {});
+  WheelsetOnTrack(WheelsetOnTrack&&) noexcept;
+  WheelsetOnTrack& operator=(WheelsetOnTrack&&) noexcept;
+  ~WheelsetOnTrack();
+
+  /// The forces in a state, by Newton's method from the place where both rigid wheels touch, and by bracketing where
+  /// contacts jump. `method.tolerance` is that of the residual. Forces that no height, roll and pitch velocity give are
+  /// the status no_solution; a jump of the forces across the prescribed ones is not_converged, with the residual beside
+  /// it. Where nothing is prescribed, a wheel may be off its rail; only if both are is the status no_contact. Cost some
+  /// 4 derivatives of each wheel.
+  void solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution);
+  WheelsetSolution solve(const WheelsetState& state, const WheelsetLoad& load = {});
+
+  /// The same with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of a
+  /// solution that is not ok are zero.
+  void differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
+                     WheelsetDerivatives& derivatives);
+
+private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+} // namespace microslip
