@@ -1,8 +1,7 @@
 #pragma once
 
+#include "history.hpp"
 #include "wheelset.hpp"
-
-#include <vector>
 
 /// Straight running at z = 0, a little disturbed: the largest real part of the eigenvalues of f's Jacobian [1/s], and
 /// the imaginary part that belongs to it [rad/s].
@@ -16,25 +15,8 @@ LinearGrowth linear_growth(WheelsetParameters parameters, double speed);
 double critical_speed(const WheelsetParameters& parameters, double low = 5, double high = 200);
 
 /// A run from a lateral displacement at rest, in equal steps.
-struct History {
-  double step = 0; ///< [s]
-  std::vector<Wheelset::State> states = {};
-  long newton_iterations = 0;
-  double seconds = 0;         ///< of computing time
-  double contact_seconds = 0; ///< what of it the contact law took
-  long contacts = 0;          ///< solved
-
-  /// Extreme values of the lateral displacement, by a parabola through three points, and when they are reached.
-  struct Peak {
-    double time, value;
-  };
-  std::vector<Peak> peaks() const;
-  /// Largest |y| of the last `duration` seconds.
-  double amplitude(double duration) const;
-  /// Growth rate of the peaks [1/s], by least squares through the logarithms of those after `from` [s].
-  double growth_rate(double from) const;
-};
-History run(const WheelsetParameters& parameters, double displacement, double duration, double step = 1e-3);
+History<Wheelset::states> run(const WheelsetParameters& parameters, double displacement, double duration,
+                              double step = 1e-3);
 
 /// The speed at which a small disturbance neither grows nor decays in the nonlinear run, found between 0.95 and 1.05 of
 /// the critical speed.

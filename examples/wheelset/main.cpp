@@ -3,33 +3,13 @@
 //   wheelset [FOLDER]     also writes FOLDER/runs.csv and FOLDER/amplitudes.csv, which plot.py draws
 
 #include "hunting.hpp"
+#include "table.hpp"
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 
 namespace {
-
-/// A text file that is there when it is whole.
-class Table {
-public:
-  explicit Table(std::filesystem::path path) : path_(std::move(path)), file_(std::fopen(part().c_str(), "w")) {
-    if (!file_) throw std::runtime_error("cannot write " + part().string());
-  }
-  std::FILE* file() const { return file_; }
-  void finish() {
-    const bool failed = std::ferror(file_) != 0;
-    if (std::fclose(file_) != 0 || failed) throw std::runtime_error("cannot write " + part().string());
-    std::filesystem::rename(part(), path_);
-  }
-
-private:
-  std::filesystem::path part() const { return path_.string() + ".part"; }
-  std::filesystem::path path_;
-  std::FILE* file_;
-};
 
 WheelsetParameters at_speed(double speed) {
   WheelsetParameters parameters;
@@ -48,7 +28,7 @@ void print_growth(double critical) {
 }
 
 struct Pair {
-  History below, above;
+  History<Wheelset::states> below, above;
 };
 
 /// A run at 0.9 and one at 1.1 of the critical speed.
@@ -59,13 +39,13 @@ Pair run_pair(double critical) {
 void print_pair(const Pair& pair, double critical) {
   std::printf("\nFrom 4 mm at %.1f m/s after 10 s: %.2g mm. From 0.1 mm at %.1f m/s after 10 s: %.3f mm.\n",
               0.9 * critical, 1e3 * pair.below.amplitude(1), 1.1 * critical, 1e3 * pair.above.amplitude(1));
-  for (const History* one : {&pair.below, &pair.above})
+  for (const auto* one : {&pair.below, &pair.above})
     std::printf("%s: %.1f ms per simulated second, %.0f %% of it the contact law (%.2f us a contact), %.2f Newton "
-                "steps a step of 1 ms\n",
+                "steps and %.2f Jacobians a step of 1 ms\n",
                 one == &pair.below ? "Below" : "Above", one->seconds / 10 * 1e3,
                 100 * one->contact_seconds / one->seconds,
                 one->contact_seconds / static_cast<double>(one->contacts) * 1e6,
-                static_cast<double>(one->newton_iterations) / 10000);
+                static_cast<double>(one->newton_iterations) / 10000, static_cast<double>(one->jacobians) / 10000);
 }
 
 void write_pair(const std::filesystem::path& folder, const Pair& pair) {

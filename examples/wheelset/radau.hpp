@@ -6,64 +6,100 @@
 #include <cmath>
 #include <stdexcept>
 
-/// One step of z' = f(z) by the two-stage Radau IIA method: implicit, of third order, and damping whatever is too fast
-/// for the step (Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.5). The stages are found by
-/// Newton's method with f's own Jacobian.
+/// Steps of z' = f(z) by the two-stage Radau IIA method: implicit, of third order, and damping whatever is too fast for
+/// the step (Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.5). The stages are found by
+/// Newton's method with a Jacobian of f that is kept as long as it serves (section IV.8).
 template <std::size_t N> class Radau {
 public:
-  /// `scale`: sizes of the components, which the error of Newton's method is measured in.
-  explicit Radau(const Vector<N>& scale) : scale_(scale) {}
+  /// `scale`: sizes of the components, by which the error of Newton's method is measured; below `tolerance` of them.
+  explicit Radau(const Vector<N>& scale, double tolerance = 1e-7) : scale_(scale), tolerance_(tolerance) {}
 
-  /// Advances z by `step`; `rates(z, rate, jacobian)` is f with its Jacobian. Throws std::runtime_error if Newton's
-  /// method does not converge.
+  /// Advances z by `step`; `rates(z, rate)` is f, `rates(z, rate, jacobian)` f with its Jacobian. Where Newton's method
+  /// does not converge, as across a jump of f, the step is halved, at most 8 times; then throws std::runtime_error.
   template <class Rates> void advance(Vector<N>& z, double step, Rates&& rates) {
-    constexpr int most_iterations = 50;
-    for (Vector<N>& increment : increments_) increment = {};
+    constexpr int most_halvings = 8;
+    advance(z, step, rates, most_halvings);
+  }
+
+  long iterations() const { return iterations_; }
+  long jacobians() const { return jacobians_; }
+  long halvings() const { return halvings_; }
+
+private:
+  static constexpr double a_[2][2] = {{5.0 / 12, -1.0 / 12}, {3.0 / 4, 1.0 / 4}};
+
+  template <class Rates> void advance(Vector<N>& z, double step, Rates&& rates, int halvings) {
+    if (find_stages(z, step, rates)) {
+      for (std::size_t i = 0; i < N; ++i) {
+        last_[i] = increments_[1][i] / step;
+        z[i] += increments_[1][i];
+      }
+      return;
+    }
+    if (halvings == 0) throw std::runtime_error("Newton's method does not converge");
+    ++halvings_;
+    advance(z, step / 2, rates, halvings - 1);
+    advance(z, step / 2, rates, halvings - 1);
+  }
+
+  template <class Rates> bool find_stages(const Vector<N>& z, double step, Rates&& rates) {
+    constexpr int most_iterations = 25;
+    constexpr double good = 0.2; // reduction of the change by one iteration
     for (std::size_t i = 0; i < N; ++i) {
       increments_[0][i] = last_[i] * step / 3;
       increments_[1][i] = last_[i] * step;
     }
-    for (int iteration = 1;; ++iteration) {
+    if (step != factored_step_) stale_ = true;
+    double before = 0;
+    for (int iteration = 1; iteration <= most_iterations; ++iteration) {
       ++iterations_;
-      if (newton_step(z, step, rates) < tolerance) break;
-      if (iteration == most_iterations) throw std::runtime_error("Newton's method does not converge");
+      if (stale_) factor(z, step, rates);
+      const double change = newton_step(z, step, rates);
+      if (!std::isfinite(change)) break;
+      // What is still missing is the last change times q/(1 - q), were all reductions q.
+      const double reduction = iteration > 1 ? change / before : 0;
+      if (change < tolerance_ || (reduction > 0 && reduction < 1 && change * reduction / (1 - reduction) < tolerance_))
+        return true;
+      stale_ = reduction > good;
+      before = change;
     }
-    for (std::size_t i = 0; i < N; ++i) {
-      last_[i] = increments_[1][i] / step;
-      z[i] += increments_[1][i];
-    }
+    stale_ = true;
+    return false;
   }
 
-  long iterations() const { return iterations_; }
-
-private:
-  static constexpr double tolerance = 1e-7;
-  static constexpr double a_[2][2] = {{5.0 / 12, -1.0 / 12}, {3.0 / 4, 1.0 / 4}};
+  /// I - h A x J, with the Jacobian J in the last stage.
+  template <class Rates> void factor(const Vector<N>& z, double step, Rates&& rates) {
+    Vector<N> at = z, rate;
+    for (std::size_t i = 0; i < N; ++i) at[i] += increments_[1][i];
+    Matrix<N> jacobian;
+    rates(at, rate, jacobian);
+    Matrix<2 * N> matrix = {};
+    for (std::size_t s = 0; s < 2; ++s)
+      for (std::size_t i = 0; i < N; ++i) {
+        matrix[s * N + i][s * N + i] = 1;
+        for (std::size_t t = 0; t < 2; ++t)
+          for (std::size_t j = 0; j < N; ++j) matrix[s * N + i][t * N + j] -= step * a_[s][t] * jacobian[i][j];
+      }
+    factors_ = Factors<2 * N>(matrix);
+    factored_step_ = step, stale_ = false;
+    ++jacobians_;
+  }
 
   /// Returns the largest change over its scale.
   template <class Rates> double newton_step(const Vector<N>& z, double step, Rates&& rates) {
     Vector<N> rate[2];
-    Matrix<N> jacobian[2];
-    for (int s = 0; s < 2; ++s) {
+    for (std::size_t s = 0; s < 2; ++s) {
       Vector<N> at = z;
       for (std::size_t i = 0; i < N; ++i) at[i] += increments_[s][i];
-      rates(at, rate[s], jacobian[s]);
+      rates(at, rate[s]);
     }
-    Matrix<2 * N> matrix = {};
-    Vector<2 * N> change = {};
-    for (int s = 0; s < 2; ++s)
-      for (std::size_t i = 0; i < N; ++i) {
-        const std::size_t row = s * N + i;
-        matrix[row][row] = 1;
-        change[row] = -increments_[s][i];
-        for (int t = 0; t < 2; ++t) {
-          change[row] += step * a_[s][t] * rate[t][i];
-          for (std::size_t j = 0; j < N; ++j) matrix[row][t * N + j] -= step * a_[s][t] * jacobian[t][i][j];
-        }
-      }
-    solve_linear(matrix, change);
+    Vector<2 * N> change;
+    for (std::size_t s = 0; s < 2; ++s)
+      for (std::size_t i = 0; i < N; ++i)
+        change[s * N + i] = step * (a_[s][0] * rate[0][i] + a_[s][1] * rate[1][i]) - increments_[s][i];
+    factors_.solve(change);
     double largest = 0;
-    for (int s = 0; s < 2; ++s)
+    for (std::size_t s = 0; s < 2; ++s)
       for (std::size_t i = 0; i < N; ++i) {
         increments_[s][i] += change[s * N + i];
         largest = std::max(largest, std::abs(change[s * N + i]) / scale_[i]);
@@ -72,6 +108,10 @@ private:
   }
 
   Vector<N> scale_, last_ = {};
+  double tolerance_;
   std::array<Vector<N>, 2> increments_;
-  long iterations_ = 0;
+  Factors<2 * N> factors_;
+  double factored_step_ = 0;
+  bool stale_ = true;
+  long iterations_ = 0, jacobians_ = 0, halvings_ = 0;
 };

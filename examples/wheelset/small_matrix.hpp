@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -11,68 +12,95 @@
 template <std::size_t N> using Vector = std::array<double, N>;
 template <std::size_t N> using Matrix = std::array<Vector<N>, N>;
 
-/// Solves a x = b in place, by elimination with row exchange; throws std::runtime_error for a singular matrix.
-template <std::size_t N> void solve_linear(Matrix<N>& a, Vector<N>& b) {
-  for (std::size_t k = 0; k < N; ++k) {
+/// A matrix factored by elimination with row exchange, to be solved with often.
+template <std::size_t N> class Factors {
+public:
+  Factors() = default;
+  /// Throws std::runtime_error for a singular matrix.
+  explicit Factors(const Matrix<N>& matrix) : a_(matrix) {
+    for (std::size_t k = 0; k < N; ++k) {
+      std::size_t& pivot = pivot_[k];
+      pivot = k;
+      for (std::size_t i = k + 1; i < N; ++i)
+        if (std::abs(a_[i][k]) > std::abs(a_[pivot][k])) pivot = i;
+      if (!(std::abs(a_[pivot][k]) > 0)) throw std::runtime_error("singular matrix");
+      std::swap(a_[k], a_[pivot]);
+      for (std::size_t i = k + 1; i < N; ++i) {
+        const double factor = a_[i][k] /= a_[k][k];
+        for (std::size_t j = k + 1; j < N; ++j) a_[i][j] -= factor * a_[k][j];
+      }
+    }
+  }
+
+  /// Turns b into the solution x of a x = b.
+  void solve(Vector<N>& b) const {
+    for (std::size_t k = 0; k < N; ++k) std::swap(b[k], b[pivot_[k]]);
+    for (std::size_t k = 0; k < N; ++k)
+      for (std::size_t j = 0; j < k; ++j) b[k] -= a_[k][j] * b[j];
+    for (std::size_t k = N; k-- > 0;) {
+      for (std::size_t j = k + 1; j < N; ++j) b[k] -= a_[k][j] * b[j];
+      b[k] /= a_[k][k];
+    }
+  }
+
+private:
+  Matrix<N> a_ = {};
+  std::array<std::size_t, N> pivot_ = {};
+};
+
+/// Eigenvalues, by Francis' QR method with shifts (Golub & Van Loan, Matrix Computations, sections 7.4, 7.5). Throws
+/// std::runtime_error if it does not converge.
+template <std::size_t N> std::array<std::complex<double>, N> eigenvalues(const Matrix<N>& matrix) {
+  using Complex = std::complex<double>;
+  std::array<std::array<Complex, N>, N> h;
+  for (std::size_t i = 0; i < N; ++i) std::copy(matrix[i].begin(), matrix[i].end(), h[i].begin());
+  // Hessenberg form: rows eliminated from below, columns changed so that the matrix stays similar.
+  for (std::size_t k = 1; k + 1 < N; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < N; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    if (!(std::abs(a[pivot][k]) > 0)) throw std::runtime_error("singular matrix");
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
+      if (std::abs(h[i][k - 1]) > std::abs(h[pivot][k - 1])) pivot = i;
+    if (h[pivot][k - 1] == 0.0) continue;
+    std::swap(h[k], h[pivot]);
+    for (auto& row : h) std::swap(row[k], row[pivot]);
     for (std::size_t i = k + 1; i < N; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < N; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
+      const Complex factor = h[i][k - 1] / h[k][k - 1];
+      for (std::size_t j = 0; j < N; ++j) h[i][j] -= factor * h[k][j];
+      for (auto& row : h) row[k] += factor * row[i];
     }
   }
-  for (std::size_t k = N; k-- > 0;) {
-    for (std::size_t j = k + 1; j < N; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-}
-
-/// Coefficients c of det(s - a) = s^N + c[N-1] s^(N-1) + ... + c[0] (Faddeev & Leverrier).
-template <std::size_t N> Vector<N> characteristic_polynomial(const Matrix<N>& a) {
-  Vector<N> c = {};
-  Matrix<N> m = {}; // M_k = a M_(k-1) + c[N-k+1]
-  double last = 1;
-  for (std::size_t k = 1; k <= N; ++k) {
-    Matrix<N> next = {};
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j) {
-        for (std::size_t l = 0; l < N; ++l) next[i][j] += a[i][l] * m[l][j];
-        if (i == j) next[i][j] += last;
+  std::array<Complex, N> values;
+  std::size_t n = N; // rows without an eigenvalue yet
+  for (int iteration = 0; n > 0; ++iteration) {
+    if (iteration > 100 * static_cast<int>(N)) throw std::runtime_error("eigenvalues do not converge");
+    const Complex last = h[n - 1][n - 1];
+    if (n == 1 || std::abs(h[n - 1][n - 2]) <= 1e-16 * (std::abs(last) + std::abs(h[n - 2][n - 2]))) {
+      values[--n] = last;
+      continue;
+    }
+    // The eigenvalue of the last two rows that is nearer to the last entry; now and then another shift, against cycles.
+    const Complex half = (h[n - 2][n - 2] - last) / 2.0, product = h[n - 2][n - 1] * h[n - 1][n - 2];
+    const Complex root = std::sqrt(half * half + product),
+                  sum = std::abs(half + root) > std::abs(half - root) ? half + root : half - root;
+    const Complex shift =
+        iteration % 20 == 19 ? last + std::abs(h[n - 1][n - 2]) : last - (sum == 0.0 ? 0.0 : product / sum);
+    std::array<Complex, N> cosine, sine;
+    for (std::size_t i = 0; i < n; ++i) h[i][i] -= shift;
+    for (std::size_t k = 0; k + 1 < n; ++k) {
+      const double norm = std::hypot(std::abs(h[k][k]), std::abs(h[k + 1][k]));
+      cosine[k] = norm > 0 ? h[k][k] / norm : 1.0, sine[k] = norm > 0 ? h[k + 1][k] / norm : 0.0;
+      for (std::size_t j = k; j < n; ++j) {
+        const Complex above = h[k][j], below = h[k + 1][j];
+        h[k][j] = std::conj(cosine[k]) * above + std::conj(sine[k]) * below;
+        h[k + 1][j] = cosine[k] * below - sine[k] * above;
       }
-    m = next;
-    double trace = 0;
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t l = 0; l < N; ++l) trace += a[i][l] * m[l][i];
-    c[N - k] = last = -trace / static_cast<double>(k);
-  }
-  return c;
-}
-
-/// Eigenvalues: the roots of the characteristic polynomial, all at once (Weierstrass' iteration).
-template <std::size_t N> std::array<std::complex<double>, N> eigenvalues(const Matrix<N>& a) {
-  using Complex = std::complex<double>;
-  const Vector<N> c = characteristic_polynomial(a);
-  double radius = 1; // Fujiwara's bound of all roots
-  for (std::size_t k = 0; k < N; ++k)
-    radius = std::max(radius, 2 * std::pow(std::abs(c[k]), 1.0 / static_cast<double>(N - k)));
-  std::array<Complex, N> roots;
-  for (std::size_t k = 0; k < N; ++k) roots[k] = radius * std::pow(Complex(0.4, 0.9), static_cast<double>(k));
-  for (double change = 1; change > 1e-14;) {
-    change = 0;
-    for (std::size_t k = 0; k < N; ++k) {
-      Complex value = 1, others = 1;
-      for (std::size_t i = N; i-- > 0;) value = value * roots[k] + c[i];
-      for (std::size_t i = 0; i < N; ++i)
-        if (i != k) others *= roots[k] - roots[i];
-      const Complex step = value / others;
-      roots[k] -= step;
-      change = std::max(change, std::abs(step) / (std::abs(roots[k]) + 1e-300));
     }
+    for (std::size_t k = 0; k + 1 < n; ++k)
+      for (std::size_t i = 0; i < std::min(k + 2, n); ++i) {
+        const Complex left = h[i][k], right = h[i][k + 1];
+        h[i][k] = left * cosine[k] + right * sine[k];
+        h[i][k + 1] = right * std::conj(cosine[k]) - left * std::conj(sine[k]);
+      }
+    for (std::size_t i = 0; i < n; ++i) h[i][i] += shift;
   }
-  return roots;
+  return values;
 }

@@ -42,16 +42,23 @@ public:
   explicit Wheelset(const WheelsetParameters& parameters);
 
   const WheelsetParameters& parameters() const { return p_; }
-  /// Rates and their derivatives to the state. Throws std::runtime_error if the contact law refuses its input.
+  /// The rates, and their derivatives with respect to the state. Throw std::runtime_error if the contact law refuses
+  /// its input.
+  void rates(const State& z, State& rate);
   void rates(const State& z, State& rate, Jacobian& jacobian);
   /// What the contact law took so far [s], and for how many contacts.
   double contact_seconds() const { return contact_seconds_; }
   long contacts() const { return contacts_; }
 
 private:
-  void add_wheel(double side, const State& z, const microslip::ContactDerivatives& found, State& rate,
-                 Jacobian& jacobian) const;
-  void add_springs(const State& z, State& rate, Jacobian& jacobian) const;
+  /// What forces on a wheel do to lateral, yaw and rolling motion: levers of (fx, fy, mz).
+  std::array<Vector<3>, 3> levers(double side, const State& z) const;
+  /// Motion and springs, with forces on the wheels.
+  State without_derivatives(const State& z, const std::array<Vector<3>, 2>& forces) const;
+  /// Runs the contact law on the creepages of a state.
+  template <class Solve> void solve_contacts(const State& z, const Solve& solve);
+  void add_wheel(double side, const State& z, const microslip::ContactDerivatives& found, Jacobian& jacobian) const;
+  double flange_force(double displacement) const;
   double rolling_radius(double side, const State& z) const { return p_.radius + side * p_.conicity * z[lateral]; }
   microslip::Creepage creepage(double side, const State& z) const;
   std::array<State, 3> creepage_derivatives(double side, const State& z) const;

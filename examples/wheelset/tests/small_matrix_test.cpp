@@ -8,13 +8,15 @@
 namespace {
 
 TEST(SmallMatrix, SolvesWithRowExchange) {
-  Matrix<3> a = {{{0, 2, 1}, {1, 1, 0}, {3, 0, 1}}};
-  Vector<3> b = {7, 3, 6}; // x = 1, 2, 3
-  solve_linear(a, b);
+  const Matrix<3> a = {{{0, 2, 1}, {1, 1, 0}, {3, 0, 1}}};
+  const Factors<3> factors(a);
+  Vector<3> b = {7, 3, 6}, c = {1, 2, 2}; // x = 1, 2, 3 for b
+  factors.solve(b);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(b[k], static_cast<double>(k) + 1, 1e-14);
-  Matrix<2> singular = {{{1, 2}, {2, 4}}};
-  Vector<2> any = {1, 1};
-  EXPECT_THROW(solve_linear(singular, any), std::runtime_error);
+  const Vector<3> given = c;
+  factors.solve(c);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[i][0] * c[0] + a[i][1] * c[1] + a[i][2] * c[2], given[i], 1e-14);
+  EXPECT_THROW(Factors<2>({{{1, 2}, {2, 4}}}), std::runtime_error);
 }
 
 TEST(SmallMatrix, EigenvaluesOfACompanionMatrixAreTheRoots) {

@@ -74,7 +74,7 @@ TEST(Wheelset, CriticalSpeedIsNearWickens) {
 TEST(Wheelset, GrowsAsTheEigenvaluesSay) {
   const double critical = critical_speed({});
   for (const double ratio : {0.8, 1.1}) {
-    const History small = run(at_speed(ratio * critical), 1e-6, 2);
+    const auto small = run(at_speed(ratio * critical), 1e-6, 2);
     EXPECT_NEAR(small.growth_rate(1), linear_growth({}, ratio * critical).rate, 1e-3);
     const auto peaks = small.peaks();
     const double period = (peaks.back().time - peaks.front().time) / static_cast<double>(peaks.size() - 1) * 2;
@@ -89,7 +89,7 @@ TEST(Wheelset, BothCriticalSpeedsAgree) {
 
 TEST(Wheelset, DecaysBelowTheCriticalSpeed) {
   const double speed = 0.85 * critical_speed({});
-  const History below = run(at_speed(speed), 4e-3, 8);
+  const auto below = run(at_speed(speed), 4e-3, 8);
   const double linear = 4e-3 * std::exp(7 * linear_growth({}, speed).rate); // when the last second begins
   EXPECT_LT(linear, 0.01 * 4e-3);
   EXPECT_NEAR(below.amplitude(1), linear, 0.3 * linear);
@@ -97,7 +97,7 @@ TEST(Wheelset, DecaysBelowTheCriticalSpeed) {
 
 TEST(Wheelset, HuntsInALimitCycleAboveTheCriticalSpeed) {
   const WheelsetParameters parameters = at_speed(1.2 * critical_speed({}));
-  const History small = run(parameters, 0.1e-3, 8), large = run(parameters, 9e-3, 8);
+  const auto small = run(parameters, 0.1e-3, 8), large = run(parameters, 9e-3, 8);
   const double amplitude = small.amplitude(1);
   EXPECT_GT(amplitude, parameters.flange_clearance);
   EXPECT_LT(amplitude, parameters.flange_clearance + 3e-3);
