@@ -3,6 +3,7 @@
 #include "io/profile_file.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "validation/report.hpp"
+#include "validation/wheel_rail_closed_forms.hpp"
 
 #include <algorithm>
 #include <array>
@@ -126,19 +127,16 @@ Sweep sweep(WheelRail& contact, double from, double to, double step, double forc
   return sweep;
 }
 
-bool continuity(Report& report, const std::vector<Pair>& all, WheelRailLevel level, const Progress& progress) {
+bool continuity(Report& report, const std::vector<Pair>& all, const Progress& progress) {
   constexpr double limit = 0.005;
-  const bool exact = level == WheelRailLevel::exact;
-  const double step = exact ? 20e-6 : 1e-6;
-  report.heading(fmt::format("Level {}: sweeps from -8 to 8 mm in steps of {:.3f} mm, yaw 2 mrad, changes in mu Fn",
-                             exact ? "exact" : "fastsim2", 1e3 * step));
+  report.heading("Sweeps from -8 to 8 mm in steps of .001 mm, yaw 2 mrad: changes of a force in mu Fn");
   report.line("pair                          load kN   states  not solved  beyond .005   largest  of it at once");
   double jump = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 3); ++k) {
-    WheelRail contact(all[k].bodies, {.level = level});
+    WheelRail contact(all[k].bodies);
     for (const double force : {1e3, 10e3, 50e3, 150e3}) {
       if (progress && !progress(static_cast<double>(k) / 3)) return false;
-      const Sweep s = sweep(contact, -8e-3, 8e-3, step, force, limit);
+      const Sweep s = sweep(contact, -8e-3, 8e-3, 1e-6, force, limit);
       report.line(fmt::format("{:28} {:8.0f} {:8} {:11} {:12} {:9.4f} {:14.4f}", all[k].name, force * 1e-3, s.states,
                               s.failed, s.beyond, s.largest, s.jump));
       jump = std::max(jump, s.jump);
@@ -195,37 +193,6 @@ bool robustness(Report& report, const std::vector<Pair>& all, const Progress& pr
   report.remark("longest time over the median", fmt::format("{:.0f}", times.back() / times[times.size() / 2]), "100",
                 "depends on what else the machine does");
   return true;
-}
-
-/// Random states at the exact level.
-void exact_states(Report& report, const std::vector<Pair>& all) {
-  constexpr int states = 4000;
-  report.heading("4,000 of such states at the exact level");
-  std::mt19937_64 random(23);
-  std::uniform_real_distribution<double> any(-1, 1);
-  int unsolved = 0;
-  double residual = 0;
-  std::vector<double> times;
-  for (const Pair& pair : all) {
-    WheelRail contact(pair.bodies, {.level = WheelRailLevel::exact});
-    for (std::size_t k = 0; k < states / all.size(); ++k) {
-      WheelState<double> state = running(15e-3 * any(random));
-      state.yaw = 0.05 * any(random), state.roll = 5e-3 * any(random);
-      state.pitch_velocity *= 1 + 0.02 * any(random), state.lateral_velocity = 0.1 * any(random);
-      const double force = 100 * std::pow(2000, (any(random) + 1) / 2);
-      const auto start = std::chrono::steady_clock::now();
-      const WheelRailSolution s = contact.solve(state, force);
-      times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-      unsolved += s.status != Status::ok;
-      if (s.status == Status::ok) residual = std::max(residual, std::abs(s.force.z / force - 1));
-    }
-  }
-  std::sort(times.begin(), times.end());
-  report.figure("states that are not solved", fmt::format("{}", unsolved), "at most 4", unsolved <= 4);
-  report.figure("largest error of the vertical force", fmt::format("{:.1e}", residual), "at most 1e-6",
-                residual <= 1e-6);
-  report.remark("longest time over the median", fmt::format("{:.0f}", times.back() / times[times.size() / 2]), "100",
-                "depends on what else the machine does");
 }
 
 void derivatives(Report& report, const std::vector<Pair>& all) {
@@ -291,10 +258,9 @@ bool run_wheel_rail(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   const std::vector<Pair> all = pairs();
   if (all.size() < 3) report.line("Measured and worn profiles are not beside MICROSLIP_REFERENCE_DATA.");
-  if (!continuity(report, all, WheelRailLevel::fastsim2, part_of(options.progress, 0, 0.4))) return false;
-  if (!continuity(report, all, WheelRailLevel::exact, part_of(options.progress, 0.4, 0.6))) return false;
-  if (!robustness(report, all, part_of(options.progress, 0.6, 0.95))) return false;
-  exact_states(report, all);
+  report_closed_forms(report);
+  if (!continuity(report, all, part_of(options.progress, 0, 0.5))) return false;
+  if (!robustness(report, all, part_of(options.progress, 0.5, 0.95))) return false;
   derivatives(report, all);
   energy(report, all);
   return report.all_met();
