@@ -69,10 +69,10 @@ std::vector<double> amplitudes(const ConicityArguments& arguments) {
 /// The profiles of both sides; the right side's are the left one's unless they are given.
 class Profiles {
 public:
-  Profiles(const ConicityArguments& arguments, std::vector<std::string>& warnings) {
+  explicit Profiles(const ConicityArguments& arguments) {
     const auto read = [&](const fs::path& path, const ProfileOptions& options, ProfileRole role) {
       const PreparedProfile prepared = read_profile(path, file_options(options, role));
-      for (const auto& warning : prepared.report.warnings) warnings.push_back(path.string() + ": " + warning);
+      for (const auto& warning : prepared.report.warnings) warnings_.push_back(path.string() + ": " + warning);
       return prepared.profile;
     };
     wheels_.push_back(read(arguments.wheel, arguments.wheel_options, ProfileRole::wheel));
@@ -87,8 +87,11 @@ public:
   WheelsetSearch::Side left() const { return {rails_.front(), wheels_.front()}; }
   WheelsetSearch::Side right() const { return {rails_.back(), wheels_.back()}; }
 
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
 private:
   std::vector<Profile> wheels_, rails_;
+  std::vector<std::string> warnings_;
 };
 
 WheelsetBase base_of(const ConicityArguments& arguments) {
@@ -118,10 +121,10 @@ GaugeResult solve(const ConicityArguments& arguments, const Profiles& profiles, 
   return result;
 }
 
-ConicityResult solve(const ConicityArguments& arguments) {
+ConicityResult solve(const ConicityArguments& arguments, const Profiles& profiles) {
   ConicityResult result;
   result.amplitudes = amplitudes(arguments);
-  const Profiles profiles(arguments, result.warnings);
+  result.warnings = profiles.warnings();
   for (const double gauge : arguments.gauges) {
     result.gauges.push_back(solve(arguments, profiles, require_positive("--gauge", gauge, "m"), result.amplitudes));
     for (std::size_t k = 0; k < result.amplitudes.size(); ++k)
@@ -240,8 +243,8 @@ void print_document(const ConicityArguments& arguments, const ConicityResult& re
   print_json(document);
 }
 
-void write_curve(ResultFile& file, const std::string& group, const WheelsetCurve& curve) {
-  const auto write = [&](const char* name, auto value, const char* unit, const char* what) {
+void write_curve(ResultFile& file, const std::string& group, const WheelsetCurve& curve, const Profiles& profiles) {
+  const auto write = [&](const std::string& name, auto value, const char* unit, const char* what) {
     std::vector<double> values;
     for (const WheelsetContact& contact : curve) values.push_back(value(contact));
     file.array(group + "/" + name, values, unit, what);
@@ -257,9 +260,37 @@ void write_curve(ResultFile& file, const std::string& group, const WheelsetCurve
       "roll", [](Contact c) { return c.roll; }, "rad", "roll angle, raising the left wheel");
   write(
       "vertical", [](Contact c) { return c.vertical; }, "m", "height of the wheelset's centre");
+  const auto write_points = [&](const std::string& side, const WheelsetSearch::Side& pair, auto point_of) {
+    const auto write_point = [&](const std::string& body, const Profile& profile, double ContactPoint::*s) {
+      const auto place = [&](Contact c) { return profile.at(point_of(c).*s).value; };
+      const std::string name = side + "_" + body;
+      write(
+          name + "_y", [&](Contact c) { return place(c).y; }, "m",
+          "point of contact on the profile, to the field side");
+      write(
+          name + "_z", [&](Contact c) { return place(c).z; }, "m", "point of contact on the profile, up");
+    };
+    write_point("rail", pair.rail, &ContactPoint::s_rail);
+    write_point("wheel", pair.wheel, &ContactPoint::s_wheel);
+  };
+  write_points("left", profiles.left(), [](Contact c) { return c.left; });
+  write_points("right", profiles.right(), [](Contact c) { return c.right; });
 }
 
-void write_result(const ConicityArguments& arguments, const ConicityResult& result, const fs::path& path) {
+/// The curve of a profile in its own axes, by points a quarter of a millimetre apart.
+void write_profile(ResultFile& file, const std::string& group, const Profile& profile) {
+  std::vector<double> y, z;
+  const int count = static_cast<int>(profile.length() / 0.25e-3) + 1;
+  for (int k = 0; k <= count; ++k) {
+    const ProfilePoint point = profile.at(profile.length() * k / count).value;
+    y.push_back(point.y), z.push_back(point.z);
+  }
+  file.array(group + "/y", y, "m", "to the field side");
+  file.array(group + "/z", z, "m", "up");
+}
+
+void write_result(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResult& result,
+                  const fs::path& path) {
   const InterruptGuard guard;
   create_folder(arguments.folder);
   ResultFile file(path, {.kind = "conicity",
@@ -274,17 +305,24 @@ void write_result(const ConicityArguments& arguments, const ConicityResult& resu
     gauges.push_back(one.gauge);
     file.array(group + "/conicity", one.conicity, "-", "equivalent conicity over the amplitudes");
     file.array(group + "/wavelength", one.wavelength, "m", "kinematic wavelength over the amplitudes");
-    write_curve(file, group + "/curve", one.curve);
+    write_curve(file, group + "/curve", one.curve, profiles);
   }
   file.array("gauges", gauges, "m", "gauges, in the order of the groups gauge_0, gauge_1 and so on");
+  const auto write_side = [&](const std::string& side, const WheelsetSearch::Side& pair) {
+    write_profile(file, "profiles/" + side + "_rail", pair.rail);
+    write_profile(file, "profiles/" + side + "_wheel", pair.wheel);
+  };
+  write_side("left", profiles.left());
+  if (!profiles.symmetric()) write_side("right", profiles.right());
   file.commit();
   InterruptGuard::throw_if_interrupted();
 }
 
-std::vector<std::string> write_files(const ConicityArguments& arguments, const ConicityResult& result) {
+std::vector<std::string> write_files(const ConicityArguments& arguments, const Profiles& profiles,
+                                     const ConicityResult& result) {
   if (arguments.folder.empty()) return {};
   const auto path = arguments.folder / "result.h5";
-  write_result(arguments, result, path);
+  write_result(arguments, profiles, result, path);
   std::vector<std::string> files{path.string()};
   if (arguments.no_pictures) return files;
   const auto pictures = draw_pictures(path, arguments.folder);
@@ -294,9 +332,10 @@ std::vector<std::string> write_files(const ConicityArguments& arguments, const C
 }
 
 void run(const ConicityArguments& arguments) {
-  const auto result = solve(arguments);
+  const Profiles profiles(arguments);
+  const auto result = solve(arguments, profiles);
   if (!arguments.json) print_text(arguments, result);
-  const auto files = write_files(arguments, result);
+  const auto files = write_files(arguments, profiles, result);
   if (arguments.json) {
     print_document(arguments, result, files);
   } else if (!files.empty()) {
@@ -351,8 +390,7 @@ void add_options(CLI::App& command, ConicityArguments& arguments) {
       ->type_name("RADIUS");
   add_profile_options(command, arguments.wheel_options, "wheel-", "the wheel's file");
   add_profile_options(command, arguments.rail_options, "rail-", "the rail's file");
-  command
-      .add_option("-o,--output", arguments.folder, "folder for result.h5 and conicity.png; default: none is written")
+  command.add_option("-o,--output", arguments.folder, "folder for result.h5 and pictures; default: none is written")
       ->type_name("FOLDER");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
   add_json_flag(command, arguments.json);

@@ -2,14 +2,23 @@
 
 import numpy as np
 
+from microslip.contact_points_picture import draw_contact_points
 from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, open_axes
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY_BLUE, GREY)
 JUMP = 1e-8  # [m], displacements that are closer are the two sides of a jump of the contact
 
 
+APART = 0.25e-3  # [m], of the displacements whose points of contact are joined
+
+
 def conicity_pictures(result):
-    """The picture of a result file of kind conicity, by file name."""
+    """The pictures of a result file of kind conicity, by file name."""
+    return {"conicity.png": conicity_picture(result), "contact_points.png": contact_points_picture(result)}
+
+
+def conicity_picture(result):
+    """Conicity over the amplitude; rolling radius difference, contact angle difference and height over the displacement."""
     amplitude, gauges = 1e3 * result.array("/amplitude"), result.array("/gauges")
     figure = new_figure(9, 8.5)
     figure.suptitle(heading("equivalent conicity", result))
@@ -30,18 +39,47 @@ def conicity_pictures(result):
     others[-1].set_xlabel("lateral displacement [mm], to the left")
     for axes in (conicity, *others):
         open_axes(axes)
-    return {"conicity.png": figure}
+    return figure
+
+
+def jumps_of(y, radii):
+    """Indices of the displacements after which the contact jumps."""
+    return np.flatnonzero((np.diff(y) < JUMP) & (np.abs(np.diff(radii)) > 1e-5))
 
 
 def draw_over_displacement(axes, result, group, colour):
-    """Rolling radius difference, contact angle difference and height; jumps of a contact are gaps with a dotted line."""
+    """Rolling radius difference, contact angle difference and height; where a contact jumps, a gap with both ends marked and a
+    dotted line from top to bottom."""
     y, radii, angles, height = result.arrays([f"{group}/{name}" for name in (
         "lateral", "rolling_radius_difference", "contact_angle_difference", "vertical")])
-    jumps = np.flatnonzero((np.diff(y) < JUMP) & (np.abs(np.diff(radii)) > 1e-5))
+    jumps = jumps_of(y, radii)
+    ends = np.sort(np.concatenate((jumps, jumps + 1)))
     curves = ((1e3 * radii, "rolling radius\ndifference [mm]"), (np.degrees(angles), "contact angle\ndifference [deg]"),
               (1e3 * height, "height [mm]"))
     for one, (values, label) in zip(axes, curves):
         one.plot(np.insert(1e3 * y, jumps + 1, np.nan), np.insert(values, jumps + 1, np.nan), color=colour, linewidth=1.4)
+        one.plot(1e3 * y[ends], values[ends], "o", color=colour, markersize=3)
         for jump in jumps:
-            one.plot(1e3 * y[jump:jump + 2], values[jump:jump + 2], ":", color=colour, linewidth=1)
+            one.axvline(1e3 * y[jump], linestyle=":", color=colour, linewidth=0.8)
         one.set_ylabel(label)
+
+
+def contact_points_picture(result):
+    """Points of contact of the left wheel, and of the right one if it or its rail is another, over the displacement at the first
+    gauge; lines at both ends of a jump are bold."""
+    sides = [side for side in ("left", "right") if f"profiles/{side}_rail" in result]
+    figure = new_figure(9, 4.6 * len(sides) + 0.4)
+    figure.suptitle(heading("contact points of the left wheel" if len(sides) == 1 else "contact points of both wheels", result))
+    y, radii = result.arrays([f"/gauge_0/curve/{name}" for name in ("lateral", "rolling_radius_difference")])
+    jumps = jumps_of(y, radii)
+    even = np.unique(np.searchsorted(y, np.arange(y[0], y[-1], APART)))
+    shown = np.unique(np.concatenate((even, jumps, jumps + 1)))
+    at_jump = np.isin(shown, np.concatenate((jumps, jumps + 1)))
+    for axes, side in zip(np.atleast_1d(figure.subplots(len(sides), 1)), sides):
+        curves = [[1e3 * part for part in result.arrays([f"/profiles/{side}_{body}/{axis}" for axis in "yz"])]
+                  for body in ("rail", "wheel")]
+        points = [[1e3 * part[shown] for part in result.arrays([f"/gauge_0/curve/{side}_{body}_{axis}" for axis in "yz"])]
+                  for body in ("rail", "wheel")]
+        lines = draw_contact_points(axes, *curves, *points, 1e3 * y[shown], np.where(at_jump, 1.8, 0.8))
+        figure.colorbar(lines, ax=axes, label=f"lateral displacement [mm],\nto the left; {side} wheel", shrink=0.8)
+    return figure

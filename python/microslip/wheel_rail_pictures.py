@@ -8,6 +8,7 @@ from matplotlib.colors import Normalize
 from matplotlib.patches import Patch
 
 from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
+from microslip.contact_points_picture import draw_contact_points
 from microslip.field_picture import SEQUENTIAL
 from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes
 
@@ -222,9 +223,9 @@ def gap_picture(result):
     distance.set_ylim(min(3 * deepest, -0.15), 0.8)
     distance.set_ylabel("gap [mm]")
     distance.set_xlabel("y [mm], to the left of the track's centre")
-    for axes in (shape, distance):
+    for axes, place in ((shape, "upper right"), (distance, "upper center")):
         open_axes(axes)
-        axes.legend(loc="upper right")
+        axes.legend(loc=place)
     return figure
 
 
@@ -261,30 +262,20 @@ def contact_points_picture(result):
     label, values = varied(result)
     (rail_y, rail_z), (wheel_y, wheel_z) = (
         [1e3 * part for part in result.arrays([f"/profiles/{body}/y", f"/profiles/{body}/z"])] for body in ("rail", "wheel"))
-    above = 25.0
-    figure = new_figure(9, 6.5)
-    figure.suptitle(heading("Contact points", result))
-    axes = figure.subplots()
-    axes.plot(rail_y, rail_z, color=GREY, linewidth=1.8)
-    axes.plot(wheel_y, wheel_z + above, color=BLUE, linewidth=1.8)
     if "patches" in result:
         state = result.array("/patches/state").astype(int)
         on_rail, on_wheel = (1e3 * values for values in result.arrays(["/patches/rail_y", "/patches/wheel_y"]))
-        rail = np.column_stack([on_rail, envelope_at(rail_y, rail_z, on_rail, True)])
-        wheel = np.column_stack([on_wheel, envelope_at(wheel_y, wheel_z, on_wheel, False) + above])
         force = result.array("/patches/normal_force", finite=False)
-        width = 0.4 + 1.6 * np.nan_to_num(force / max(np.nanmax(force), 1e-300))
-        lines = LineCollection(np.stack([rail, wheel], axis=1), array=values[state], cmap="plasma", linewidths=width)
-        axes.add_collection(lines)
-        figure.colorbar(lines, ax=axes, label=label, shrink=0.8)
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.set_xlim(min(rail_y.min(), -48) - 2, rail_y.max() + 6)
-    axes.set_ylim(-28, above + 30)
-    axes.text(0.01, 0.97, f"wheel, drawn {above:.0f} mm higher", color=BLUE, transform=axes.transAxes, va="top")
-    axes.text(0.47, 0.2, "rail; lines as strong as the normal force", color=GREY, transform=axes.transAxes)
-    axes.set_xlabel("y of both profiles [mm], to the field side")
-    axes.set_ylabel("z [mm], up")
-    open_axes(axes)
+    else:
+        state, on_rail, on_wheel, force = np.zeros(0, dtype=int), np.zeros(0), np.zeros(0), np.zeros(0)
+    width = 0.4 + 1.6 * np.nan_to_num(force / max(np.nanmax(force, initial=0), 1e-300))
+    figure = new_figure(9, 5)
+    figure.suptitle(heading("Contact points", result))
+    axes = figure.subplots()
+    lines = draw_contact_points(axes, (rail_y, rail_z), (wheel_y, wheel_z), (on_rail, envelope_at(rail_y, rail_z, on_rail, True)),
+                                (on_wheel, envelope_at(wheel_y, wheel_z, on_wheel, False)), values[state], width)
+    axes.text(0.47, 0.1, "rail; lines as strong as the normal force", color=GREY, transform=axes.transAxes)
+    figure.colorbar(lines, ax=axes, label=label, shrink=0.8)
     return figure
 
 
@@ -309,7 +300,10 @@ def forces_picture(result):
     wear.plot(values, result.array("/wheel/t_gamma_with_spin", finite=False), ".--", color=SKY_BLUE, label=r"$T\gamma$ with spin")
     wear.set_ylabel(r"$T\gamma$ [N]")
     power = wear.twinx()
-    power.plot(values, 1e-3 * result.array("/wheel/frictional_power", finite=False), ".:", color=ORANGE, label="power")
+    # Often proportional to T-gamma with spin: a broad pale line below it.
+    power.plot(values, 1e-3 * result.array("/wheel/frictional_power", finite=False), color=ORANGE, linewidth=5, alpha=0.4)
+    wear.set_zorder(power.get_zorder() + 1)
+    wear.patch.set_visible(False)
     power.set_ylabel("frictional power [kW]", color=ORANGE)
     power.spines["top"].set_visible(False)
     if "patches" in result:

@@ -1,0 +1,202 @@
+// What should not be asked of a wheel on a rail: nothing of it crashes, hangs or gives a number that is none.
+
+#include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+
+#include "expect_error.hpp"
+#include "wheel_rail_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+WheelRailBodies pair() {
+  const auto profile = [](const char* name) {
+    return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
+  };
+  static const Profile rail = profile("60e1.prr"), wheel = profile("s1002.prw");
+  return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, TrackSide::left, {82e9, 0.28, 0}, {{0, 0.3}}};
+}
+
+const WheelRailMethod methods[] = {{}, {.level = WheelRailLevel::exact, .elements = 8}};
+
+WheelState<double> running() {
+  WheelState<double> s;
+  s.lateral = 1e-3, s.forward_velocity = 20, s.pitch_velocity = 20 / 0.46;
+  return s;
+}
+
+bool all_numbers(const WheelRailSolution& s) {
+  double sum = s.force.x + s.force.y + s.force.z + s.moment.x + s.moment.y + s.moment.z + s.vertical + s.residual;
+  for (const WheelRailPatch& patch : s.patches)
+    for (const PatchQuantity& quantity : patch_quantities()) sum += quantity.value(patch);
+  return std::isfinite(sum);
+}
+
+TEST(WheelRailBadInput, NumbersOfTheStateThatAreNoneAreInvalidInput) {
+  for (const WheelRailMethod& method : methods) {
+    WheelRail contact(pair(), method);
+    for (const StateQuantity& quantity : state_quantities())
+      for (const double bad : {nan, infinite, -infinite})
+        for (const bool force_given : {true, false}) {
+          WheelState<double> state = running();
+          quantity.of(state) = bad;
+          if (force_given && quantity.name == "vertical") continue; // it is sought
+          const auto s = contact.solve(state, force_given ? std::optional(50e3) : std::nullopt);
+          EXPECT_EQ(s.status, Status::invalid_input) << quantity.name << " = " << bad;
+          EXPECT_TRUE(s.patches.empty());
+          EXPECT_EQ(s.force.z, 0);
+        }
+    EXPECT_EQ(contact.solve(running(), nan).status, Status::invalid_input);
+    EXPECT_EQ(contact.solve(running(), infinite).status, Status::invalid_input);
+    EXPECT_EQ(contact.solve(running(), 50e3).status, Status::ok) << "what was refused left something behind";
+  }
+}
+
+TEST(WheelRailBadInput, NumbersOfTheBodiesThatAreNoneAreNamed) {
+  const std::pair<const char*, std::function<void(WheelRailBodies&, double)>> fields[] = {
+      {"gauge", [](WheelRailBodies& b, double v) { b.track.gauge = v; }},
+      {"gauge_height", [](WheelRailBodies& b, double v) { b.track.gauge_height = v; }},
+      {"cant", [](WheelRailBodies& b, double v) { b.track.cant = v; }},
+      {"rail_origin y",
+       [](WheelRailBodies& b, double v) {
+         b.track.rail_origin = ProfilePoint{v, 0};
+       }},
+      {"rail_origin z",
+       [](WheelRailBodies& b, double v) {
+         b.track.rail_origin = ProfilePoint{0.75, v};
+       }},
+      {"flange_back_distance", [](WheelRailBodies& b, double v) { b.wheelset.flange_back_distance = v; }},
+      {"flange_back_position", [](WheelRailBodies& b, double v) { b.wheelset.flange_back_position = v; }},
+      {"nominal_radius", [](WheelRailBodies& b, double v) { b.wheelset.nominal_radius = v; }},
+      {"tape_circle", [](WheelRailBodies& b, double v) { b.wheelset.tape_circle = v; }},
+      {"shear_modulus", [](WheelRailBodies& b, double v) { b.material.shear_modulus = v; }},
+      {"poisson_ratio", [](WheelRailBodies& b, double v) { b.material.poisson_ratio = v; }},
+      {"friction", [](WheelRailBodies& b, double v) { b.friction[0].coefficient = v; }},
+      {"friction angle", [](WheelRailBodies& b, double v) { b.friction[0].angle = v; }},
+  };
+  for (const auto& [name, set] : fields)
+    for (const double bad : {nan, infinite}) {
+      WheelRailBodies bodies = pair();
+      set(bodies, bad);
+      try {
+        WheelRail contact(bodies);
+        ADD_FAILURE() << name << " = " << bad << " was taken";
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+      }
+    }
+}
+
+TEST(WheelRailBadInput, AWheelBesideItsRailTouchesNothing) {
+  for (const WheelRailMethod& method : methods) {
+    WheelRail contact(pair(), method);
+    for (const double lateral : {-0.75, -0.2, 0.2, 1.0}) { // between the rails, inside, outside
+      WheelState<double> state = running();
+      state.lateral = lateral;
+      EXPECT_EQ(contact.solve(state, 50e3).status, Status::no_contact) << lateral;
+      EXPECT_EQ(contact.solve(state).status, Status::no_contact) << lateral;
+    }
+  }
+}
+
+TEST(WheelRailBadInput, AWheelOnTheEndOfARailSaysSo) {
+  // The rail ends in the midst of the contact, the rest of it where it was.
+  WheelRailBodies bodies = pair();
+  const Vec3<double> origin = place_rail(bodies.track, bodies.rail).origin;
+  bodies.track.rail_origin = ProfilePoint{origin.y, origin.z};
+  std::vector<ProfilePoint> points;
+  for (const ProfilePiece& piece : bodies.rail.pieces())
+    if (piece.c[0].y < 1e-3) points.push_back(piece.c[0]);
+  bodies.rail = Profile(ProfileRole::rail, points);
+  for (const WheelRailMethod& method : methods) {
+    WheelRail whole(pair(), method), cut(bodies, method);
+    WheelState<double> state = running();
+    state.vertical = whole.solve(state, 50e3).vertical;
+    const auto s = cut.solve(state);
+    EXPECT_TRUE(s.at_profile_end);
+    EXPECT_TRUE(all_numbers(s));
+    EXPECT_LT(s.force.z, 50e3);
+    EXPECT_FALSE(whole.solve(state).at_profile_end);
+  }
+}
+
+TEST(WheelRailBadInput, ProfilesThatAreUpsideDownGiveNumbersOrAStatus) {
+  const auto upside_down = [](const Profile& profile) {
+    std::vector<ProfilePoint> points;
+    for (const ProfilePiece& piece : profile.pieces()) points.push_back({piece.c[0].y, -piece.c[0].z});
+    return Profile(profile.role(), points);
+  };
+  for (const bool wheel : {true, false}) {
+    WheelRailBodies bodies = pair();
+    bodies.track.rail_origin = ProfilePoint{0.7541, 0}; // its gauge point is not where it should be
+    (wheel ? bodies.wheel : bodies.rail) = upside_down(wheel ? bodies.wheel : bodies.rail);
+    for (const WheelRailMethod& method : methods) {
+      WheelRail contact(bodies, method);
+      for (const double lateral : {-0.02, 0.0, 0.03})
+        for (const double force : {1e3, 100e3}) {
+          WheelState<double> state = running();
+          state.lateral = lateral;
+          const auto s = contact.solve(state, force);
+          EXPECT_TRUE(all_numbers(s));
+          if (s.status == Status::ok) {
+            EXPECT_NEAR(s.force.z, force, 1e-4 * force);
+          }
+        }
+    }
+  }
+}
+
+TEST(WheelRailBadInput, AtRestNothingIsTangential) {
+  for (const WheelRailMethod& method : methods) {
+    WheelRail contact(pair(), method);
+    WheelState<double> state;
+    state.lateral = 1e-3;
+    const auto s = contact.solve(state, 50e3);
+    ASSERT_EQ(s.status, Status::ok);
+    for (const WheelRailPatch& patch : s.patches) {
+      EXPECT_NEAR(std::hypot(patch.fx, patch.fs), 0, 1e-9);
+      EXPECT_NEAR(patch.frictional_power, 0, 1e-9);
+      EXPECT_EQ(patch.rolling_speed, 0);
+    }
+    // Wheels that spin on the spot and slide without turning have a rolling speed of half of it.
+    for (const bool spins : {true, false}) {
+      WheelState<double> one = state;
+      (spins ? one.pitch_velocity : one.forward_velocity) = 5;
+      const auto sliding = contact.solve(one, 50e3);
+      ASSERT_EQ(sliding.status, Status::ok);
+      EXPECT_NEAR(std::abs(sliding.force.x), 0.3 * 50e3, 0.02 * 50e3);
+      EXPECT_EQ(sliding.force.x > 0, spins);
+    }
+  }
+}
+
+TEST(WheelRailBadInput, ForcesThatPullOrVanishAreInvalidInput) {
+  for (const WheelRailMethod& method : methods) {
+    WheelRail contact(pair(), method);
+    for (const double force : {0.0, -50e3})
+      EXPECT_EQ(contact.solve(running(), force).status, Status::invalid_input) << force;
+    for (const double force : {1e-3, 1e9}) { // a gram, a hundred thousand tons
+      const auto s = contact.solve(running(), force);
+      EXPECT_TRUE(all_numbers(s)) << force;
+      if (s.status == Status::ok) {
+        EXPECT_NEAR(s.force.z / force, 1, 1e-4) << force;
+      }
+    }
+  }
+}
+
+} // namespace
+} // namespace microslip
