@@ -104,9 +104,11 @@ TEST(WheelRailInvariance, MovedAsAWholeItsForcesAreTheSame) {
       state.vertical = contact.solve(state, 60e3).vertical;
       const auto a = contact.solve(state), b = contact.solve(moved(state, 0, {0, 3e-3, -2e-3}));
       ASSERT_EQ(b.status, Status::ok);
-      // Places of some metres are rounded by 1e-16 m, which is 1e-11 of overlaps.
-      EXPECT_LT(size(b.force - a.force), 1e-9 * size(a.force));
-      EXPECT_LT(size(b.moment - a.moment), 1e-9 * size(a.moment) + 1e-9);
+      // Places of some metres are rounded by 1e-16 m, which is 1e-11 of overlaps. At the exact level rounding may
+      // decide whether there is one element more.
+      const double tolerance = method.level == WheelRailLevel::exact ? 1e-3 : 1e-9;
+      EXPECT_LT(size(b.force - a.force), tolerance * size(a.force));
+      EXPECT_LT(size(b.moment - a.moment), 2 * tolerance * size(a.moment) + 1e-9);
       ASSERT_EQ(b.patches.size(), a.patches.size());
       for (std::size_t k = 0; k < a.patches.size(); ++k) {
         EXPECT_NEAR(b.patches[k].rolling_radius, a.patches[k].rolling_radius, 1e-12);

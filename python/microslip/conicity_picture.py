@@ -59,9 +59,10 @@ def draw_over_displacement(axes, result, group, colour):
     for one, (values, label) in zip(axes, curves):
         one.plot(np.insert(1e3 * y, jumps + 1, np.nan), np.insert(values, jumps + 1, np.nan), color=colour, linewidth=1.4)
         one.plot(1e3 * y[ends], values[ends], "o", color=colour, markersize=3)
-        for jump in jumps:
-            one.axvline(1e3 * y[jump], linestyle=":", color=colour, linewidth=0.8)
+        lines = [one.axvline(1e3 * y[jump], linestyle=":", color=colour, linewidth=0.8) for jump in jumps]
         one.set_ylabel(label)
+        if lines and one is axes[0]:
+            one.legend(lines[:1], ["contact jumps"], loc="upper left")
 
 
 def contact_points_picture(result):
@@ -81,5 +82,6 @@ def contact_points_picture(result):
         points = [[1e3 * part[shown] for part in result.arrays([f"/gauge_0/curve/{side}_{body}_{axis}" for axis in "yz"])]
                   for body in ("rail", "wheel")]
         lines = draw_contact_points(axes, *curves, *points, 1e3 * y[shown], np.where(at_jump, 1.8, 0.8))
-        figure.colorbar(lines, ax=axes, label=f"lateral displacement [mm],\nto the left; {side} wheel", shrink=0.8)
+        axes.text(0.47, 0.1, f"{side} rail; bold lines at both ends of a jump", color=GREY, transform=axes.transAxes)
+        figure.colorbar(lines, ax=axes, label="lateral displacement [mm], to the left", shrink=0.8)
     return figure

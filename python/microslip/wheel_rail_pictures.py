@@ -4,7 +4,7 @@ import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgba
 from matplotlib.patches import Patch
 
 from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
@@ -154,32 +154,58 @@ def sampled(cells, values, x, u):
     return np.array([np.interp(u, at, column) for column in rows.T]).T
 
 
+def sampled_states(cells, x, u):
+    """The state of the cell that holds each pair of x and u: an array (u, x)."""
+    states = np.full((len(u), len(x)), EXTERIOR)
+    for j, middle in enumerate(cells.row_y):
+        rows = np.flatnonzero(np.abs(u - middle) <= cells.height / 2)
+        for i in np.flatnonzero(cells.state[j] != EXTERIOR) if rows.size else ():
+            columns = np.abs(x - cells.x[j, i]) <= cells.widths[j, i] / 2
+            states[np.ix_(rows, columns)] = cells.state[j, i]
+    return states
+
+
 def rail_head_picture(result, rail, patches):
-    """The rail head in space, the pressure drawn as a height over it."""
+    """The rail head in space: the pressure drawn as a height over it, and where the patches adhere and slip."""
     x, u = frame_of(patches)
     u = max(u[0] - MARGIN, rail.u[0]), min(u[1] + MARGIN, rail.u[-1])
     along, across = np.linspace(*x, 201), np.linspace(*u, 361)
     grid_x, grid_u = np.meshgrid(along, across)
     pressure = sum(sampled(cells, cells.pressure, along, across) for cells in patches)
+    states = np.max([sampled_states(cells, along, across) for cells in patches], axis=0)
     largest = pressure.max()
-    y, z, normal_y, normal_z = rail.at(grid_u)
+    surface = rail.at(grid_u)
     height = 6.0 / largest * pressure
-    colours = matplotlib.colormaps[SEQUENTIAL](pressure / largest)
-    colours[pressure == 0] = (0.86, 0.87, 0.88, 1)
-    figure = new_figure(9, 6.5)
-    figure.suptitle(heading("Pressure on the rail head", result))
-    axes = figure.add_subplot(projection="3d")
-    axes.plot_surface(grid_x, y + height * normal_y, z + height * normal_z, facecolors=colours, rstride=1, cstride=1, linewidth=0,
-                      antialiased=False, shade=True)
-    axes.set_box_aspect((np.ptp(grid_x), np.ptp(y), np.ptp(z + height * normal_z)), zoom=1.1)
+    steel = (0.86, 0.87, 0.88, 1)
+    by_pressure = matplotlib.colormaps[SEQUENTIAL](pressure / largest)
+    by_pressure[pressure == 0] = steel
+    by_state = np.broadcast_to(steel, (*states.shape, 4)).copy()
+    for state, colour in ((ADHESION, SKY_BLUE), (SLIP, ORANGE)):
+        by_state[states == state] = to_rgba(colour)
+    figure = new_figure(9, 10)
+    figure.suptitle(heading("Patches on the rail head", result))
+    field_is_left = result.text("/inputs/side") == "left"
+    pressed, areas = panels = figure.subplots(2, 1, subplot_kw={"projection": "3d"})
+    draw_rail_head(pressed, grid_x, surface, height, by_pressure, field_is_left)
+    draw_rail_head(areas, grid_x, surface, 0 * height, by_state, field_is_left)
+    pressed.set_title("Pressure", y=0.95)
+    areas.set_title("Adhesion and slip", y=0.95)
+    figure.colorbar(ScalarMappable(norm=Normalize(0, largest), cmap=SEQUENTIAL), ax=panels, label="pressure [MPa]", shrink=0.35,
+                    pad=0.12, anchor=(0, 0.85))
+    areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right")
+    return figure
+
+
+def draw_rail_head(axes, x, surface, height, colours, field_is_left):
+    """The rail's surface, raised along its normals, seen from behind and from the gauge side."""
+    y, z, normal_y, normal_z = surface
+    y, z = y + height * normal_y, z + height * normal_z
+    axes.plot_surface(x, y, z, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=True)
+    axes.set_box_aspect((np.ptp(x), np.ptp(y), np.ptp(z)), zoom=1.1)
     axes.set_xlabel("x [mm], forward", labelpad=6)
     axes.set_ylabel("y [mm], to the left", labelpad=14)
     axes.set_zticks([])
-    field_is_left = result.text("/inputs/side") == "left"
     axes.view_init(elev=35, azim=-145 if field_is_left else 145)
-    figure.colorbar(ScalarMappable(norm=Normalize(0, largest), cmap=SEQUENTIAL), ax=axes, label="pressure [MPa]", shrink=0.6,
-                    pad=0.12)
-    return figure
 
 
 def envelope(y, z, at, upper):
