@@ -1,18 +1,22 @@
 // What should not be asked of a wheel on a rail: nothing of it crashes, hangs or gives a number that is none.
 
+#include "io/wheel_rail_case.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include "expect_error.hpp"
 #include "wheel_rail_pairs.hpp"
+#include "wheel_rail_text.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -98,6 +102,50 @@ TEST(WheelRailBadInput, NumbersOfTheBodiesThatAreNoneAreNamed) {
         EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
       }
     }
+}
+
+/// The message for a case file with this line in a section, in the place of what the key had.
+std::string message_with(std::string_view section, std::string_view key, const std::string& value) {
+  std::string text = wheel_rail_text;
+  const auto section_at = text.find("[" + std::string(section) + "]\n");
+  const auto body = text.find('\n', section_at) + 1, end = std::min(text.find("\n[", body), text.size());
+  if (const auto old = text.find("\n" + std::string(key) + " = ", body - 1); old < end)
+    text.erase(old + 1, text.find('\n', old + 1) - old);
+  text.insert(body, std::string(key) + " = " + value + "\n");
+  try {
+    parse_wheel_rail_case(text, "w.toml");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(WheelRailBadInput, NumbersOfACaseFileThatAreNoneAreNamed) {
+  std::vector<std::pair<std::string_view, std::string_view>> keys = {{"track", "gauge"},
+                                                                     {"track", "gauge_height"},
+                                                                     {"track", "cant"},
+                                                                     {"rail", "scale"},
+                                                                     {"rail", "smoothing_length"},
+                                                                     {"wheelset", "nominal_radius"},
+                                                                     {"wheelset", "flange_back_distance"},
+                                                                     {"wheelset", "flange_back_position"},
+                                                                     {"wheelset", "tape_circle"},
+                                                                     {"wheel", "vertical_force"},
+                                                                     {"material", "young_modulus"},
+                                                                     {"material", "poisson_ratio"},
+                                                                     {"friction", "coefficient"},
+                                                                     {"solution", "tolerance"}};
+  for (const StateQuantity& quantity : state_quantities())
+    if (quantity.name != "vertical") keys.push_back({quantity.section, quantity.name}); // not beside vertical_force
+  for (const auto& [section, key] : keys) {
+    for (const char* bad : {"nan", "-nan", "inf", "-inf", "1e999", "\"1\"", "[]"}) {
+      const std::string message = message_with(section, key, bad);
+      EXPECT_NE(message.find("w.toml:"), std::string::npos) << key << " = " << bad << ": " << message;
+      if (std::string(bad) != "1e999") { // is no number of TOML's
+        EXPECT_NE(message.find(key), std::string::npos) << key << " = " << bad << ": " << message;
+      }
+    }
+  }
 }
 
 TEST(WheelRailBadInput, AWheelBesideItsRailTouchesNothing) {
