@@ -62,7 +62,7 @@ def draw_over_displacement(axes, result, group, colour):
         lines = [one.axvline(1e3 * y[jump], linestyle=":", color=colour, linewidth=0.8) for jump in jumps]
         one.set_ylabel(label)
         if lines and one is axes[0]:
-            one.legend(lines[:1], ["contact jumps"], loc="upper left")
+            one.legend(lines[:1], ["contact jumps"], loc="upper left", frameon=True, edgecolor="none")
 
 
 def contact_points_picture(result):
