@@ -31,7 +31,7 @@ struct ValidateArguments {
   bool list = false;
   std::filesystem::path output = "results";
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  bool no_pictures = false, json = false;
+  bool thorough = false, no_pictures = false, json = false;
 };
 
 void list_studies() {
@@ -76,8 +76,12 @@ bool run(const Study& study, const ValidateArguments& arguments, std::ostream& o
     bar.update(fraction);
     return !InterruptGuard::interrupted();
   };
-  const bool met = study.run(
-      {.output = arguments.output, .threads = arguments.threads, .progress = progress, .figures = &figures}, out);
+  const bool met = study.run({.output = arguments.output,
+                              .threads = arguments.threads,
+                              .thorough = arguments.thorough,
+                              .progress = progress,
+                              .figures = &figures},
+                             out);
   out.flush();
   InterruptGuard::throw_if_interrupted();
   return met;
@@ -147,6 +151,9 @@ void add_validate_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("--threads", arguments->threads, "threads, 1 to 1024; default: one for each processor")
       ->type_name("COUNT");
+  command->add_flag(
+      "--thorough", arguments->thorough,
+      "do in full what studies sample: wheel-rail sweeps all displacements at the exact level, for 20 minutes");
   command->add_flag("--no-pictures", arguments->no_pictures, "write the result files only");
   add_json_flag(*command, arguments->json);
   command->footer(
