@@ -289,14 +289,22 @@ void write_profile(ResultFile& file, const std::string& group, const Profile& pr
   file.array(group + "/z", z, "m", "up");
 }
 
+std::string title_of(const ConicityArguments& arguments) {
+  std::string title = arguments.wheel.filename().string() + " on " + arguments.rail.filename().string();
+  if (arguments.right_wheel.empty() && arguments.right_rail.empty()) return title;
+  const auto right = [](const fs::path& other, const fs::path& left) {
+    return (other.empty() ? left : other).filename().string();
+  };
+  return title + ", right " + right(arguments.right_wheel, arguments.wheel) + " on " +
+         right(arguments.right_rail, arguments.rail);
+}
+
 void write_result(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResult& result,
                   const fs::path& path) {
   const InterruptGuard guard;
   create_folder(arguments.folder);
-  ResultFile file(path, {.kind = "conicity",
-                         .title = arguments.wheel.filename().string() + " on " + arguments.rail.filename().string(),
-                         .command_line = command_line(),
-                         .case_file = ""});
+  ResultFile file(path,
+                  {.kind = "conicity", .title = title_of(arguments), .command_line = command_line(), .case_file = ""});
   file.array("amplitude", result.amplitudes, "m", "amplitudes of the lateral displacement");
   std::vector<double> gauges;
   for (std::size_t k = 0; k < result.gauges.size(); ++k) {

@@ -136,6 +136,24 @@ TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
   }
 }
 
+TEST(WheelRailInvariance, TheHeightThatBearsAForceGivesThatForce) {
+  // Also where two lobes are about to become one patch, with a load that is hard to share out.
+  for (const PatchShape shape : {PatchShape::flat, PatchShape::curved}) {
+    WheelRail contact(pair(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 16});
+    int solved = 0;
+    for (const double y : {1e-3, 4.94e-3, 4.9505e-3, 4.95108e-3, 4.9525e-3, 4.97e-3, 6e-3}) {
+      WheelState<double> state;
+      state.lateral = y, state.yaw = 2e-3, state.forward_velocity = 20, state.pitch_velocity = 20 / 0.46;
+      const auto s = contact.solve(state, 50e3);
+      if (s.status != Status::ok) continue;
+      state.vertical = s.vertical;
+      EXPECT_NEAR(contact.solve(state).force.z, 50e3, 2e-3 * 50e3) << y;
+      ++solved;
+    }
+    EXPECT_GE(solved, 3);
+  }
+}
+
 TEST(WheelRailInvariance, OnlyRatiosOfVelocitiesMatter) {
   for (const WheelRailMethod& method : methods) {
     WheelRail contact(pair(), method);

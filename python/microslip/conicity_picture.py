@@ -82,6 +82,6 @@ def contact_points_picture(result):
         points = [[1e3 * part[shown] for part in result.arrays([f"/gauge_0/curve/{side}_{body}_{axis}" for axis in "yz"])]
                   for body in ("rail", "wheel")]
         lines = draw_contact_points(axes, *curves, *points, 1e3 * y[shown], np.where(at_jump, 1.8, 0.8))
-        axes.text(0.47, 0.1, f"{side} rail; bold lines at both ends of a jump", color=GREY, transform=axes.transAxes)
+        axes.text(0, -18, f"{side} rail; bold at both ends of a jump", color=GREY, ha="center")
         figure.colorbar(lines, ax=axes, label="lateral displacement [mm], to the left", shrink=0.8)
     return figure

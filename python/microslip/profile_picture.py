@@ -42,7 +42,8 @@ def draw_shape(axes, result, y, z):
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel("y [mm], to the field side")
     axes.set_ylabel("z [mm], up")
-    axes.legend(loc="best")
+    # A rail's inside and a wheel's upper side are free.
+    axes.legend(loc="lower center" if "dimensions/gauge_y" in result else "upper left")
     axes.text(0.01, 0.02, dimensions_text(result), transform=axes.transAxes, fontsize=9, color=BLACK, va="bottom")
 
 

@@ -105,7 +105,7 @@ def patches_picture(result, patches):
                           xytext=(0, -4), textcoords="offset points", fontsize=8)
     figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=pressure, label="pressure [MPa]", shrink=0.8)
     areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right",
-                 ncols=2)
+                 ncols=2, frameon=True, edgecolor="none")
     for axes, title in ((pressure, "Pressure"), (areas, f"Adhesion, slip, and tractions on the wheel, at most {number(longest)} MPa")):
         axes.set_title(title)
         axes.set_xlim(u[1], u[0])
@@ -300,7 +300,7 @@ def contact_points_picture(result):
     axes = figure.subplots()
     lines = draw_contact_points(axes, (rail_y, rail_z), (wheel_y, wheel_z), (on_rail, envelope_at(rail_y, rail_z, on_rail, True)),
                                 (on_wheel, envelope_at(wheel_y, wheel_z, on_wheel, False)), values[state], width)
-    axes.text(0.47, 0.1, "rail; lines as strong as the normal force", color=GREY, transform=axes.transAxes)
+    axes.text(0, -18, "rail; lines as strong as the normal force", color=GREY, ha="center")
     figure.colorbar(lines, ax=axes, label=label, shrink=0.8)
     return figure
 
