@@ -1,6 +1,7 @@
 #include "app/run.hpp"
 
 #include "app/command_line.hpp"
+#include "app/contact_tables.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
@@ -74,69 +75,6 @@ std::string short_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Names above values.
-class Lines {
-public:
-  void add(const std::string& name, const std::string& value) {
-    const auto width = std::max<std::size_t>(12, std::max(name.size(), value.size()) + 2);
-    names_ += fmt::format("{:>{}}", name, width);
-    values_ += fmt::format("{:>{}}", value, width);
-  }
-  void add(const std::string& name, double value) { add(name, fmt::format("{:.5g}", value)); }
-  void print() const { fmt::print("{}\n{}\n", names_, values_); }
-
-private:
-  std::string names_, values_;
-};
-
-const char* motion_name(contact_program::Tangential tang) {
-  constexpr const char* names[] = {"without friction", "shift", "transient rolling", "steady rolling"};
-  return names[number(tang)];
-}
-
-std::string with_unit(const std::string& name) {
-  return name.starts_with("SHIFT") ? name + " [mm]" : name;
-}
-
-void print_totals(const Case& c, const Outcome& outcome) {
-  const contact_program::PrintedTotals& t = outcome.totals;
-  Lines forces, relative, counts;
-  forces.add("FN [N]", t.fn);
-  forces.add("FX [N]", t.fx);
-  forces.add("FY [N]", t.fy);
-  forces.add("MZ [N mm]", t.mz);
-  forces.add("ELAST.EN. [J]", t.elastic_energy);
-  forces.add(c.digits.rolls() ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
-  forces.print();
-  relative.add("FN/G [mm2]", t.fn_over_g);
-  relative.add(with_unit(t.x_name), t.x);
-  relative.add(with_unit(t.y_name), t.y);
-  relative.add("APPROACH [mm]", t.approach);
-  relative.add("PMAX [N/mm2]", t.peak_pressure);
-  if (t.temperature) relative.add("MAX(T1,T2)", *t.temperature);
-  relative.print();
-  counts.add("NPOT", std::to_string(t.potential));
-  counts.add("NCON", std::to_string(t.contact));
-  counts.add("NADH", std::to_string(t.adhesion));
-  counts.add("NSLIP", std::to_string(t.slip));
-  if (t.plastic) counts.add("NPLAST", std::to_string(*t.plastic));
-  counts.add("residual", fmt::format("{:.1e}", outcome.solution.tangential.residual));
-  counts.add("status", std::string(to_string(outcome.solution.status)));
-  counts.print();
-}
-
-/// Extremes of the stresses at each block of points.
-void print_interior(const Outcome& outcome) {
-  int number = 0;
-  for (const auto& [points, states] : outcome.interior) {
-    fmt::print("  points inside the bodies, block {}: {} x {} x {}\n", ++number, points.x.size(), points.y.size(),
-               points.z.size());
-    for (const auto& [name, value, at] : interior_extremes(states))
-      fmt::print("  {:>12} {:>12.5g} N/mm2 at ({:.5g}, {:.5g}, {:.5g}) mm\n", name, value * 1e-6, points.x_of(at) * 1e3,
-                 points.y_of(at) * 1e3, points.z_of(at) * 1e3);
-  }
-}
-
 class Run {
 public:
   explicit Run(const RunArguments& arguments)
@@ -195,11 +133,7 @@ private:
       fmt::print("not run\n");
       for (const auto& reason : outcome.reasons) fmt::print("  {}\n", reason);
     } else {
-      const ElementGrid& grid = outcome.step.grid;
-      fmt::print("{}, {} x {} elements of {:.5g} x {:.5g} mm\n", motion_name(c.digits.tang), grid.mx, grid.my,
-                 grid.dx * 1e3, grid.dy * 1e3);
-      print_totals(c, outcome);
-      print_interior(outcome);
+      print_solution(c, outcome);
       for (const auto& note : outcome.notes)
         if (known_notes_.insert(note).second) fmt::print("  note: {}\n", note);
     }
@@ -211,9 +145,15 @@ private:
     if (outcome.kind == Outcome::Kind::refused)
       refusals_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
     known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
+    keep_extremes(c.number, outcome);
+    if (outcome.wheel)
+      for (const auto& patch : outcome.wheel->patches) keep_extremes(c.number, *patch.solution);
+  }
+
+  void keep_extremes(int number, const Outcome& outcome) {
     int block = 0;
     for (const auto& [points, states] : outcome.interior)
-      extremes_.push_back({{"case", c.number}, {"block", ++block}, {"extremes", extremes_json(points, states)}});
+      extremes_.push_back({{"case", number}, {"block", ++block}, {"extremes", extremes_json(points, states)}});
   }
 
   void print_document() const {
@@ -272,7 +212,7 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
   const auto arguments = std::make_shared<RunArguments>();
-  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required()->type_name("");
+  command->add_option("FILE.inp", arguments->input, "input file, modules 1 and 3")->required()->type_name("");
   command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")
       ->type_name("FOLDER")
       ->capture_default_str();

@@ -175,17 +175,13 @@ private:
   ProfileReport report_;
 };
 
-ProfileFile parse(ProfileFormat format, std::string_view text, const std::string& name, int section) {
-  ProfileLines lines(text, name);
-  switch (format) {
-  case ProfileFormat::simpack:
-    return parse_simpack(std::move(lines));
-  case ProfileFormat::miniprof:
-    return parse_miniprof(std::move(lines), section);
-  case ProfileFormat::columns:
-    break;
-  }
-  return parse_columns(std::move(lines));
+/// Without the mark of UTF-8. Throws Error for what is empty or no text.
+std::string_view without_mark(std::string_view text, const std::string& name) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  if (trimmed(text.substr(0, 1)).empty() && text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw Error(name + ": is empty");
+  if (text.find('\0') != std::string_view::npos) throw Error(name + ": is not a text file: it has NUL bytes");
+  return text;
 }
 
 } // namespace
@@ -240,17 +236,27 @@ std::string_view unquoted(std::string_view text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
+ProfileFile parse_profile_file(ProfileFormat format, std::string_view text, const std::string& name, int section) {
+  ProfileLines lines(without_mark(text, name), name);
+  switch (format) {
+  case ProfileFormat::simpack:
+    return parse_simpack(std::move(lines));
+  case ProfileFormat::miniprof:
+    return parse_miniprof(std::move(lines), section);
+  case ProfileFormat::columns:
+    break;
+  }
+  return parse_columns(std::move(lines));
+}
+
 PreparedProfile parse_profile(std::string_view text, const std::string& name, const ProfileFileOptions& options) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  if (trimmed(text.substr(0, 1)).empty() && text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    throw Error(name + ": is empty");
-  if (text.find('\0') != std::string_view::npos) throw Error(name + ": is not a text file: it has NUL bytes");
+  text = without_mark(text, name);
   const auto format = options.format.value_or(detect_format(text, name));
-  FileInterpretation interpretation(parse(format, text, name, options.section), name, format, options);
+  FileInterpretation interpretation(parse_profile_file(format, text, name, options.section), name, format, options);
   return interpretation.profile();
 }
 
-PreparedProfile read_profile(const fs::path& path, const ProfileFileOptions& options) {
+std::string read_profile_text(const fs::path& path) {
   const auto name = path.string();
   const auto fail = [&](const std::string& what) { throw Error(name + ": " + what); };
   std::error_code error;
@@ -268,7 +274,11 @@ PreparedProfile read_profile(const fs::path& path, const ProfileFileOptions& opt
   if (!error && fs::is_regular_file(path, error) &&
       (size != text.size() || fs::last_write_time(path, error) != time_before))
     fail("changed while it was read");
-  return parse_profile(text, name, options);
+  return text;
+}
+
+PreparedProfile read_profile(const fs::path& path, const ProfileFileOptions& options) {
+  return parse_profile(read_profile_text(path), path.string(), options);
 }
 
 } // namespace microslip

@@ -1,31 +1,20 @@
+#include "compat/contact/control_integers.hpp"
 #include "compat/contact/digits.hpp"
-
-#include <span>
-#include <type_traits>
 
 namespace microslip::contact_program {
 namespace {
 
-/// Gives one digit its value.
-using Put = void (*)(const Words& words, const char* control, int value, Digits& digits);
-
-template <auto member> void put(const Words& words, const char* control, int value, Digits& digits) {
-  using Choice = std::remove_reference_t<decltype(digits.*member)>;
-  const std::string field = std::string("digit ") + values_of<Choice>.name + " of " + control;
-  digits.*member = to_choice<Choice>(words, field, value);
-}
-
-constexpr Put first_word[] = {put<&Digits::pvtime>, put<&Digits::bound>, put<&Digits::tang>,
-                              put<&Digits::norm>,   put<&Digits::force>, put<&Digits::stress>};
-constexpr Put second_word[] = {put<&Digits::varfrc>, put<&Digits::frclaw>, put<&Digits::discns>, put<&Digits::inflcf>,
-                               put<&Digits::mater>,  put<&Digits::rznorm>, put<&Digits::exrhs>};
-constexpr Put third_word[] = {put<&Digits::xflow>,  put<&Digits::heat>,   put<&Digits::gausei>, put<&Digits::iestim>,
-                              put<&Digits::matfil>, put<&Digits::output>, put<&Digits::flow>,   put<&Digits::solve>};
-
-void read_control(Words& words, const char* control, std::span<const Put> puts, Digits& digits) {
-  const auto values = words.control(control, puts.size());
-  for (std::size_t k = 0; k < puts.size(); ++k) puts[k](words, control, values[k], digits);
-}
+constexpr Put<Digits> first_word[] = {put<Digits, &Digits::pvtime>, put<Digits, &Digits::bound>,
+                                      put<Digits, &Digits::tang>,   put<Digits, &Digits::norm>,
+                                      put<Digits, &Digits::force>,  put<Digits, &Digits::stress>};
+constexpr Put<Digits> second_word[] = {
+    put<Digits, &Digits::varfrc>, put<Digits, &Digits::frclaw>, put<Digits, &Digits::discns>,
+    put<Digits, &Digits::inflcf>, put<Digits, &Digits::mater>,  put<Digits, &Digits::rznorm>,
+    put<Digits, &Digits::exrhs>};
+constexpr Put<Digits> third_word[] = {put<Digits, &Digits::xflow>,  put<Digits, &Digits::heat>,
+                                      put<Digits, &Digits::gausei>, put<Digits, &Digits::iestim>,
+                                      put<Digits, &Digits::matfil>, put<Digits, &Digits::output>,
+                                      put<Digits, &Digits::flow>,   put<Digits, &Digits::solve>};
 
 } // namespace
 
@@ -39,19 +28,9 @@ void check_value(const Words& words, const std::string& field, int value, const 
 }
 
 Digits read_digits(Words& words, Damping damping) {
-  using Limits = std::numeric_limits<int>;
   Digits d;
-  read_control(words, "PBTNFS", first_word, d);
-  words.end_record();
-  read_control(words, "VLDCMZE", second_word, d);
-  const int given = words.optional_integer("M2", number(damping), Limits::min(), Limits::max());
-  d.damping = to_choice<Damping>(words, "M2", given);
-  words.end_record();
-  read_control(words, "XHGIAOWR", third_word, d);
-  words.end_record();
-  if (d.xflow == Trace::none) return d;
-  words.control("PSFLCIN", 9); // versions differ in the number of digits
-  words.end_record();
+  read_control_integers<Digits>(words, {{{"PBTNFS", first_word}, {"VLDCMZE", second_word}, {"XHGIAOWR", third_word}}},
+                                damping, d, d);
   return d;
 }
 

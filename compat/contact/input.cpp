@@ -1,5 +1,6 @@
 #include "compat/contact/input.hpp"
 
+#include "compat/contact/wheel_rail/case_reader.hpp"
 #include "microslip/elasticity/material.hpp"
 
 #include <cmath>
@@ -11,30 +12,6 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr int most_angles = 10000;
-constexpr double largest_friction = 10;
-
-/// Whether the points of the interior field are those of an earlier case.
-bool keeps_points(const Digits& d) {
-  return d.stress == InteriorPoints::stored || d.stress == InteriorPoints::stored_again;
-}
-
-/// How many numbers M adds to the material's.
-std::size_t numbers_of(Bulk model) {
-  switch (model) {
-  case Bulk::viscoelastic:
-  case Bulk::fastsim_one:
-  case Bulk::layer:
-    return 4;
-  case Bulk::fastsim:
-  case Bulk::fastrip:
-    return 3;
-  case Bulk::elastic:
-  case Bulk::fastrip_first:
-  case Bulk::fastrip_first_bounded:
-    break;
-  }
-  return 0;
-}
 
 } // namespace
 
@@ -42,23 +19,19 @@ InputReader::InputReader(std::istream& stream, std::string name)
     : words_(stream, name), folder_(std::filesystem::path(name).parent_path()) {}
 
 const Case* InputReader::next() {
-  const int module = ended_ ? 0 : in_module_ ? 3 : read_module();
-  ended_ = module == 0;
+  if (!ended_ && !in_module_) module_ = read_module();
+  ended_ = ended_ || module_ == 0 || words_.at_end();
   if (ended_) return nullptr;
-  if (module == 1) {
-    lost_.line = words_.line();
-    ++cases_;
-    return give_up("MODULE = 1 (wheel on rail)");
-  }
-  ended_ = words_.at_end();
-  if (ended_) return nullptr;
-  now_ = &sequences_[sequence_];
+  now_ = &sequences_[{module_, sequence_}];
   Case& c = now_->last;
   c.number = ++cases_;
   c.line = lost_.line = words_.line();
   c.sequence = sequence_;
   c.unreadable.clear();
-  read_case(c);
+  if (module_ == 1)
+    WheelRailReader(words_, folder_.string(), *now_).read();
+  else
+    read_case(c);
   if (!c.unreadable.empty()) return give_up(c.unreadable);
   now_->has_case = true;
   now_->lost = 0;
@@ -87,7 +60,7 @@ const Case* InputReader::give_up(const std::string& why) {
   lost_.number = cases_;
   lost_.sequence = sequence_;
   lost_.unreadable = why;
-  sequences_[sequence_].lost = cases_;
+  now_->lost = cases_;
   in_module_ = false;
   ended_ = !words_.skip_to_module();
   return &lost_;
@@ -101,7 +74,8 @@ void InputReader::read_case(Case& c) {
     return;
   }
   check_kept(c);
-  read_solver(c);
+  read_solver(words_, c.digits.gausei, c.solver);
+  now_->has_solver = true;
   read_kinematics(c);
   read_friction(c);
   if (c.digits.reads_material()) {
@@ -109,13 +83,17 @@ void InputReader::read_case(Case& c) {
     read_material(c);
   }
   check_read(c);
-  read_damping_and_heat(c);
+  if (c.digits.damping == Damping::read) {
+    read_damping(words_);
+    now_->has_damping = true;
+  }
+  if (c.digits.heat == Heat::read) c.heat = read_heat(words_, c.digits.mater);
   read_potential(c);
   read_geometry(c);
   if (!c.unreadable.empty()) return;
   read_friction_by_rows(c);
   read_extra_slip(c);
-  read_points(c);
+  read_points(words_, c);
 }
 
 /// Digits that cannot be combined.
@@ -124,11 +102,6 @@ void InputReader::check_digits(const Case& c) {
   if (d.heat != Heat::none && d.has_history()) words_.fail("digit H", number(d.heat), "must be 0 with T = 1 or 2");
   if (d.mater == Bulk::viscoelastic && d.has_history())
     words_.fail("digit M", number(d.mater), "must go with T = 3 (or 0)");
-}
-
-void InputReader::fail_keep(const Case& c, const std::string& digit, const char* what) const {
-  words_.fail("case " + std::to_string(c.number) + ": digit " + digit + " keeps " + what +
-              ", which no earlier case has given");
 }
 
 /// Whether it keeps something that a case has changed which could not be read.
@@ -143,7 +116,7 @@ bool InputReader::keeps_lost(const Case& c) const {
 void InputReader::check_kept(Case& c) {
   Digits& d = c.digits;
   const auto need = [&](bool keeps, bool has, auto digit, const char* what) {
-    if (keeps && !has) fail_keep(c, written(digit), what);
+    now_->need(words_, keeps, has, written(digit), what);
   };
   need(d.gausei == SolverChoice::keep, now_->has_solver, d.gausei, "the solvers' parameters");
   need(d.frclaw == Law::keep, now_->has_friction, d.frclaw, "the friction law");
@@ -159,30 +132,6 @@ void InputReader::check_kept(Case& c) {
   }
 }
 
-void InputReader::read_solver(Case& c) {
-  if (c.digits.gausei == SolverChoice::keep) return;
-  constexpr int most = 1000000;
-  SolverData& s = c.solver;
-  s.method = c.digits.gausei;
-  s.maxgs = words_.integer("MAXGS", 1, most);
-  s.maxin = words_.integer("MAXIN", 1, most);
-  s.maxnr = words_.integer("MAXNR", 1, most);
-  s.maxout = words_.integer("MAXOUT", 1, most);
-  s.eps = words_.positive("EPS");
-  words_.end_record();
-  if (s.method == SolverChoice::convex_gs || s.method == SolverChoice::steady_gs) {
-    s.omegah = words_.real("OMEGAH");
-    s.omegas = words_.real("OMEGAS");
-  }
-  if (s.starts_from_slip()) {
-    s.inislp = words_.real("INISLP");
-    s.omgslp = words_.real("OMGSLP");
-    words_.end_record();
-  }
-  if (s.method == SolverChoice::gd_steady) words_.reals("FDECAY to POW_S", 8);
-  now_->has_solver = true;
-}
-
 void InputReader::read_kinematics(Case& c) {
   const Digits& d = c.digits;
   c.normal = d.norm == Normal::force ? words_.positive("FN") : words_.real("PEN");
@@ -194,36 +143,12 @@ void InputReader::read_kinematics(Case& c) {
   words_.end_record();
 }
 
-/// A set of friction data, by the law.
-std::vector<double> InputReader::read_friction_set(Law law) {
-  const auto coefficient = [&](const char* field) { return words_.between(field, 0, largest_friction); };
-  std::vector<double> set;
-  if (law == Law::coulomb) {
-    set = {coefficient("FSTAT"), coefficient("FKIN")};
-    if (std::abs(set[0] - set[1]) > 1e-3 * set[0])
-      words_.fail("FKIN", set[1], "must be FSTAT; a static coefficient above the kinetic one is not supported");
-  } else if (law == Law::thermal) {
-    set = {coefficient("FREF"), words_.real("TREF"), words_.real("DFHEAT"), words_.positive("DTHEAT")};
-    if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
-      words_.fail("DFHEAT", set[2], "must keep FREF + DFHEAT in [0, 10]");
-  } else {
-    for (const char* field : {"FKIN", "FIN1", "SABSH1", "FIN2", "SABSH2"})
-      set.push_back(words_.between(field, 0, 1e12));
-  }
-  words_.end_record();
-  if (law == Law::coulomb) return set;
-  set.push_back(words_.between("MEMDST", 0, 1e12));
-  set.push_back(words_.between("MEM_S0", 0, 1e12));
-  words_.end_record();
-  return set;
-}
-
 void InputReader::read_friction(Case& c) {
   if (c.digits.frclaw == Law::keep) return;
   c.friction.law = c.digits.frclaw;
   c.friction.by_row = c.digits.varfrc == FrictionSets::by_row;
   c.friction.sets.clear();
-  if (!c.friction.by_row) c.friction.sets.push_back(read_friction_set(c.friction.law));
+  if (!c.friction.by_row) c.friction.sets.push_back(read_friction_set(words_, c.friction.law));
   now_->has_friction = true;
 }
 
@@ -259,18 +184,9 @@ void InputReader::read_material(Case& c) {
     coefficients = words_.text("CFNAME");
     words_.end_record();
   }
-  m.poisson1 = words_.between("POISS1", 0, 0.5);
-  m.poisson2 = words_.between("POISS2", 0, 0.5);
-  m.shear1 = words_.positive("GG1");
-  m.shear2 = words_.positive("GG2");
-  words_.end_record();
+  read_elasticity(words_, m);
   if (d.inflcf == Coefficients::from_file) m.table = coefficients_from(coefficients, m);
-  if (d.bound == PressureModel::thin_sheet) {
-    m.sheet_flexibility = words_.positive("FLXZ");
-    words_.end_record();
-  }
-  m.model = d.mater;
-  if (const auto count = numbers_of(d.mater)) m.model_data = words_.reals("material", count);
+  read_model(words_, d, m);
   c.material = m;
 }
 
@@ -294,27 +210,6 @@ void InputReader::check_read(const Case& c) {
     words_.fail("digit M", number(d.mater), "must go with C >= 2, which reads its data");
   if (d.rolls() && !c.rolling)
     words_.fail("digit T", number(d.tang), "must go with C >= 2, which reads CHI, DQ and VELOC");
-}
-
-void InputReader::read_damping_and_heat(Case& c) {
-  if (c.digits.damping == Damping::read) {
-    words_.reals("damping", 4);
-    now_->has_damping = true;
-  }
-  if (c.digits.heat != Heat::read) return;
-  HeatData heat;
-  for (auto* body : {&heat.body1, &heat.body2}) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
-      (*body)[k] = words_.real(fields[k]);
-    }
-    words_.end_record();
-  }
-  if (c.digits.mater == Bulk::layer) {
-    heat.plastic_share = words_.real("BETAPL");
-    words_.end_record();
-  }
-  c.heat = heat;
 }
 
 void InputReader::read_potential(Case& c) {
@@ -344,7 +239,7 @@ bool InputReader::keeps_geometry(Case& c) {
                    " has changed, which cannot be run";
     return true;
   }
-  if (!now_->has_geometry) fail_keep(c, written(digit), "the undeformed distance");
+  now_->need(words_, true, now_->has_geometry, written(digit), "the undeformed distance");
   if (c.geometry.base == Base::by_element && c.geometry.values.size() != c.potential->elements())
     words_.fail("case " + std::to_string(c.number) + ": digit " + written(digit) +
                 " keeps the undeformed distance of " + std::to_string(c.geometry.values.size()) +
@@ -362,7 +257,7 @@ void InputReader::read_friction_by_rows(Case& c) {
   if (!c.friction.by_row) return;
   const auto rows = static_cast<std::size_t>(c.potential->my);
   if (c.digits.frclaw != Law::keep)
-    for (std::size_t row = 0; row < rows; ++row) c.friction.sets.push_back(read_friction_set(c.friction.law));
+    for (std::size_t row = 0; row < rows; ++row) c.friction.sets.push_back(read_friction_set(words_, c.friction.law));
   if (c.friction.sets.size() != rows)
     words_.fail("V = 3: there are friction data for " + std::to_string(c.friction.sets.size()) + " rows, and MY is " +
                 std::to_string(rows));
@@ -376,15 +271,6 @@ void InputReader::read_extra_slip(Case& c) {
   if (c.extra != ExtraSlip::by_element) c.extra_slip.clear();
   if (c.extra == ExtraSlip::by_element && c.extra_slip.size() != count)
     words_.fail("digit E", number(d.exrhs), "keeps the extra rigid slip of another number of elements");
-}
-
-void InputReader::read_points(Case& c) {
-  const InteriorPoints digit = c.digits.stress;
-  if (digit == InteriorPoints::none || digit == InteriorPoints::stored) return;
-  c.subs_file = read_choice<SubsFile>(words_);
-  words_.integer("O_s", 0, 6);
-  words_.end_record();
-  if (digit == InteriorPoints::read) c.points = contact_program::read_points(words_);
 }
 
 } // namespace microslip::contact_program

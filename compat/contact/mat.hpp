@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compat/contact/run.hpp"
+#include "compat/contact/outcome.hpp"
 
 #include <string>
 

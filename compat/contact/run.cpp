@@ -1,81 +1,10 @@
 #include "compat/contact/run.hpp"
 
-#include "compat/contact/fastsim.hpp"
-#include "compat/contact/set_up.hpp"
-#include "compat/contact/support.hpp"
-#include "microslip/error.hpp"
-
 namespace microslip::contact_program {
-namespace {
-
-/// Whether its tractions depend on those of the case before.
-bool goes_on(const Case& c) {
-  const Continuation from = c.digits.pvtime;
-  return c.digits.has_history() && (from == Continuation::previous || from == Continuation::repeated);
-}
-
-Outcome refused(std::vector<std::string> reasons) {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::refused;
-  outcome.reasons = std::move(reasons);
-  return outcome;
-}
-
-} // namespace
-
-int element_state(const Outcome& outcome, std::size_t element) {
-  if (!(outcome.solution.normal.pressure[element] > 0)) return 0;
-  if (outcome.step.frictionless) return 1;
-  return outcome.solution.tangential.state[element] == CellState::adhesion ? 1 : 2;
-}
-
-Outcome Run::solve(const Case& c, Sequence& sequence, const Progress& progress) {
-  Outcome outcome;
-  outcome.step = contact_step(c);
-  outcome.step.motion.progress = progress;
-  CarriedSprings springs = sequence.springs.value_or(CarriedSprings());
-  sequence.springs.reset();
-  outcome.solution = c.digits.is_simplified() ? solve_simplified(c, outcome.step, sequence.steps, springs)
-                                              : sequence.steps.solve(outcome.step);
-  if (c.digits.is_simplified()) sequence.springs = std::move(springs);
-  if (outcome.step.frictionless) sequence.springs = CarriedSprings();
-  outcome.totals = printed_totals(c, outcome.step, outcome.solution);
-  outcome.temperature = temperatures_of(outcome.step, outcome.solution);
-  if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
-  outcome.interior = interior_blocks(c, outcome.step, outcome.solution, sequence.interior, progress);
-  outcome.step.motion.progress = {};
-  outcome.notes = left_out(c, outcome.step);
-  if (outcome.solution.normal.touches_border)
-    outcome.notes.emplace_back("the contact reaches the border of the potential contact");
-  if (c.digits.tang == Tangential::steady && !has_one_solution(outcome.step.grid, outcome.step.motion))
-    outcome.notes.emplace_back("DQ is below .55 DX on elements longer than wide: there may be several solutions");
-  return outcome;
-}
 
 Outcome Run::run(const Case& c, const Progress& progress) {
-  Sequence& sequence = sequences_[c.sequence];
-  auto reasons = unsupported(c);
-  if (reasons.empty() && c.digits.is_skipped()) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::skipped;
-    return outcome;
-  }
-  if (reasons.empty() && goes_on(c) && c.digits.is_simplified() && !sequence.springs)
-    reasons.push_back(written(c.digits.pvtime) + " (FASTSIM goes on from FASTSIM only)");
-  if (reasons.empty() && goes_on(c) && !c.digits.is_simplified() && sequence.lost > 0)
-    reasons.push_back(written(c.digits.pvtime) + " (it goes on from case " + std::to_string(sequence.lost) +
-                      ", which has left no tractions)");
-  if (reasons.empty()) try {
-      sequence.lost = c.number; // unless it is solved
-      Outcome outcome = solve(c, sequence, progress);
-      sequence.lost = outcome.solution.status == Status::invalid_input || c.digits.is_simplified() ? c.number : 0;
-      return outcome;
-    } catch (const Error& error) {
-      reasons.emplace_back(error.what());
-    }
-  sequence.lost = c.number;
-  sequence.springs.reset();
-  return refused(std::move(reasons));
+  if (c.wheel_rail) return wheels_[c.sequence].run(c, progress);
+  return contacts_[c.sequence].run(c, progress);
 }
 
 } // namespace microslip::contact_program

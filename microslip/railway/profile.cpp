@@ -1,6 +1,7 @@
 #include "microslip/railway/profile.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/numerics/natural_spline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,43 +26,24 @@ void check(std::span<const ProfilePoint> points, std::span<const std::size_t> ki
       throw Error("profile: kinks must be inner points in ascending order");
 }
 
-/// Second derivatives of the natural cubic spline through values of one coordinate, from the tridiagonal system
-/// h_k-1 m_k-1 + 2 (h_k-1 + h_k) m_k + h_k m_k+1 = 6 (d_k - d_k-1), d_k the divided differences.
-template <class Coordinate>
-void find_second_derivatives(std::span<const ProfilePoint> points, std::span<const double> steps, Coordinate of,
-                             std::span<double> second) {
-  const std::size_t last = points.size() - 1;
-  std::vector<double> factor(points.size());
-  second.front() = second.back() = 0;
-  const auto slope = [&](std::size_t k) { return (of(points[k + 1]) - of(points[k])) / steps[k]; };
-  for (std::size_t k = 1; k < last; ++k) {
-    const double pivot = 2 * (steps[k - 1] + steps[k]) - steps[k - 1] * factor[k - 1];
-    factor[k] = steps[k] / pivot;
-    second[k] = (6 * (slope(k) - slope(k - 1)) - steps[k - 1] * second[k - 1]) / pivot;
-  }
-  for (std::size_t k = last; k-- > 1;) second[k] -= factor[k] * second[k + 1];
-}
-
 /// The pieces of one section between kinks, from s = `start` on.
 void add_section(std::span<const ProfilePoint> points, double start, std::vector<ProfilePiece>& pieces) {
   const std::size_t n = points.size();
-  std::vector<double> steps(n - 1), y2(n), z2(n);
+  std::vector<double> steps(n - 1), y(n), z(n), y2(n), z2(n);
+  for (std::size_t k = 0; k < n; ++k) y[k] = points[k].y, z[k] = points[k].z;
   for (std::size_t k = 0; k + 1 < n; ++k)
     steps[k] = std::hypot(points[k + 1].y - points[k].y, points[k + 1].z - points[k].z);
-  find_second_derivatives(
-      points, steps, [](const ProfilePoint& p) { return p.y; }, y2);
-  find_second_derivatives(
-      points, steps, [](const ProfilePoint& p) { return p.z; }, z2);
+  natural_spline(steps, y, y2);
+  natural_spline(steps, z, z2);
 
   for (std::size_t k = 0; k + 1 < n; ++k) {
     const double h = steps[k];
     const auto cubic = [h](double v0, double v1, double m0, double m1) {
       return std::array{v0, (v1 - v0) / h - h * (2 * m0 + m1) / 6, m0 / 2, (m1 - m0) / (6 * h)};
     };
-    const auto y = cubic(points[k].y, points[k + 1].y, y2[k], y2[k + 1]);
-    const auto z = cubic(points[k].z, points[k + 1].z, z2[k], z2[k + 1]);
+    const auto cy = cubic(y[k], y[k + 1], y2[k], y2[k + 1]), cz = cubic(z[k], z[k + 1], z2[k], z2[k + 1]);
     ProfilePiece piece{start, h, {}};
-    for (std::size_t i = 0; i < 4; ++i) piece.c[i] = {y[i], z[i]};
+    for (std::size_t i = 0; i < 4; ++i) piece.c[i] = {cy[i], cz[i]};
     pieces.push_back(piece);
     start += h;
   }

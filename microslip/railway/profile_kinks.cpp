@@ -30,6 +30,20 @@ double turn_at(std::span<const ProfilePoint> points, std::size_t k) {
   return std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2);
 }
 
+std::vector<ProfilePoint> without_zigzags(std::span<const ProfilePoint> points, double angle) {
+  const auto turns_back = [&](std::size_t k) { return std::abs(turn_at(points, k)) > angle; };
+  std::vector<ProfilePoint> kept;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (turns_back(k) && turns_back(k + 1)) {
+      kept.push_back({(points[k].y + points[k + 1].y) / 2, (points[k].z + points[k + 1].z) / 2});
+      ++k;
+    } else {
+      kept.push_back(points[k]);
+    }
+  }
+  return kept;
+}
+
 std::vector<std::size_t> find_kinks(std::span<const ProfilePoint> points, const KinkRule& rule) {
   std::vector<double> turns(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) turns[k] = turn_at(points, k);

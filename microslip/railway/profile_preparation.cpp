@@ -135,24 +135,13 @@ private:
   }
 
   void straighten_zigzags() {
-    std::vector<ProfilePoint> kept;
-    std::size_t straightened = 0;
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-      if (turns_back(k) && turns_back(k + 1)) {
-        kept.push_back({(points_[k].y + points_[k + 1].y) / 2, (points_[k].z + points_[k + 1].z) / 2});
-        ++straightened;
-        ++k;
-      } else {
-        kept.push_back(points_[k]);
-      }
-    }
+    auto kept = without_zigzags(points_, treatment_.zigzag_angle);
+    const std::size_t straightened = points_.size() - kept.size();
     if (straightened == 0) return;
     points_ = std::move(kept);
     report_.steps.push_back("straightened " + counted(straightened, "zig-zag"));
     drop_duplicates(); // two means may coincide
   }
-
-  bool turns_back(std::size_t k) const { return std::abs(turn_at(points_, k)) > treatment_.zigzag_angle; }
 
   void check_shape() const {
     const double length = polygon_length(points_);

@@ -83,14 +83,17 @@ private:
   std::vector<double> pivots_, first_, second_;
 };
 
-/// Smooths the points from `first` to `last`; those of them that are kinks stay.
-void smooth_section(std::span<ProfilePoint> points, bool holds_first, bool holds_last, double lambda) {
+enum class Weights { lengths, equal };
+
+/// Smooths the points of a section; those at its ends that are kinks stay.
+void smooth_section(std::span<ProfilePoint> points, bool holds_first, bool holds_last, double lambda, Weights weights) {
   const std::size_t n = points.size();
   if (n < 3) return;
   std::vector<double> steps(n - 1), inverse_weights(n), y(n), z(n);
   for (std::size_t k = 0; k + 1 < n; ++k) steps[k] = distance(points[k], points[k + 1]);
   for (std::size_t k = 0; k < n; ++k) {
-    inverse_weights[k] = 2 / ((k > 0 ? steps[k - 1] : 0) + (k + 1 < n ? steps[k] : 0));
+    const double length = ((k > 0 ? steps[k - 1] : 0) + (k + 1 < n ? steps[k] : 0)) / 2;
+    inverse_weights[k] = weights == Weights::lengths ? 1 / length : 1;
     y[k] = points[k].y;
     z[k] = points[k].z;
   }
@@ -100,6 +103,18 @@ void smooth_section(std::span<ProfilePoint> points, bool holds_first, bool holds
   section.smooth(y);
   section.smooth(z);
   for (std::size_t k = 0; k < n; ++k) points[k] = {y[k], z[k]};
+}
+
+std::vector<ProfilePoint> smooth_sections(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
+                                          double lambda, Weights weights) {
+  std::vector<ProfilePoint> result(points.begin(), points.end());
+  std::size_t first = 0;
+  for (std::size_t k = 0; k <= kinks.size(); ++k) {
+    const std::size_t last = k < kinks.size() ? kinks[k] : points.size() - 1;
+    smooth_section(std::span(result).subspan(first, last - first + 1), k > 0, k < kinks.size(), lambda, weights);
+    first = last;
+  }
+  return result;
 }
 
 double median(std::vector<double> values) {
@@ -132,15 +147,12 @@ double residual(std::span<const ProfilePoint, 5> points) {
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length) {
   if (!(length > 0 && length <= 1)) throw Error("smoothing_length", length, "m", "in (0, 1]");
-  std::vector<ProfilePoint> result(points.begin(), points.end());
-  const double lambda = std::pow(length / (2 * std::numbers::pi), 4);
-  std::size_t first = 0;
-  for (std::size_t k = 0; k <= kinks.size(); ++k) {
-    const std::size_t last = k < kinks.size() ? kinks[k] : points.size() - 1;
-    smooth_section(std::span(result).subspan(first, last - first + 1), k > 0, k < kinks.size(), lambda);
-    first = last;
-  }
-  return result;
+  return smooth_sections(points, kinks, std::pow(length / (2 * std::numbers::pi), 4), Weights::lengths);
+}
+
+std::vector<ProfilePoint> smoothed_without_weights(std::span<const ProfilePoint> points,
+                                                   std::span<const std::size_t> kinks, double lambda) {
+  return smooth_sections(points, kinks, lambda, Weights::equal);
 }
 
 ProfileNoise estimate_noise(std::span<const ProfilePoint> points) {

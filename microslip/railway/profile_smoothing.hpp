@@ -17,6 +17,10 @@ namespace microslip {
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length);
 
+/// The same with w_i = 1 and lambda >= 0 given, in any unit of length.
+std::vector<ProfilePoint> smoothed_without_weights(std::span<const ProfilePoint> points,
+                                                   std::span<const std::size_t> kinks, double lambda);
+
 /// Scatter of points: the median distance of each, across the curve, from the cubic in s through its two neighbours on
 /// either side, over what that is for independent errors of deviation 1. Corners and outliers do not count. Zero for
 /// fewer than five points. The deviation of curvature is sqrt(6) sigma/h^2, h the median spacing.

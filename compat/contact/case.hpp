@@ -1,0 +1,95 @@
+#pragma once
+
+#include "compat/contact/digits.hpp"
+#include "compat/contact/geometry.hpp"
+#include "compat/contact/influence_file.hpp"
+#include "compat/contact/wheel_rail/records.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip::contact_program {
+
+/// The law in force and its data, CONTACT's units (mm/s, deg C).
+struct FrictionData {
+  Law law = Law::coulomb;                ///< never keep
+  bool by_row = false;                   ///< V = 3
+  std::vector<std::vector<double>> sets; ///< one, or one for each row; L = 0: FSTAT, FKIN; else as in the file
+  /// Of module 1 with V = 1, 2: the inclination [rad], or the place along the track, of each of the sets, ascending.
+  std::vector<double> stations = {};
+};
+
+/// How the bodies roll. [rad], [mm], [mm/s], [-]
+struct RollingData {
+  double chi = 0, dq = 0, veloc = 0;
+  double facphi = 1.0 / 6; ///< where in a step the rigid slip is taken
+};
+
+/// Both bodies' data, and what the material digit adds (M = 1: FG1 FG2 TC1 TC2; 2: FLX K0_MF ALFAMF BETAMF; 3, 5:
+/// K0_MF ALFAMF BETAMF; 4: GG3 LAYTHK TAU_C0 K_TAU). [-], [N/mm2]
+struct MaterialData {
+  Coefficients coefficients = Coefficients::constant; ///< never keep or form
+  std::shared_ptr<const InfluenceTable> table = {};   ///< of C = 9, SI
+  double poisson1 = 0, poisson2 = 0, shear1 = 0, shear2 = 0;
+  double sheet_flexibility = 0; ///< FLXZ [mm3/N], of B = 1
+  Bulk model = Bulk::elastic;   ///< M that `model_data` was read for
+  std::vector<double> model_data = {};
+};
+
+/// The solvers' parameters; most of them belong to CONTACT's own methods.
+struct SolverData {
+  SolverChoice method = SolverChoice::standard; ///< never keep
+  int maxgs = 0, maxin = 0, maxnr = 0, maxout = 0;
+  double eps = 1e-5;
+  int npot_max = 2000000; ///< NPOT_MAX: elements that a potential contact of module 1 may have
+  double omegah = 1, omegas = 1; ///< G = 2, 3
+  double inislp = 0, omgslp = 1; ///< the slip that an iteration for falling friction starts from
+
+  /// Whether INISLP and OMGSLP are read.
+  bool starts_from_slip() const {
+    return method == SolverChoice::convex_gs || method == SolverChoice::steady_gs ||
+           method == SolverChoice::slip_iteration;
+  }
+};
+
+/// Heat parameters of a body: BKTEMP [deg C], HEATCP [J/(kg K)], LAMBDA [W/(mm K)], DENS [kg/mm3].
+struct HeatData {
+  std::array<double, 4> body1 = {}, body2 = {};
+  double plastic_share = 0; ///< BETAPL, with M = 4
+};
+
+/// A case in CONTACT's units: its digits, and the data that hold for it, whether read or kept. One of module 1 has
+/// `wheel_rail`; grid, distance and motion are then those of each of its patches, and not known yet.
+struct Case {
+  int number = 0;                        ///< in the file, from 1
+  std::size_t line = 0;                  ///< where it begins
+  std::pair<int, int> sequence = {1, 1}; ///< RE and CP: sequences that know nothing of each other
+  /// Why the reader could not take it; then nothing else is known.
+  std::string unreadable = {};
+
+  Digits digits = {};
+  double normal = 0;             ///< PEN [mm] or FN [N]
+  double x = 0, y = 0, phi = 0;  ///< CKSI or FX, CETA or FY, CPHI [rad/mm], for a shift [mm], [rad]; FX over FSTAT FN
+  double spin_x = 0, spin_y = 0; ///< SPINXO, SPINYO [mm]
+  SolverData solver = {};
+  FrictionData friction = {};
+  std::optional<RollingData> rolling = {};
+  std::optional<MaterialData> material = {};
+  std::optional<PotentialContact> potential = {};
+  Normal formed_norm = Normal::force; ///< N when the potential contact was formed,
+  double formed_normal = 0;           ///< and PEN or FN
+  Geometry geometry = {};
+  std::vector<double> extra_slip = {}; ///< wx, wy of each element (E = 9)
+  ExtraSlip extra = ExtraSlip::none;   ///< never keep
+  std::optional<HeatData> heat = {};   ///< of H = 3 now or before
+  SubsFile subs_file = SubsFile::none; ///< of S = 2 or 3 now or before
+  std::vector<PointBlock> points = {}; ///< of the interior field, S = 3 now or before
+  std::optional<WheelRailData> wheel_rail = {};
+};
+
+} // namespace microslip::contact_program

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "compat/contact/fastsim.hpp"
+#include "compat/contact/outcome.hpp"
+#include "microslip/interior/interior_grid.hpp"
+#include "microslip/progress.hpp"
+
+#include <optional>
+
+namespace microslip::contact_program {
+
+/// Whether a case's tractions depend on those of the case before.
+bool goes_on(const Case& c);
+/// A case that is not run, and why.
+Outcome refused(std::vector<std::string> reasons);
+
+/// Solves the cases of one sequence of contacts between two bodies, each with what the ones before it have left.
+class CaseSolver {
+public:
+  /// `progress` as Run's.
+  Outcome run(const Case& c, const Progress& progress = {});
+
+private:
+  Outcome solve(const Case& c, const Progress& progress);
+
+  ContactSequence steps_;
+  InteriorSequence interior_;
+  int lost_ = 0; ///< number of the case that could not be run after the last one that was solved
+  std::optional<CarriedSprings> springs_ =
+      CarriedSprings(); ///< of the last case if it was FASTSIM's, or without friction
+};
+
+} // namespace microslip::contact_program

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "compat/contact/interior.hpp"
+#include "compat/contact/totals.hpp"
+#include "compat/contact/wheel_rail/wheel_outcome.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/thermal/surface_temperature.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace microslip::contact_program {
+
+/// What became of a case.
+struct Outcome {
+  enum class Kind { solved, skipped, refused };
+  Kind kind = Kind::solved;
+  std::vector<std::string> reasons = {}; ///< why it was refused
+  std::vector<std::string> notes = {};   ///< what was left out or done in another way
+  ContactStep step = {};                 ///< the rest for cases that are solved
+  ContactStepSolution solution = {};
+  std::optional<SurfaceTemperature> temperature = {}; ///< if asked for, H > 0
+  std::vector<InteriorBlock> interior = {};           ///< at the points that are asked for, S > 0
+  PrintedTotals totals = {};
+  std::optional<WheelOutcome> wheel = {}; ///< of module 1, whose patches have all of the above but the kind
+};
+
+/// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip.
+int element_state(const Outcome& outcome, std::size_t element);
+
+} // namespace microslip::contact_program

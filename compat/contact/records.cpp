@@ -1,0 +1,165 @@
+#include "compat/contact/records.hpp"
+
+#include <cmath>
+
+namespace microslip::contact_program {
+namespace {
+
+constexpr double largest_friction = 10;
+constexpr int most_stations = 10;
+
+/// How many numbers M adds to the material's.
+std::size_t numbers_of(Bulk model) {
+  switch (model) {
+  case Bulk::viscoelastic:
+  case Bulk::fastsim_one:
+  case Bulk::layer:
+    return 4;
+  case Bulk::fastsim:
+  case Bulk::fastrip:
+    return 3;
+  case Bulk::elastic:
+  case Bulk::fastrip_first:
+  case Bulk::fastrip_first_bounded:
+    break;
+  }
+  return 0;
+}
+
+double read_coefficient(Words& words, const char* field) {
+  return words.between(field, 0, largest_friction);
+}
+
+/// The numbers of a law but for its memory.
+std::vector<double> read_friction_values(Words& words, Law law) {
+  std::vector<double> set;
+  if (law == Law::coulomb) {
+    set = {read_coefficient(words, "FSTAT"), read_coefficient(words, "FKIN")};
+    if (std::abs(set[0] - set[1]) > 1e-3 * set[0])
+      words.fail("FKIN", set[1], "must be FSTAT; a static coefficient above the kinetic one is not supported");
+  } else if (law == Law::thermal) {
+    set = {read_coefficient(words, "FREF"), words.real("TREF"), words.real("DFHEAT"), words.positive("DTHEAT")};
+    if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
+      words.fail("DFHEAT", set[2], "must keep FREF + DFHEAT in [0, 10]");
+  } else {
+    for (const char* field : {"FKIN", "FIN1", "SABSH1", "FIN2", "SABSH2"})
+      set.push_back(words.between(field, 0, 1e12));
+  }
+  words.end_record();
+  return set;
+}
+
+/// MEMDST and MEM_S0, where the law has them.
+std::vector<double> read_memory(Words& words, Law law) {
+  if (law == Law::coulomb) return {};
+  const double distance = words.between("MEMDST", 0, 1e12), velocity = words.between("MEM_S0", 0, 1e12);
+  words.end_record();
+  return {distance, velocity};
+}
+
+} // namespace
+
+void CaseSequence::need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const {
+  if (keeps && !has)
+    words.fail("case " + std::to_string(last.number) + ": digit " + digit + " keeps " + what +
+               ", which no earlier case has given");
+}
+
+bool keeps_points(const Digits& d) {
+  return d.stress == InteriorPoints::stored || d.stress == InteriorPoints::stored_again;
+}
+
+void read_solver(Words& words, SolverChoice method, SolverData& s) {
+  if (method == SolverChoice::keep) return;
+  constexpr int most = 1000000;
+  s.method = method;
+  s.maxgs = words.integer("MAXGS", 1, most);
+  s.maxin = words.integer("MAXIN", 1, most);
+  s.maxnr = words.integer("MAXNR", 1, most);
+  s.maxout = words.integer("MAXOUT", 1, most);
+  s.eps = words.positive("EPS");
+  s.npot_max = words.optional_integer("NPOT_MAX", SolverData().npot_max, 0, 2000000000);
+  words.end_record();
+  if (s.method == SolverChoice::convex_gs || s.method == SolverChoice::steady_gs) {
+    s.omegah = words.real("OMEGAH");
+    s.omegas = words.real("OMEGAS");
+  }
+  if (s.starts_from_slip()) {
+    s.inislp = words.real("INISLP");
+    s.omgslp = words.real("OMGSLP");
+    words.end_record();
+  }
+  if (s.method == SolverChoice::gd_steady) words.reals("FDECAY to POW_S", 8);
+}
+
+std::vector<double> read_friction_set(Words& words, Law law) {
+  auto set = read_friction_values(words, law);
+  const auto memory = read_memory(words, law);
+  set.insert(set.end(), memory.begin(), memory.end());
+  return set;
+}
+
+FrictionData read_friction_stations(Words& words, Law law, FrictionStations by) {
+  FrictionData friction;
+  friction.law = law;
+  const int count = words.integer("NVF", 1, most_stations);
+  words.end_record();
+  for (int k = 0; k < count; ++k) {
+    const double station = by == FrictionStations::by_inclination ? words.angle("ALPHA") : words.real("S");
+    if (k > 0 && !(station > friction.stations.back()))
+      words.fail(by == FrictionStations::by_inclination ? "ALPHA" : "S", station, "must be above the one before");
+    friction.stations.push_back(station);
+    friction.sets.push_back(read_friction_values(words, law));
+  }
+  const auto memory = read_memory(words, law);
+  for (auto& set : friction.sets) set.insert(set.end(), memory.begin(), memory.end());
+  return friction;
+}
+
+void read_elasticity(Words& words, MaterialData& m) {
+  m.poisson1 = words.between("POISS1", 0, 0.5);
+  m.poisson2 = words.between("POISS2", 0, 0.5);
+  m.shear1 = words.positive("GG1");
+  m.shear2 = words.positive("GG2");
+  words.end_record();
+}
+
+void read_model(Words& words, const Digits& digits, MaterialData& m) {
+  if (digits.bound == PressureModel::thin_sheet) {
+    m.sheet_flexibility = words.positive("FLXZ");
+    words.end_record();
+  }
+  m.model = digits.mater;
+  if (const auto count = numbers_of(digits.mater)) m.model_data = words.reals("material", count);
+}
+
+void read_damping(Words& words) {
+  words.reals("damping", 4);
+}
+
+HeatData read_heat(Words& words, Bulk model) {
+  HeatData heat;
+  for (auto* body : {&heat.body1, &heat.body2}) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
+      (*body)[k] = words.real(fields[k]);
+    }
+    words.end_record();
+  }
+  if (model == Bulk::layer) {
+    heat.plastic_share = words.real("BETAPL");
+    words.end_record();
+  }
+  return heat;
+}
+
+void read_points(Words& words, Case& c) {
+  const InteriorPoints digit = c.digits.stress;
+  if (digit == InteriorPoints::none || digit == InteriorPoints::stored) return;
+  c.subs_file = read_choice<SubsFile>(words);
+  words.integer("O_s", 0, 6);
+  words.end_record();
+  if (digit == InteriorPoints::read) c.points = read_points(words);
+}
+
+} // namespace microslip::contact_program

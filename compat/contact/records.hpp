@@ -1,0 +1,41 @@
+#pragma once
+
+#include "compat/contact/case.hpp"
+#include "compat/contact/words.hpp"
+
+#include <string>
+#include <vector>
+
+namespace microslip::contact_program {
+
+// Records that both modules have. Errors as those of Words.
+
+/// What the last case of a sequence has left.
+struct CaseSequence {
+  Case last = {};
+  bool has_case = false, has_solver = false, has_friction = false, has_geometry = false, has_damping = false;
+  int lost = 0; ///< number of a later case that could not be read
+
+  /// Throws Error for a digit that keeps something which is not there.
+  void need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const;
+};
+
+/// Whether the points of the interior field are those of an earlier case.
+bool keeps_points(const Digits& digits);
+
+void read_solver(Words& words, SolverChoice method, SolverData& solver);
+/// A set of friction data, by the law, and MEMDST, MEM_S0 behind it where the law has them.
+std::vector<double> read_friction_set(Words& words, Law law);
+/// Sets by inclination or along the track, with one memory for all.
+FrictionData read_friction_stations(Words& words, Law law, FrictionStations by);
+/// POISS and GG of both bodies.
+void read_elasticity(Words& words, MaterialData& material);
+/// What B = 1 and M add to them.
+void read_model(Words& words, const Digits& digits, MaterialData& material);
+/// CDAMPN CDAMPT DFNMAX DFTMAX, which are not used.
+void read_damping(Words& words);
+HeatData read_heat(Words& words, Bulk model);
+/// S = 2, 3.
+void read_points(Words& words, Case& c);
+
+} // namespace microslip::contact_program

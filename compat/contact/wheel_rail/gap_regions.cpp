@@ -1,0 +1,118 @@
+#include "compat/contact/wheel_rail/gap_regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip::contact_program {
+namespace {
+
+constexpr double missing = 777;
+
+/// Indices of local minima with overlap; points of a plateau count once.
+std::vector<std::size_t> local_minima(const std::vector<double>& gap) {
+  constexpr double plateau = 1e-6;
+  std::vector<std::size_t> minima;
+  std::vector<char> on_plateau(gap.size(), 0);
+  for (std::size_t k = 0; k < gap.size(); ++k) {
+    bool is_minimum = gap[k] < missing;
+    if (is_minimum && k > 0) {
+      if (on_plateau[k - 1] && std::abs(gap[k - 1] - gap[k]) < plateau) {
+        on_plateau[k] = 1;
+        is_minimum = false;
+      } else if (gap[k - 1] <= gap[k]) {
+        is_minimum = false;
+      }
+    }
+    if (is_minimum && k + 1 < gap.size() && gap[k + 1] < gap[k]) is_minimum = false;
+    if (!is_minimum || !(gap[k] < 0)) continue;
+    minima.push_back(k);
+    on_plateau[k] = 1;
+  }
+  return minima;
+}
+
+/// The interval of overlap around a point, with a point on either side where there is none.
+struct Interval {
+  std::size_t first, last;
+  bool holds(std::size_t k) const { return k >= first && k <= last; }
+};
+
+Interval overlap_around(const std::vector<double>& gap, std::size_t k) {
+  Interval i{k, k};
+  while (i.first > 0 && gap[i.first - 1] < 0) --i.first;
+  while (i.last + 1 < gap.size() && gap[i.last + 1] < 0) ++i.last;
+  if (i.first > 0) --i.first;
+  if (i.last + 1 < gap.size()) ++i.last;
+  return i;
+}
+
+/// The integral over x of the square of the overlap c - a x^2, c = -gap.
+double weight_of(double overlap, double curvature) {
+  const double half = std::sqrt(overlap / curvature);
+  const double sum = 2 * overlap * overlap * half - 4.0 / 3 * overlap * curvature * half * half * half +
+                     2.0 / 5 * curvature * curvature * std::pow(half, 5);
+  return std::max(1e-10, sum);
+}
+
+/// Where the straight line between two points is zero, as a share of the way; nothing if that is not between them.
+double crossing(double outside, double inside) {
+  const double change = inside - outside;
+  return outside * inside <= -1e-12 && std::abs(change) >= 1e-9 ? -outside / change : 0;
+}
+
+GapRegion region_of(const GapLine& g, const Interval& i, double curvature) {
+  GapRegion r;
+  r.x0 = 999;
+  r.x1 = -999;
+  for (std::size_t k = i.first; k <= i.last; ++k) {
+    if (g.gap[k] > 0) continue;
+    const double half = std::sqrt(-g.gap[k] / curvature), weight = weight_of(-g.gap[k], curvature);
+    r.x += weight * g.x[k];
+    r.y += weight * g.y[k];
+    r.angle += weight * g.angle[k];
+    r.weight += weight;
+    r.x0 = std::min(r.x0, g.x[k] - half);
+    r.x1 = std::max(r.x1, g.x[k] + half);
+  }
+  r.x /= r.weight;
+  r.y /= r.weight;
+  r.angle /= r.weight;
+  const auto end = [&](std::size_t outside, std::size_t inside, double& y, double& z) {
+    const double share = crossing(g.gap[outside], g.gap[inside]);
+    y = g.y[outside] + share * (g.y[inside] - g.y[outside]);
+    z = g.z_rail[outside] + share * (g.z_rail[inside] - g.z_rail[outside]);
+  };
+  end(i.first, std::min(i.first + 1, i.last), r.y0, r.z0);
+  end(i.last, std::max(i.last, i.first + 1) - 1, r.y1, r.z1);
+  if (i.first == 0) r.y0 = std::min(r.y0, 2 * r.y - g.y[i.last]);
+  if (i.last + 1 == g.size()) r.y1 = std::max(r.y1, g.y[i.first]);
+  return r;
+}
+
+} // namespace
+
+LeastGap least_gap(const GapLine& g) {
+  const auto at = static_cast<std::size_t>(std::min_element(g.gap.begin(), g.gap.end()) - g.gap.begin());
+  LeastGap least{g.gap[at], g.angle[at], g.z_wheel[at], 0};
+  if (g.size() < 3) return least;
+  const std::size_t k = std::clamp<std::size_t>(at, 1, g.size() - 2);
+  const std::size_t n = std::min({std::size_t{3}, k, g.size() - 1 - k});
+  const double step = g.y[k + n] - g.y[k];
+  least.curvature = (g.z_rail[k + n] + g.z_rail[k - n] - 2 * g.z_rail[k]) / (2 * step * step);
+  return least;
+}
+
+std::vector<GapRegion> find_regions(const GapLine& line, double curvature) {
+  auto minima = local_minima(line.gap);
+  std::sort(minima.begin(), minima.end(), [&](std::size_t a, std::size_t b) { return line.gap[a] < line.gap[b]; });
+  std::vector<Interval> taken;
+  std::vector<GapRegion> regions;
+  for (const std::size_t k : minima) {
+    if (std::any_of(taken.begin(), taken.end(), [k](const Interval& i) { return i.holds(k); })) continue;
+    taken.push_back(overlap_around(line.gap, k));
+    regions.push_back(region_of(line, taken.back(), curvature));
+  }
+  return regions;
+}
+
+} // namespace microslip::contact_program

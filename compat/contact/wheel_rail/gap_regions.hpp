@@ -1,0 +1,32 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/contact_locus.hpp"
+
+#include <vector>
+
+namespace microslip::contact_program {
+
+/// A region where wheel and rail overlap [mm], seen from above.
+struct GapRegion {
+  double x0 = 0, x1 = 0;        ///< its extent along the track,
+  double y0 = 0, y1 = 0;        ///< across it,
+  double z0 = 0, z1 = 0;        ///< and the rail's heights there
+  double x = 0, y = 0;          ///< its centre, weighted with the overlap,
+  double angle = 0;             ///< and the rail's inclination, weighted so
+  double weight = 0;
+};
+
+/// The least gap anywhere, and what is there.
+struct LeastGap {
+  double gap = 0, angle = 0;
+  double wheel_height = 0; ///< z of the wheel's surface
+  double curvature = 0;    ///< of the rail across the track, half the second derivative [1/mm]
+};
+
+LeastGap least_gap(const GapLine& line);
+
+/// The regions of overlap, from the deepest one on. `curvature` is half that of wheel and roller along the track
+/// [1/mm].
+std::vector<GapRegion> find_regions(const GapLine& line, double curvature);
+
+} // namespace microslip::contact_program

@@ -1,0 +1,78 @@
+#include "compat/contact/wheel_rail/patch_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace microslip::contact_program {
+namespace {
+
+/// An angle that is not within a thousandth of a right one, where planes across the track would have no width.
+double off_vertical(double angle) {
+  constexpr double right = std::numbers::pi / 2, least = 1e-3;
+  const double off = std::abs(angle) - right;
+  if (std::abs(off) >= least) return angle;
+  return std::copysign(right + std::copysign(least, off), angle);
+}
+
+/// Of a roller: the height of its surface at x, given that at x = 0.
+double height_at(double z, double x, const Placement& p) {
+  if (!p.on_roller()) return z;
+  const double axle = p.rail.origin.z + p.roller_radius, radius = axle - z;
+  return axle - std::copysign(std::sqrt(radius * radius - x * x), radius);
+}
+
+/// Elements along an axis that cover [low, high] with one more on either side, multiples of the size.
+struct Range {
+  int first = 0, count = 0;
+
+  Range(double low, double high, double size) {
+    first = static_cast<int>(std::floor(low / size)) - 1;
+    count = static_cast<int>(std::ceil(high / size)) + 1 - first + 1;
+  }
+};
+
+} // namespace
+
+PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,
+                         const Discretisation& sizes, GridOrigin origin, double place, int most) {
+  const GapRegion& whole = patch.whole;
+  PatchFrame f;
+  f.s_rail = rail.nearest_s_at_y(whole.y);
+  const ProfilePoint at = rail.at(f.s_rail).value;
+  f.angle = off_vertical(whole.angle);
+  f.reference = {{whole.x, at.y, height_at(at.z, whole.x, placement)}, rotation_about_x(f.angle)};
+  f.grid = f.reference;
+  double s_grid = f.s_rail;
+  if (origin != GridOrigin::reference) {
+    f.grid.origin = f.reference.outer({origin == GridOrigin::fixed ? -(place + whole.x) : 0, -f.s_rail, 0});
+    s_grid = 0;
+  }
+  const double s_low = rail.nearest_s_at_y(whole.y0) - s_grid, s_high = rail.nearest_s_at_y(whole.y1) - s_grid;
+  const double x_low = whole.x0 - f.grid.origin.x, x_high = whole.x1 - f.grid.origin.x;
+  f.dx = sizes.dx;
+  f.ds = sizes.ds;
+  Range x(x_low, x_high, f.dx), s(std::min(s_low, s_high), std::max(s_low, s_high), f.ds);
+  constexpr int least_limit = 100, few = 10;
+  const bool limited = origin == GridOrigin::reference && most >= least_limit;
+  while (limited && double(x.count) * s.count >= most && (x.count > few || s.count > few)) {
+    if (x.count > few) x = Range(x_low, x_high, f.dx *= 2);
+    if (s.count > few) s = Range(std::min(s_low, s_high), std::max(s_low, s_high), f.ds *= 2);
+  }
+  f.mx = x.count;
+  f.my = s.count;
+  f.x0 = (x.first - 0.5) * f.dx;
+  f.s0 = (s.first - 0.5) * f.ds;
+  f.y0 = whole.y0;
+  f.y1 = whole.y1;
+  const std::size_t n = patch.parts.size();
+  for (std::size_t k = n; k-- > 1;) {
+    const double y = (patch.parts[k].y1 + patch.parts[k - 1].y0) / 2;
+    f.separators.push_back((y - f.grid.origin.y) / std::cos(f.angle));
+  }
+  f.factors = patch.factors;
+  std::reverse(f.factors.begin(), f.factors.end()); // both indices count from the other side
+  return f;
+}
+
+} // namespace microslip::contact_program

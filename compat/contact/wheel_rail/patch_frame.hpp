@@ -1,0 +1,37 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/patch_rules.hpp"
+#include "compat/contact/wheel_rail/placement.hpp"
+
+namespace microslip::contact_program {
+
+/// Where a patch lies and what its elements are [mm]. The frame's x runs along the track, its y (s) along the rail's
+/// surface, its z into the rail.
+struct PatchFrame {
+  Frame<double> reference;   ///< at the weighted centre on the rail, turned about x by the mean angle
+  Frame<double> grid;        ///< in whose coordinates the elements are given: the reference, or moved along its plane
+  double angle = 0;          ///< DELTCP [rad]
+  double s_rail = 0;         ///< of the reference along the rail's profile
+  int mx = 0, my = 0;
+  double x0 = 0, s0 = 0;     ///< the corner of the elements
+  double dx = 0, ds = 0;
+  double y0 = 0, y1 = 0;     ///< the overlap's extent across the track, which the wheel's surface must cover
+  std::vector<double> separators; ///< lines of s between the parts that are solved together, ascending
+  std::vector<double> factors;    ///< of PatchRegion, for parts in ascending s
+
+  double x1() const { return x0 + mx * dx; }
+  double s1() const { return s0 + my * ds; }
+};
+
+/// How the elements of successive cases fit together.
+enum class GridOrigin {
+  reference, ///< an element's centre is at the reference
+  moving,    ///< fixed across the rail, along the track with the wheelset: transient rolling
+  fixed,     ///< fixed on the rail: shifts
+};
+
+/// `rail` in track coordinates, `place` is S_WS. Elements are doubled until there are less than `most`.
+PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,
+                         const Discretisation& sizes, GridOrigin origin, double place, int most);
+
+} // namespace microslip::contact_program

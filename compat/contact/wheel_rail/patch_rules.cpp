@@ -1,0 +1,88 @@
+#include "compat/contact/wheel_rail/patch_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip::contact_program {
+namespace {
+
+/// Between the boxes of two regions, the first one nearer to the field.
+double distance(const GapRegion& field, const GapRegion& gauge) {
+  const double x = std::max({0.0, field.x0 - gauge.x1, gauge.x0 - field.x1});
+  return std::hypot(x, field.y0 - gauge.y1, field.z0 - gauge.z1);
+}
+
+bool may_join(const GapRegion& a, const GapRegion& b, double farthest, const Discretisation& rules) {
+  return std::abs(a.angle - b.angle) <= rules.a_sep && distance(a, b) <= farthest;
+}
+
+GapRegion united(const GapRegion& a, const GapRegion& b) {
+  GapRegion r = a;
+  r.x0 = std::min(a.x0, b.x0);
+  r.x1 = std::max(a.x1, b.x1);
+  if (b.y0 < a.y0) r.y0 = b.y0, r.z0 = b.z0;
+  if (b.y1 > a.y1) r.y1 = b.y1, r.z1 = b.z1;
+  r.weight = a.weight + b.weight;
+  const auto mean = [&](double of_a, double of_b) { return (of_a * a.weight + of_b * b.weight) / r.weight; };
+  r.x = mean(a.x, b.x);
+  r.y = mean(a.y, b.y);
+  r.angle = mean(a.angle, b.angle);
+  return r;
+}
+
+void combine(std::vector<GapRegion>& regions, const Discretisation& rules) {
+  for (std::size_t k = 0; k + 1 < regions.size();) {
+    if (!may_join(regions[k], regions[k + 1], rules.d_comb, rules)) {
+      ++k;
+      continue;
+    }
+    regions[k] = united(regions[k], regions[k + 1]);
+    regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
+void find_factors(PatchRegion& patch, const Discretisation& rules) {
+  const std::size_t n = patch.parts.size();
+  patch.factors.assign(n * n, 1);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double left = std::max(0.0, rules.d_sep - distance(patch.parts[i], patch.parts[j]));
+      const double share = std::min(1.0, left / std::max(1e-12, rules.d_sep - rules.d_comb));
+      patch.factors[i * n + j] = patch.factors[j * n + i] = std::pow(share, 0.8);
+    }
+}
+
+/// Turns the frames of patches that are nearly near enough to be joined.
+void turn(std::vector<PatchRegion>& patches, const Discretisation& rules) {
+  if (!(rules.d_turn > rules.d_sep)) return;
+  const std::vector<PatchRegion> before = patches;
+  for (std::size_t k = 0; k + 1 < patches.size(); ++k) {
+    const GapRegion &a = before[k].whole, &b = before[k + 1].whole;
+    const double apart = distance(a, b);
+    if (std::abs(a.angle - b.angle) > rules.a_sep || apart < rules.d_sep || apart > rules.d_turn) continue;
+    const double share = (rules.d_turn - apart) / (rules.d_turn - rules.d_sep), mean = united(a, b).angle;
+    patches[k].whole.angle += share * (mean - a.angle);
+    patches[k + 1].whole.angle += share * (mean - b.angle);
+  }
+}
+
+} // namespace
+
+std::vector<PatchRegion> make_patches(std::vector<GapRegion> regions, const Discretisation& rules) {
+  std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) { return a.y > b.y; });
+  combine(regions, rules);
+  std::vector<PatchRegion> patches;
+  for (const GapRegion& region : regions) {
+    if (!patches.empty() && may_join(patches.back().whole, region, rules.d_sep, rules)) {
+      patches.back().whole = united(patches.back().whole, region);
+      patches.back().parts.push_back(region);
+    } else {
+      patches.push_back({region, {region}, {}});
+    }
+  }
+  for (PatchRegion& patch : patches) find_factors(patch, rules);
+  turn(patches, rules);
+  return patches;
+}
+
+} // namespace microslip::contact_program

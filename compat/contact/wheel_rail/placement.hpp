@@ -1,0 +1,36 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/profile_curve.hpp"
+#include "compat/contact/wheel_rail/records.hpp"
+#include "microslip/railway/frame.hpp"
+
+#include <memory>
+
+namespace microslip::contact_program {
+
+/// The same data seen in a mirror whose plane is the track's centre: of a left wheel those of a right one, and back.
+WheelRailData mirrored(WheelRailData data);
+
+/// How a rail that has given way lies off its place [mm], towards the field side and down.
+struct RailDeflection {
+  double dy = 0, dz = 0;
+};
+
+/// A right wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
+struct Placement {
+  std::shared_ptr<const ProfileCurve> rail_profile, wheel_profile;
+  Frame<double> rail;     ///< the rail's profile
+  Frame<double> wheelset; ///< its origin on the axle
+  Frame<double> wheel_on_axle;
+  Frame<double> wheel; ///< the wheel's profile; the axle is at z = -radius
+  double radius = 0;   ///< NOMRADW
+  double roller_radius = 0;
+
+  bool on_roller() const { return roller_radius != 0; }
+};
+
+/// `z` is Z_WS [mm]. Throws Error where the gauge cannot be measured or the wheel's tape circle is not on the profile.
+Placement place(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
+                std::shared_ptr<const ProfileCurve> wheel, double z, const RailDeflection& deflection = {});
+
+} // namespace microslip::contact_program

@@ -1,0 +1,144 @@
+#include "compat/contact/wheel_rail/profile_reading.hpp"
+
+#include "io/profile_formats.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/profile_kinks.hpp"
+#include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile_smoothing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace microslip::contact_program {
+namespace {
+
+std::string extension(const std::string& file) {
+  return lower_case(std::filesystem::path(file).extension().string());
+}
+
+ProfileFormat format_of(const std::string& file) {
+  const std::string ending = extension(file);
+  if (ending == ".prr" || ending == ".prw") return ProfileFormat::simpack;
+  return ending == ".ban" || ending == ".whl" ? ProfileFormat::miniprof : ProfileFormat::columns;
+}
+
+void drop_close_points(std::vector<ProfilePoint>& points) {
+  constexpr double least = 1e-4; // in the file's unit
+  const auto close = [](const ProfilePoint& a, const ProfilePoint& b) {
+    return std::hypot(b.y - a.y, b.z - a.z) < least;
+  };
+  points.erase(std::unique(points.begin(), points.end(), close), points.end());
+}
+
+/// Whether a wheel's z is positive upwards: where the tip of the flange, away from the ends, is at the least z.
+bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
+  const auto less = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; };
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+  const auto place = [&](auto point) { return (1.0 + double(point - points.begin())) / double(points.size()); };
+  const auto is_inner = [](double share) { return share > 0.05 && share < 0.95; };
+  return is_inner(place(low)) && !is_inner(place(high));
+}
+
+/// Whether a rail's z is positive upwards: where both sides go down, seen by the first change of z by a tenth of its
+/// range in the outer tenth at either end.
+bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
+  const auto less = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; };
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+  const double least = 0.1 * (high->z - low->z);
+  const std::size_t n = points.size(), reach = std::max<std::size_t>(1, n / 10);
+  const auto change = [&](bool from_end) {
+    const auto at = [&](std::size_t k) { return points[from_end ? n - 1 - k : k].z; };
+    for (std::size_t k = 1; k <= reach && k < n; ++k)
+      if (std::abs(at(k) - at(0)) > least) return at(k) > at(0) ? 1 : -1; // inwards
+    return 0;
+  };
+  return change(false) > 0 && change(true) > 0; // both ends rise inwards
+}
+
+class CurveReading {
+public:
+  CurveReading(const ProfileRecord& record, ProfileRole role) : record_(record), role_(role) {}
+
+  std::shared_ptr<const ProfileCurve> curve() {
+    read();
+    drop_close_points(points_);
+    points_ = without_zigzags(points_, record_.zigzag);
+    mirror();
+    scale();
+    if (points_.size() < 2) fail("there are fewer than two points");
+    if (points_.front().y > points_.back().y) std::reverse(points_.begin(), points_.end());
+    check_length();
+    const auto kinks = find_kinks(points_, {record_.kink_high, record_.kink_low, record_.kink_width});
+    smooth(kinks);
+    return std::make_shared<ProfileCurve>(role_, points_, kinks);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& text) const { throw Error(record_.file + ": " + text); }
+
+  void read() {
+    if (is_variable(record_)) fail("a profile that varies");
+    format_ = format_of(record_.file);
+    ProfileFile file = parse_profile_file(format_, read_profile_text(record_.file), record_.file);
+    if (file.role && *file.role != role_) fail("is not the profile of a " + std::string(to_string(role_)));
+    if (format_ == ProfileFormat::simpack) unit_ = 1e3 * file.unit.value_or(1);
+    points_ = std::move(file.points);
+  }
+
+  void mirror() {
+    if (record_.mirror_y == 1)
+      for (auto& p : points_) p.y = -p.y;
+    bool turns = record_.mirror_z == 1;
+    if (record_.mirror_z == 0 && format_ != ProfileFormat::simpack)
+      turns = role_ == ProfileRole::wheel ? is_upside_down_wheel(points_) : is_upside_down_rail(points_);
+    if (turns)
+      for (auto& p : points_) p.z = -p.z;
+  }
+
+  void scale() {
+    const double factor = record_.scale * unit_;
+    for (auto& p : points_) p = {factor * p.y, factor * p.z};
+  }
+
+  void check_length() const {
+    constexpr double shortest = 5, longest = 500; // mm
+    double length = 0;
+    for (std::size_t k = 1; k < points_.size(); ++k)
+      length += std::hypot(points_[k].y - points_[k - 1].y, points_[k].z - points_[k - 1].z);
+    if (!(length >= shortest && length <= longest))
+      fail("the profile is " + std::to_string(length) + " mm long: must be in 5 to 500 mm");
+  }
+
+  void smooth(const std::vector<std::size_t>& kinks) {
+    if (record_.smooth == 0) return;
+    if (record_.smoothing == 2) fail("ISMOOTH = 2 (smoothing by B-splines) is not supported");
+    if (record_.smoothing == 0) {
+      points_ = smoothed_without_weights(points_, kinks, record_.smooth);
+      return;
+    }
+    constexpr double mm = 1e-3;
+    for (auto& p : points_) p = {mm * p.y, mm * p.z};
+    points_ = smoothed(points_, kinks, mm * record_.smooth);
+    for (auto& p : points_) p = {p.y / mm, p.z / mm};
+  }
+
+  const ProfileRecord& record_;
+  ProfileRole role_;
+  ProfileFormat format_ = ProfileFormat::columns;
+  double unit_ = 1; ///< mm
+  std::vector<ProfilePoint> points_;
+};
+
+} // namespace
+
+bool is_variable(const ProfileRecord& record) {
+  const std::string ending = extension(record.file);
+  return ending == ".slcs" || ending == ".slcw";
+}
+
+std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role) {
+  return CurveReading(record, role).curve();
+}
+
+} // namespace microslip::contact_program

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/profile_curve.hpp"
+#include "compat/contact/wheel_rail/records.hpp"
+
+#include <memory>
+
+namespace microslip::contact_program {
+
+/// The profile of a file as CONTACT lays its spline through it: close points and zig-zags out, mirrored and scaled to
+/// mm, cut at kinks, smoothed. Throws Error, with the file's name, for what cannot be read, for less than two points, a
+/// length outside 5 to 500 mm, and variable profiles (.slcs, .slcw).
+std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role);
+
+/// Whether a record names slices of a profile that varies, .slcs or .slcw.
+bool is_variable(const ProfileRecord& record);
+
+} // namespace microslip::contact_program

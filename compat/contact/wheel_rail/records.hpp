@@ -1,0 +1,117 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/digits.hpp"
+
+#include <numbers>
+#include <string>
+
+namespace microslip::contact_program {
+
+// The records of module 1, in CONTACT's units and axes: mm, N, rad, s; the track's x forward, y to the right, z down.
+
+/// The grid of elements, and the rules by which patches are joined: DX DS DQREL A_SEP D_SEP D_COMB D_TURN G_MISS.
+struct Discretisation {
+  double dx = 0, ds = 0; ///< sides of the elements along the track and along the rail's profile
+  double dqrel = 1;      ///< step of rolling over DX
+  double a_sep = 0;      ///< patches whose angles differ by more are not joined
+  double d_sep = 0;      ///< nor are those further apart;
+  double d_comb = 0;     ///< up to this distance they are one region,
+  double d_turn = 0;     ///< and up to this one their frames are turned towards each other
+  double g_miss = -1;    ///< gaps below it count as near misses; < 0: none
+};
+
+/// A profile's file and what is to be done with its points.
+struct ProfileRecord {
+  std::string file; ///< with its path
+  int mirror_y = 0;
+  double scale = 1;
+  double smooth = 0;  ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
+  int mirror_z = 0;   ///< -1 no, 0 by the shape, 1 yes
+  int smoothing = 0;  ///< ISMOOTH: 0 without weights, 1 with, 2 by B-splines with weights
+  double zigzag = 5 * std::numbers::pi / 6;       ///< ZIGTHRS
+  double kink_high = std::numbers::pi / 6;        ///< KINKHIGH
+  double kink_low = std::numbers::pi / 30;        ///< KINKLOW
+  double kink_width = 2;                          ///< KINKWID
+  int error_handling = 0;                         ///< ERRHND
+  double most_omitted = 0.5;                      ///< MAXOMIT
+
+  friend bool operator==(const ProfileRecord&, const ProfileRecord&) = default;
+};
+
+/// Where the rails lie, or the roller: GAUGHT > 0 by the gauge, else by RAILY0 and RAILZ0.
+struct TrackDimensions {
+  double gauge_height = 0;              ///< GAUGHT
+  double gauge_width = 0;               ///< GAUGWD
+  double rail_y0 = 0, rail_z0 = 0;      ///< RAILY0, RAILZ0
+  double cant = 0, curvature = 0;       ///< CANT, CURV; not of rollers
+  double roller_radius = 0;             ///< NOMRADR, < 0 for a raceway; of rollers
+
+  bool by_gauge() const { return gauge_height > 0; }
+};
+
+/// The current rail off its place: DYRAIL DZRAIL DROLLR VYRAIL VZRAIL VROLLR.
+struct RailPosition {
+  double dy = 0, dz = 0, roll = 0, vy = 0, vz = 0, vroll = 0;
+};
+
+/// A rail without mass: KYRAIL FYRAIL KZRAIL FZRAIL DYSTEP0.
+struct RailSupport {
+  double ky = 0, fy = 0, kz = 0, fz = 0, first_step = 1;
+};
+
+/// FBDIST FBPOS NOMRADW YTAPE.
+struct WheelsetDimensions {
+  double flange_back_distance = 0, flange_back_position = 0, nominal_radius = 0;
+  double tape_circle = 999; ///< y of the wheel's profile where the radius is the nominal one; from 999 on: z = 0
+};
+
+/// S Y Z ROLL YAW PITCH.
+struct WheelsetPosition {
+  double s = 0; ///< along the track, for rollers the roller's X
+  double y = 0;
+  double z = 0; ///< Z_WS, > 0 below the nominal place; FZ with N = 1
+  double roll = 0, yaw = 0, pitch = 0;
+};
+
+/// VS VY VZ VROLL VYAW VPITCH; in a shift the increments.
+struct WheelsetVelocity {
+  double vs = 0; ///< of the wheelset, for rollers the roller's rate of rotation
+  double vy = 0, vz = 0, vroll = 0, vyaw = 0;
+  double vpitch = 0; ///< FX_WS with F = 1, MY_WS with F = 2
+};
+
+/// The wheel off its place in the wheelset, and its velocities.
+struct WheelDeflection {
+  double dx = 0, dy = 0, dz = 0, droll = 0, dyaw = 0, dpitch = 0;
+  double vx = 0, vy = 0, vz = 0, vroll = 0, vyaw = 0, vpitch = 0;
+};
+
+/// What a case of module 1 has besides the data of both modules.
+struct WheelRailData {
+  WheelRailDigits digits;
+  ContactSearch search = ContactSearch::keep; ///< D, of this case or before; never keep or form in a case to be run
+  Discretisation grid;
+  TrackDimensions track;
+  ProfileRecord rail, wheel;
+  RailPosition rail_position;
+  RailSupport support;
+  WheelsetDimensions wheelset;
+  WheelsetPosition position;
+  WheelsetVelocity velocity;
+  WheelDeflection deflection;
+  int influence_method = 0, influence_variant = 1; ///< IF_METH, VARIANT of C = 4
+};
+
+/// Each reads the record at which `words` stands. Errors as those of Words.
+Discretisation read_discretisation(Words& words);
+ProfileRecord read_profile_record(Words& words, const std::string& folder);
+TrackDimensions read_track(Words& words, bool roller);
+RailPosition read_rail_position(Words& words);
+RailSupport read_rail_support(Words& words);
+WheelsetDimensions read_wheelset(Words& words);
+/// With N = 1 the third number is FZ.
+WheelsetPosition read_position(Words& words, Normal norm);
+WheelsetVelocity read_velocity(Words& words, const WheelRailDigits& digits);
+WheelDeflection read_deflection(Words& words);
+
+} // namespace microslip::contact_program

@@ -1,0 +1,58 @@
+#include "compat/contact/wheel_rail/support.hpp"
+
+#include "compat/contact/wheel_rail/profile_reading.hpp"
+
+namespace microslip::contact_program {
+namespace {
+
+/// A value of a digit, or of a number beside it, that is not supported.
+struct Refusal {
+  const char* digit;
+  const char* meaning;
+  bool (*applies)(const Case& c, const WheelRailData& d);
+};
+
+constexpr Refusal refusals[] = {
+    {"C1 = 4, 5", "a wheel on a roller", [](const Case&, const WheelRailData& d) { return d.digits.is_roller(); }},
+    {"F = 1", "FX_WS prescribed",
+     [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::force_x; }},
+    {"F = 2", "MY_WS prescribed, as in CONTACT",
+     [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::moment_y; }},
+    {"F = 3", "rails without mass on springs",
+     [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::rail_deflection; }},
+    {"D = 3", "the rigid slip of the true surfaces",
+     [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::true_slip; }},
+    {"D = 4", "conformal contact",
+     [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::conformal; }},
+    {"D = 5, 6", "contact search by brute force",
+     [](const Case&, const WheelRailData& d) {
+       return d.search == ContactSearch::brute_force || d.search == ContactSearch::steep;
+     }},
+    {"D = 7", "patches at the first point of contact",
+     [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::first_point; }},
+    {"D = 8, 9", "oblique views, which CONTACT has for three profiles of its tests only",
+     [](const Case&, const WheelRailData& d) {
+       return d.search == ContactSearch::oblique || d.search == ContactSearch::oblique_brute_force;
+     }},
+    {".slcs", "a rail that varies along the track",
+     [](const Case&, const WheelRailData& d) { return is_variable(d.rail); }},
+    {".slcw", "a wheel that is not round",
+     [](const Case&, const WheelRailData& d) { return is_variable(d.wheel); }},
+};
+
+} // namespace
+
+std::vector<std::string> unsupported_of_wheel(const Case& c) {
+  std::vector<std::string> reasons;
+  for (const auto& [digit, meaning, applies] : refusals)
+    if (applies(c, *c.wheel_rail)) reasons.push_back(std::string(digit) + " (" + meaning + ")");
+  return reasons;
+}
+
+std::vector<std::string> left_out_of_wheel(const Case& c) {
+  std::vector<std::string> notes;
+  if (c.wheel_rail->grid.g_miss > 0) notes.emplace_back("G_MISS > 0: near misses do not count");
+  return notes;
+}
+
+} // namespace microslip::contact_program

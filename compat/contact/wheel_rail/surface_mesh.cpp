@@ -1,0 +1,47 @@
+#include "compat/contact/wheel_rail/surface_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip::contact_program {
+
+std::optional<double> SurfaceMesh::height(double x, double y) {
+  constexpr double slack = 1e-9;
+  if (nx_ < 2 || ny_ < 2) return {};
+  if (i_ < 0) {
+    i_ = (nx_ - 1) / 2;
+    j_ = (ny_ - 1) / 2;
+  }
+  for (int walk = 0; walk < nx_ + ny_ + 20; ++walk) {
+    const Vec3<double>&a = point(i_, j_), &b = point(i_ + 1, j_), &c = point(i_, j_ + 1), &d = point(i_ + 1, j_ + 1);
+    double u = 0.5, v = 0.5;
+    for (int k = 0; k < 12; ++k) {
+      const double fx = (1 - v) * ((1 - u) * a.x + u * b.x) + v * ((1 - u) * c.x + u * d.x) - x;
+      const double fy = (1 - v) * ((1 - u) * a.y + u * b.y) + v * ((1 - u) * c.y + u * d.y) - y;
+      const double xu = (1 - v) * (b.x - a.x) + v * (d.x - c.x), xv = (1 - u) * (c.x - a.x) + u * (d.x - b.x);
+      const double yu = (1 - v) * (b.y - a.y) + v * (d.y - c.y), yv = (1 - u) * (c.y - a.y) + u * (d.y - b.y);
+      const double det = xu * yv - xv * yu;
+      if (det == 0) break;
+      const double du = (fx * yv - fy * xv) / det, dv = (xu * fy - yu * fx) / det;
+      u -= du;
+      v -= dv;
+      if (std::abs(du) + std::abs(dv) < 1e-14) break;
+    }
+    if (!std::isfinite(u) || !std::isfinite(v)) return {};
+    const auto steps = [&](double share) {
+      return share < -slack ? std::floor(share) : share > 1 + slack ? std::ceil(share) - 1 : 0;
+    };
+    const double most = std::max(nx_, ny_);
+    const int i = std::clamp(i_ + int(std::clamp(steps(u), -most, most)), 0, nx_ - 2);
+    const int j = std::clamp(j_ + int(std::clamp(steps(v), -most, most)), 0, ny_ - 2);
+    if (i == i_ && j == j_) {
+      if (std::min(u, v) < -slack || std::max(u, v) > 1 + slack) return {};
+      return (1 - v) * ((1 - u) * a.z + u * b.z) + v * ((1 - u) * c.z + u * d.z);
+    }
+    i_ = i;
+    j_ = j;
+  }
+  return {};
+}
+
+} // namespace microslip::contact_program

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "microslip/railway/frame.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace microslip::contact_program {
+
+/// A surface given by nx x ny points, x fastest, over which z is interpolated bilinearly in each of its quadrangles.
+class SurfaceMesh {
+public:
+  SurfaceMesh(int nx, int ny, std::vector<Vec3<double>> points) : nx_(nx), ny_(ny), points_(std::move(points)) {}
+
+  /// z over (x, y), by Newton's method from the place that was found last; none off the mesh.
+  std::optional<double> height(double x, double y);
+
+private:
+  const Vec3<double>& point(int i, int j) const { return points_[static_cast<std::size_t>(j) * nx_ + i]; }
+
+  int nx_, ny_;
+  std::vector<Vec3<double>> points_;
+  int i_ = -1, j_ = -1; ///< the quadrangle that was found last
+};
+
+} // namespace microslip::contact_program

@@ -1,0 +1,128 @@
+#include "compat/contact/wheel_rail/undeformed_distance.hpp"
+
+#include "compat/contact/wheel_rail/surface_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace microslip::contact_program {
+namespace {
+
+constexpr double missing = 999;
+
+/// Heights of a rail that is the same all along, over s of the frame: where the turned spline passes there.
+class RailHeights {
+public:
+  RailHeights(const PatchFrame& frame, const ProfileCurve& rail)
+      : rail_(rail), frame_(frame.grid), start_(frame.s_rail - frame_.inner(frame.reference.origin).y) {}
+
+  /// From the parameter where the last height was found; nothing beyond the rail or where its surface turns back.
+  std::optional<double> at(double s) {
+    double t = std::isnan(last_) ? start_ + s : last_ + (s - at_);
+    for (int k = 0; k < 40; ++k) {
+      const CurvePoint p = rail_.at(std::clamp(t, rail_.start(), rail_.end()));
+      const Vec3<double> place = frame_.inner({frame_.origin.x, p.value.y, p.value.z});
+      const double slope = frame_.axes.ey.y * p.first.y + frame_.axes.ey.z * p.first.z;
+      if (!(slope > 1e-3)) return {};
+      const double step = (s - place.y) / slope;
+      t += std::clamp(step, -2.0, 2.0);
+      if (std::abs(step) < 1e-12) {
+        if (t < rail_.start() || t > rail_.end()) return {};
+        last_ = t;
+        at_ = s;
+        return place.z;
+      }
+    }
+    return {};
+  }
+  /// The surface's inclination there.
+  double angle() const {
+    const CurvePoint p = rail_.at(last_);
+    return std::atan2(p.first.z, p.first.y);
+  }
+
+private:
+  const ProfileCurve& rail_;
+  const Frame<double>& frame_;
+  double start_;
+  double last_ = std::numeric_limits<double>::quiet_NaN(), at_ = 0;
+};
+
+/// The patch's extent in the axes of the wheel's profile.
+struct WheelBox {
+  double x0 = 1e30, x1 = -1e30, y0 = 1e30, y1 = -1e30;
+};
+
+WheelBox box_on_wheel(const PatchFrame& f, const Frame<double>& wheel) {
+  WheelBox box;
+  const double x = f.grid.origin.x, z = f.grid.origin.z, slope = std::sin(f.angle);
+  const std::array<Vec3<double>, 2> ends = {Vec3<double>{0, f.y0, z + f.s0 * slope},
+                                            Vec3<double>{0, f.y1, z + f.s1() * slope}};
+  for (Vec3<double> corner : ends)
+    for (const double along : {x + f.x0, x + f.x1()}) {
+      corner.x = along;
+      const Vec3<double> p = wheel.inner(corner);
+      box.x0 = std::min(box.x0, p.x - 2 * f.dx);
+      box.x1 = std::max(box.x1, p.x + 2 * f.dx);
+      box.y0 = std::min(box.y0, p.y - 2 * f.ds);
+      box.y1 = std::max(box.y1, p.y + 2 * f.ds);
+    }
+  return box;
+}
+
+int steps(double length, double size) {
+  return static_cast<int>(std::lround(length / size));
+}
+
+/// The wheel's surface around a patch, in the frame of its elements.
+SurfaceMesh wheel_mesh(const PatchFrame& f, const Placement& p) {
+  const ProfileCurve& profile = *p.wheel_profile;
+  const WheelBox box = box_on_wheel(f, p.wheel);
+  const Vec3<double> middle = p.wheel.inner(f.grid.origin);
+  const double s_middle = profile.nearest_s_at_y(middle.y);
+  const int below = steps(s_middle - profile.nearest_s_at_y(box.y0), f.ds) + 1;
+  const int above = steps(profile.nearest_s_at_y(box.y1) - s_middle, f.ds) + 1;
+  const int behind = steps(middle.x - box.x0, f.dx), ahead = steps(box.x1 - middle.x, f.dx);
+  std::vector<Vec3<double>> points;
+  for (int j = -below; j <= above; ++j) {
+    const ProfilePoint at = profile.at(s_middle + j * f.ds).value;
+    const double radius = p.radius + at.z;
+    for (int i = -behind; i <= ahead; ++i) {
+      const double x = middle.x + i * f.dx, square = radius * radius - x * x;
+      const double z = (square > 0 ? std::sqrt(square) : 0) - p.radius;
+      points.push_back(f.grid.inner(p.wheel.outer({x, at.y, z})));
+    }
+  }
+  return SurfaceMesh(behind + ahead + 1, below + above + 1, std::move(points));
+}
+
+} // namespace
+
+UndeformedDistance undeformed_distance(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) {
+  UndeformedDistance h;
+  RailHeights rail_heights(f, rail);
+  SurfaceMesh wheel = wheel_mesh(f, p);
+  double least = missing, first_angle = 1e30, last_angle = -1e30;
+  for (int j = 0; j < f.my; ++j) {
+    const double s = f.s0 + (j + 0.5) * f.ds;
+    const auto on_rail = rail_heights.at(s);
+    bool overlaps = false;
+    for (int i = 0; i < f.mx; ++i) {
+      const auto on_wheel = on_rail ? wheel.height(f.x0 + (i + 0.5) * f.dx, s) : std::nullopt;
+      h.values.push_back(on_wheel ? *on_rail - *on_wheel : missing);
+      least = std::min(least, h.values.back());
+      overlaps |= h.values.back() < 0;
+    }
+    if (!overlaps) continue;
+    first_angle = std::min(first_angle, rail_heights.angle());
+    last_angle = std::max(last_angle, rail_heights.angle());
+  }
+  for (double& value : h.values) value -= least;
+  h.approach = -least;
+  h.turn = std::max(0.0, last_angle - first_angle);
+  return h;
+}
+
+} // namespace microslip::contact_program

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/patch_frame.hpp"
+#include "compat/contact/wheel_rail/undeformed_distance.hpp"
+
+#include <optional>
+
+namespace microslip::contact_program {
+
+/// A right wheel over its rail, for any height of the wheelset: where they overlap, and how.
+class WheelGeometry {
+public:
+  /// Throws Error as place() does.
+  WheelGeometry(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
+                std::shared_ptr<const ProfileCurve> wheel, GridOrigin origin, int most_elements,
+                const RailDeflection& deflection = {});
+
+  Placement placement(double z) const;
+  const ProfileCurve& rail() const { return *rail_in_track_; }
+  /// With the wheelset at Z_WS = 0.
+  LeastGap least_gap_at_zero();
+  /// The patches with the wheelset at `z`.
+  std::vector<PatchFrame> patches(double z);
+  UndeformedDistance distance(const PatchFrame& frame, double z) const {
+    return undeformed_distance(frame, placement(z), rail());
+  }
+  bool overlaps() const { return at_zero_->overlaps; }
+
+private:
+  GapLine line(double z);
+  double curvature() const;
+
+  const WheelRailData& data_;
+  std::shared_ptr<const ProfileCurve> rail_, wheel_;
+  GridOrigin origin_;
+  int most_elements_;
+  RailDeflection deflection_;
+  std::shared_ptr<const ProfileCurve> rail_in_track_;
+  std::optional<GapLine> at_zero_; ///< the gap with Z_WS = 0
+};
+
+} // namespace microslip::contact_program

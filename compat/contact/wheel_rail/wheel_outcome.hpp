@@ -1,0 +1,49 @@
+#pragma once
+
+#include "compat/contact/case.hpp"
+#include "microslip/railway/frame.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace microslip::contact_program {
+
+struct Outcome;
+
+/// A force [N], and a moment [N mm] about the origin of its axes.
+struct Wrench {
+  Vec3<double> force, moment;
+};
+
+/// Where a patch lies [mm], as CONTACT prints it.
+struct PatchLocation {
+  Vec3<double> track, rail, wheel; ///< XCP YCP ZCP in the axes of the track, the rail's and the wheel's profile
+  double angle = 0;                ///< DELTCP in the track's axes [rad]
+  double angle_on_rail = 0, angle_on_wheel = 0;
+};
+
+/// A contact patch of a wheel.
+struct WheelPatch {
+  PatchLocation location;
+  Case contact;                      ///< it as a case of module 3
+  std::shared_ptr<Outcome> solution; ///< and what became of it
+};
+
+/// What was counted.
+struct WheelEffort {
+  int geometry = 0, normal = 0, tangential = 0; ///< analyses of the geometry, and solved problems of either kind
+};
+
+/// A wheel on its rail: forces and moments act on the rail.
+struct WheelOutcome {
+  double z = 0;          ///< Z_WS [mm]
+  double fz_given = 0;   ///< with N = 1 [N]
+  double vpitch = 0;     ///< VPITCH_WS [rad/s]
+  double dy_rail = 0, dz_rail = 0; ///< what the rail gives way, with F = 3 [mm]
+  Wrench track;          ///< in the track's axes, moment about the rail's marker
+  Wrench wheelset;       ///< in the wheelset's axes, moment about the wheel's marker
+  std::vector<WheelPatch> patches;
+  WheelEffort effort;
+};
+
+} // namespace microslip::contact_program

@@ -1,0 +1,214 @@
+#include "compat/contact/wheel_rail/wheel_rail_solver.hpp"
+
+#include "compat/contact/set_up.hpp"
+#include "compat/contact/wheel_rail/force_search.hpp"
+#include "compat/contact/wheel_rail/patch_case.hpp"
+#include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/contact/wheel_rail/support.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip::contact_program {
+namespace {
+
+using Vec = Vec3<double>;
+
+GridOrigin origin_of(const Digits& digits) {
+  if (digits.tang == Tangential::shift) return GridOrigin::fixed;
+  return digits.tang == Tangential::transient ? GridOrigin::moving : GridOrigin::reference;
+}
+
+/// The case of a right wheel that is the mirror image of a left one's.
+Case right_hand(const Case& c) {
+  Case right = c;
+  if (c.wheel_rail->digits.is_left()) right.wheel_rail = mirrored(*c.wheel_rail);
+  return right;
+}
+
+/// Adds the force of a patch, and its moment about the origin of some axes that lie in the track's.
+void add(Wrench& sum, const Frame<double>& axes, const Vec& at, const Vec& force, const Vec& moment) {
+  sum.force = sum.force + axes.axes.back(force);
+  sum.moment = sum.moment + axes.axes.back(cross(at - axes.origin, force) + moment);
+}
+
+/// Moments of the pressure about the axes of a patch's plane [N mm].
+Vec moments(const Outcome& o) {
+  constexpr double per_m = 1e3;
+  Vec m{0, 0, o.totals.mz};
+  const ElementGrid& grid = o.step.grid;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const double force = o.solution.normal.pressure[static_cast<std::size_t>(j) * grid.mx + i] * grid.element_area();
+      m.x += force * grid.y(j) * per_m;
+      m.y -= force * grid.x(i) * per_m;
+    }
+  return m;
+}
+
+/// How deep a wheel sinks in under a force by Hertz's solution [mm].
+double hertzian_depth(const Case& c, const LeastGap& gap, double force) {
+  constexpr double per_mm = 1e3, least_curvature = 1e-4;
+  const double a = 0.5 / c.wheel_rail->wheelset.nominal_radius;
+  const double b = gap.curvature > least_curvature ? gap.curvature : least_curvature;
+  const double depth =
+      hertz_from_load({a * per_mm, b * per_mm}, combined_material(c), force).approach * per_mm;
+  return depth / std::max(0.5, std::cos(gap.angle));
+}
+
+void append_new(std::vector<std::string>& to, const std::vector<std::string>& from) {
+  for (const auto& text : from)
+    if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
+}
+
+} // namespace
+
+std::shared_ptr<const ProfileCurve> WheelRailSolver::profile(const ProfileRecord& record, ProfileRole role) {
+  for (const auto& [known, curve] : profiles_)
+    if (known == record) return curve;
+  auto curve = read_profile_curve(record, role);
+  profiles_.emplace_back(record, curve);
+  return curve;
+}
+
+Outcome WheelRailSolver::run(const Case& c, const Progress& progress) {
+  auto reasons = unsupported_of_wheel(c);
+  if (reasons.empty() && c.digits.is_skipped()) {
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::skipped;
+    return outcome;
+  }
+  if (reasons.empty() && goes_on(c) && lost_ > 0)
+    reasons.push_back(written(c.digits.pvtime) + " (it goes on from case " + std::to_string(lost_) +
+                      ", which has left no tractions)");
+  if (reasons.empty()) try {
+      lost_ = c.number; // unless it is solved
+      Outcome outcome = solve(c, progress);
+      if (outcome.kind == Outcome::Kind::solved) lost_ = 0;
+      return outcome;
+    } catch (const Error& error) {
+      reasons.emplace_back(error.what());
+    }
+  lost_ = c.number;
+  return refused(std::move(reasons));
+}
+
+Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
+  const Case right = right_hand(c);
+  const WheelRailData& data = *right.wheel_rail;
+  effort_ = {};
+  is_first_ = true;
+  if (c.digits.pvtime == Continuation::nothing) tracks_.clear();
+  for (Track& track : tracks_) track.is_new = true;
+  WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
+                         origin_of(c.digits), c.solver.npot_max);
+  if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
+  Outcome outcome = c.digits.norm == Normal::force ? find_height(right, geometry, progress)
+                                                   : solve_at(right, geometry, data.position.z, progress);
+  if (outcome.wheel) outcome.wheel->effort = effort_;
+  append_new(outcome.notes, left_out_of_wheel(c));
+  return outcome;
+}
+
+/// Hands the solvers of patches on to those that lie where they did.
+void WheelRailSolver::follow(const std::vector<PatchFrame>& frames) {
+  std::vector<Track> now;
+  for (Track& track : tracks_) track.taken = false;
+  for (const PatchFrame& frame : frames) {
+    Track* best = nullptr;
+    double most = 0;
+    for (Track& track : tracks_) {
+      const double common = std::min(track.y1, frame.y1) - std::max(track.y0, frame.y0);
+      if (!track.taken && common > most) {
+        best = &track;
+        most = common;
+      }
+    }
+    now.push_back(best ? *best : Track());
+    if (best) best->taken = true;
+    if (!now.back().solver) now.back().solver = std::make_shared<CaseSolver>();
+    now.back().y0 = frame.y0;
+    now.back().y1 = frame.y1;
+  }
+  tracks_ = std::move(now);
+}
+
+WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& frame, const WheelGeometry& geometry,
+                                        double z, Track& track, const Progress& progress) {
+  const Placement placement = geometry.placement(z);
+  const UndeformedDistance distance = geometry.distance(frame, z);
+  WheelPatch patch;
+  patch.location = locate(frame, placement);
+  PatchMotion motion;
+  if (right.digits.has_friction())
+    motion = patch_motion(*right.wheel_rail, placement, frame, distance.approach,
+                          right.digits.tang == Tangential::shift);
+  patch.contact = patch_case(right, frame, distance, motion, patch.location);
+  Digits& digits = patch.contact.digits;
+  if (!track.is_new) { // the same case once more, at another height
+    if (digits.pvtime != Continuation::nothing) digits.pvtime = Continuation::repeated;
+    digits.iestim = InitialGuess::previous;
+  }
+  track.is_new = false;
+  patch.solution = std::make_shared<Outcome>(track.solver->run(patch.contact, progress));
+  ++effort_.normal;
+  effort_.tangential += digits.has_friction();
+  return patch;
+}
+
+Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress) {
+  ++effort_.geometry;
+  const auto frames = geometry.patches(z);
+  const Placement placement = geometry.placement(z);
+  follow(frames);
+  Outcome outcome;
+  WheelOutcome wheel;
+  wheel.z = z;
+  wheel.vpitch = right.wheel_rail->velocity.vpitch;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const PatchFrame& frame = frames[k];
+    wheel.patches.push_back(solve_patch(right, frame, geometry, z, tracks_[k], progress));
+    const Outcome& o = *wheel.patches.back().solution;
+    if (o.kind == Outcome::Kind::refused) return refused(o.reasons);
+    const Rotation<double>& axes = frame.reference.axes;
+    const Vec force = axes * Vec{o.totals.fx, o.totals.fy, o.totals.fn}, moment = axes * moments(o);
+    const Frame<double> rail{placement.rail.origin, {}};
+    add(wheel.track, rail, frame.reference.origin, force, moment);
+    const Frame<double> on_wheelset{placement.wheel.origin, placement.wheelset.axes};
+    add(wheel.wheelset, on_wheelset, frame.reference.origin, force, moment);
+    append_new(outcome.notes, o.notes);
+    if (outcome.solution.status == Status::ok) outcome.solution.status = o.solution.status;
+  }
+  outcome.wheel = std::move(wheel);
+  return outcome;
+}
+
+Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry, const Progress& progress) {
+  const double target = right.wheel_rail->position.z;
+  if (!(target > 0)) throw Error("FZ", target, "N", "positive");
+  const LeastGap gap = geometry.least_gap_at_zero();
+  ++effort_.geometry;
+  ForceSearch search(target, gap.gap);
+  constexpr int most_steps = 60;
+  double z = gap.gap + hertzian_depth(right, gap, target);
+  for (int k = 0; k < most_steps; ++k) {
+    Outcome outcome = solve_at(right, geometry, z, progress);
+    if (outcome.kind != Outcome::Kind::solved) return outcome;
+    outcome.wheel->fz_given = target;
+    const double force = outcome.wheel->track.force.z;
+    if (std::abs(force - target) < right.solver.eps * target) return outcome;
+    search.add(z, force);
+    const auto next = search.next();
+    if (!next || k + 1 == most_steps) {
+      outcome.notes.emplace_back("the vertical force jumps, so that FZ is not reached");
+      outcome.solution.status = Status::not_converged;
+      return outcome;
+    }
+    z = *next;
+  }
+  return {};
+}
+
+} // namespace microslip::contact_program
