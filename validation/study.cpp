@@ -6,6 +6,7 @@
 #include "validation/cattaneo_to_carter.hpp"
 #include "validation/conicity.hpp"
 #include "validation/contact_cases.hpp"
+#include "validation/contact_wheel_rail.hpp"
 #include "validation/creep_curve.hpp"
 #include "validation/edge_constants.hpp"
 #include "validation/exact_112.hpp"
@@ -44,6 +45,8 @@ constexpr std::array all_studies = {
           run_conicity},
     Study{"contact-cases", "the input files of the program CONTACT, every quantity beside what it printed",
           run_contact_cases},
+    Study{"contact-wheel-rail", "wheels on rails of the program CONTACT, every quantity beside what it printed",
+          run_contact_wheel_rail},
     Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
     Study{"edge-constants", "where leading elements end inside the edge of contact, for second order",
           run_edge_constants},

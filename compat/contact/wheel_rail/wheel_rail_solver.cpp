@@ -2,6 +2,7 @@
 
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/wheel_rail/force_search.hpp"
+#include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/contact/wheel_rail/support.hpp"
@@ -107,9 +108,21 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
   Outcome outcome = c.digits.norm == Normal::force ? find_height(right, geometry, progress)
                                                    : solve_at(right, geometry, data.position.z, progress);
-  if (outcome.wheel) outcome.wheel->effort = effort_;
+  if (outcome.wheel) finish(c, *outcome.wheel, progress);
   append_new(outcome.notes, left_out_of_wheel(c));
   return outcome;
+}
+
+/// Fields inside the bodies at the final height, and what was found of a left wheel's mirror image for the wheel.
+void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress& progress) {
+  wheel.effort = effort_;
+  for (WheelPatch& patch : wheel.patches) {
+    patch.contact.digits.stress = c.digits.stress;
+    Outcome& o = *patch.solution;
+    InteriorSequence interior;
+    o.interior = interior_blocks(patch.contact, o.step, o.solution, interior, progress);
+  }
+  if (c.wheel_rail->digits.is_left()) mirror_back(wheel);
 }
 
 /// Hands the solvers of patches on to those that lie where they did.

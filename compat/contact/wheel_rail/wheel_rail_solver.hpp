@@ -33,6 +33,7 @@ private:
   Outcome find_height(const Case& right, WheelGeometry& geometry, const Progress& progress);
   WheelPatch solve_patch(const Case& right, const PatchFrame& frame, const WheelGeometry& geometry, double z,
                          Track& track, const Progress& progress);
+  void finish(const Case& c, WheelOutcome& wheel, const Progress& progress);
   void follow(const std::vector<PatchFrame>& frames);
 
   std::vector<std::pair<ProfileRecord, std::shared_ptr<const ProfileCurve>>> profiles_;

@@ -1,0 +1,123 @@
+#include "compat/contact/wheel_rail/left_wheel.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace microslip::contact_program {
+namespace {
+
+/// Reverses the order of a field's rows; empty fields stay.
+template <class Value> void reverse_rows(std::vector<Value>& field, int mx) {
+  const auto row = static_cast<std::ptrdiff_t>(mx);
+  for (auto low = field.begin(), high = field.end(); high - low >= 2 * row; low += row, high -= row)
+    std::swap_ranges(low, low + row, high - row);
+}
+
+template <class... Fields> void reverse_all(int mx, Fields&... fields) {
+  (reverse_rows(fields, mx), ...);
+}
+
+template <class... Fields> void negate(Fields&... fields) {
+  const auto one = [](std::vector<double>& field) {
+    for (double& value : field) value = 0 - value;
+  };
+  (one(fields), ...);
+}
+
+void mirror(ContactStep& s) {
+  ElementGrid& g = s.grid;
+  g.y0 = -(g.y0 + (g.my - 1) * g.dy);
+  reverse_all(g.mx, s.gap, s.excluded, s.extra_slip_x, s.extra_slip_y);
+  negate(s.extra_slip_y);
+  if (s.given) reverse_all(g.mx, s.given->pressure, s.given->displacement);
+  s.motion.creepage.lateral *= -1;
+  s.motion.creepage.spin *= -1;
+}
+
+void mirror(TangentialSolution& t, int mx) {
+  reverse_all(mx, t.tractions.px, t.tractions.py, t.tractions.pressure, t.tractions.friction_drop,
+              t.tractions.slip_velocity, t.tractions.plastic_deformation, t.bound, t.ux, t.uy, t.sx, t.sy,
+              t.slip_direction, t.state);
+  negate(t.tractions.py, t.uy, t.sy, t.slip_direction);
+  t.forces.fy *= -1;
+  t.forces.mz *= -1;
+  t.creepage.lateral *= -1;
+  t.creepage.spin *= -1;
+}
+
+void mirror(NormalSolution& n, int mx) {
+  reverse_all(mx, n.pressure, n.displacement, n.gap);
+  std::swap(n.border.low_y, n.border.high_y);
+}
+
+void mirror(InteriorBlock& block) {
+  InteriorGrid& points = block.points;
+  const std::size_t plane = points.x.size() * points.y.size();
+  std::vector<InteriorState> states;
+  for (std::size_t k = 0; k < block.states.size(); ++k) {
+    const std::size_t i = k % points.x.size(), j = k / points.x.size() % points.y.size(), below = k / plane * plane;
+    InteriorState state = block.states[below + (points.y.size() - 1 - j) * points.x.size() + i];
+    state.uy *= -1;
+    state.stress.xy *= -1;
+    state.stress.yz *= -1;
+    states.push_back(state);
+  }
+  block.states = std::move(states);
+  std::reverse(points.y.begin(), points.y.end());
+  negate(points.y);
+}
+
+void mirror(Outcome& o) {
+  const int mx = o.step.grid.mx;
+  mirror(o.step);
+  mirror(o.solution.normal, mx);
+  mirror(o.solution.tangential, mx);
+  auto& friction = o.solution.slip_friction;
+  reverse_all(mx, o.solution.friction, friction.friction, friction.bound, friction.deformation, friction.yields);
+  if (o.temperature) reverse_all(mx, o.temperature->body1, o.temperature->body2);
+  for (InteriorBlock& block : o.interior) mirror(block);
+  o.totals.fy *= -1;
+  o.totals.mz *= -1;
+  o.totals.y *= -1;
+}
+
+/// Of a patch as a case of its own: what the fields and the totals show.
+void mirror(Case& c) {
+  c.y *= -1;
+  c.phi *= -1;
+  c.spin_y *= -1;
+  if (!c.potential) return;
+  const int mx = c.potential->mx;
+  c.potential->values[1] = -(c.potential->values[1] + c.potential->my * c.potential->values[3]);
+  reverse_rows(c.geometry.values, mx);
+  auto& plan = c.geometry.plan_values; // NPATCH, YSEP, FAC of each pair
+  if (c.geometry.planform != Planform::sub_patches) return;
+  const auto parts = static_cast<std::ptrdiff_t>(plan[0]);
+  for (std::ptrdiff_t k = 1; k < parts; ++k) plan[static_cast<std::size_t>(k)] *= -1;
+  std::reverse(plan.begin() + 1, plan.begin() + parts);
+  std::reverse(plan.begin() + parts, plan.end());
+}
+
+void mirror(PatchLocation& l) {
+  for (Vec3<double>* place : {&l.track, &l.rail, &l.wheel}) place->y *= -1;
+  for (double* angle : {&l.angle, &l.angle_on_rail, &l.angle_on_wheel}) *angle *= -1;
+}
+
+void mirror(Wrench& w) {
+  for (double* odd : {&w.force.y, &w.moment.x, &w.moment.z}) *odd *= -1;
+}
+
+} // namespace
+
+void mirror_back(WheelOutcome& wheel) {
+  mirror(wheel.track);
+  mirror(wheel.wheelset);
+  wheel.dy_rail *= -1;
+  for (WheelPatch& patch : wheel.patches) {
+    mirror(patch.location);
+    mirror(patch.contact);
+    mirror(*patch.solution);
+  }
+}
+
+} // namespace microslip::contact_program

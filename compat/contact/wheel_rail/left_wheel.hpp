@@ -1,0 +1,11 @@
+#pragma once
+
+#include "compat/contact/outcome.hpp"
+
+namespace microslip::contact_program {
+
+/// What was found for the right wheel that is the mirror image of a left one, for the left one: y changes its sign, and
+/// with it FY, moments about x and z, the angle, CETA and CPHI; rows of elements change places.
+void mirror_back(WheelOutcome& wheel);
+
+} // namespace microslip::contact_program

@@ -1,0 +1,207 @@
+#include "validation/contact_wheel_rail.hpp"
+
+#include "compat/contact/input.hpp"
+#include "compat/contact/run.hpp"
+#include "microslip/error.hpp"
+#include "validation/contact_output.hpp"
+#include "validation/report.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip::validation {
+namespace {
+
+namespace fs = std::filesystem;
+using contact_program::Case;
+using contact_program::Outcome;
+using contact_program::WheelPatch;
+
+constexpr const char* input_folder = MICROSLIP_REFERENCE_DATA "/../contact-cases";
+constexpr const char* input_files[] = {"mbench_a22_left",
+                                       "mbench_a22_right",
+                                       "mbench_a22_varfric",
+                                       "mbench_a22_kpec",
+                                       "wheel-rail/cases/test-rollers2",
+                                       "wheel-rail/cases/m1_steady_roll",
+                                       "wheel-rail/cases/t1_zws",
+                                       "wheel-rail/cases/t3_t2_force",
+                                       "wheel-rail/cases/groove_li",
+                                       "wheel-rail/cases/cross_locus",
+                                       "wheel-rail/cases/cross_brute",
+                                       "wheel-rail/cases/wheelflat"};
+constexpr double relative_difference = 0.01; ///< that counts as near
+
+/// Ours by CONTACT's names, with what a difference is compared with where the value itself is next to zero.
+struct OwnNumber {
+  std::string name;
+  double value;
+  double scale = 0;
+};
+
+std::vector<OwnNumber> totals_of(const contact_program::WheelOutcome& w) {
+  const auto& track = w.track.force;
+  const auto& wheelset = w.wheelset.force;
+  const double force = 0.1 * std::hypot(track.x, track.y, track.z);
+  return {{"Z_WS", w.z},
+          {"FX(TR)", track.x, force},
+          {"FY(TR)", track.y, force},
+          {"FZ(TR)", track.z},
+          {"FX(WS)", wheelset.x, force},
+          {"FY(WS)", wheelset.y, force},
+          {"FZ(WS)", wheelset.z}};
+}
+
+std::vector<OwnNumber> numbers_of(const WheelPatch& p) {
+  const contact_program::PrintedTotals& t = p.solution->totals;
+  const contact_program::PatchLocation& l = p.location;
+  const double limit = 0.3 * t.fn, size = std::sqrt(t.contact * p.solution->step.grid.element_area()) * 1e3;
+  const double creepage = 1e-3 * std::hypot(p.contact.x, p.contact.y, size * p.contact.phi);
+  const double elements = std::sqrt(std::max(1, t.contact)) / relative_difference;
+  return {{"XCP(TR)", l.track.x, 1},
+          {"YCP(TR)", l.track.y},
+          {"ZCP(TR)", l.track.z, 1},
+          {"DELTCP(TR)", l.angle, 0.01},
+          {"YCP(R)", l.rail.y, 1},
+          {"ZCP(R)", l.rail.z, 1},
+          {"XCP(W)", l.wheel.x, 1},
+          {"YCP(W)", l.wheel.y, 1},
+          {"ZCP(W)", l.wheel.z, 1},
+          {"CKSI", p.contact.x, creepage},
+          {"CETA", p.contact.y, creepage},
+          {"CPHI", p.contact.phi, creepage / std::max(1.0, size)},
+          {"FN", t.fn},
+          {"FX", t.fx, limit},
+          {"FS", t.fy, limit},
+          {"MN", t.mz, limit * size},
+          {"ELAST.EN.", t.elastic_energy},
+          {"FRIC.POWER", t.friction, 1e-9},
+          {"FRIC.WORK", t.friction, 1e-9},
+          {"FN/G", t.fn_over_g},
+          {"FX/FSTAT/FN", t.x, 1},
+          {"FS/FSTAT/FN", t.y, 1},
+          {"APPROACH", t.approach},
+          {"PMAX", t.peak_pressure},
+          {"MAX(T1,T2)", t.temperature.value_or(0)},
+          {"NPOT", double(t.potential)},
+          {"NCON", double(t.contact), elements},
+          {"NADH", double(t.adhesion), elements},
+          {"NSLIP", double(t.slip), elements}};
+}
+
+/// The cases of a file, one after the other.
+class WheelFile {
+public:
+  WheelFile(Report& report, std::string name)
+      : report_(report), name_(std::move(name)), printed_(read_contact_output(fs::path(input_folder) / (name_ + ".ref_out"))) {}
+
+  /// False if it was asked to stop.
+  bool run(const Progress& progress) {
+    const fs::path path = fs::path(input_folder) / (name_ + ".inp");
+    std::ifstream in(path);
+    if (!in) throw Error(path.string() + ": cannot be read");
+    contact_program::InputReader reader(in, path.string());
+    contact_program::Run runs;
+    report_.heading(fs::path(name_).filename().string() + ".inp");
+    const auto begin = std::chrono::steady_clock::now();
+    while (const Case* c = reader.next()) {
+      take(*c, runs.run(*c));
+      if (progress && !progress(std::min(1.0, c->number / std::max(1.0, double(printed_.size()))))) return false;
+    }
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    finish();
+    return true;
+  }
+
+private:
+  void take(const Case& c, const Outcome& o) {
+    ++cases_;
+    if (o.kind == Outcome::Kind::refused)
+      for (const auto& reason : o.reasons) ++refused_[reason];
+    if (o.kind != Outcome::Kind::solved || !o.wheel) return;
+    ++solved_;
+    effort_.geometry += o.wheel->effort.geometry;
+    effort_.normal += o.wheel->effort.normal;
+    effort_.tangential += o.wheel->effort.tangential;
+    const auto printed = printed_.find(c.number);
+    if (printed == printed_.end()) return;
+    compare(c.number, "", totals_of(*o.wheel), printed->second.totals);
+    const auto& patches = printed->second.patches;
+    if (patches.size() != o.wheel->patches.size()) {
+      ++other_patches_;
+      report_.line(fmt::format("case {}: {} patches, CONTACT {}", c.number, o.wheel->patches.size(), patches.size()));
+      return;
+    }
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      compare(c.number, patches.size() > 1 ? fmt::format(" of patch {}", k + 1) : "", numbers_of(o.wheel->patches[k]),
+              patches[k]);
+  }
+
+  void compare(int number, const std::string& where, const std::vector<OwnNumber>& ours,
+               const PrintedNumbers& printed) {
+    for (const auto& [name, value, scale] : ours) {
+      const auto found = printed.find(name);
+      if (found == printed.end()) continue;
+      const auto& [theirs, rounding] = found->second;
+      const double difference = std::abs(value - theirs);
+      ++quantities_;
+      const bool equal = difference <= rounding * 1.001;
+      equal_ += equal;
+      const bool near = difference - rounding <= relative_difference * std::max(std::abs(theirs), scale);
+      near_ += near;
+      if (!near) report_.line(fmt::format("case {}: {}{} {:.5g}, CONTACT {:.5g}", number, name, where, value, theirs));
+      if (!equal && near) ++unequal_[name];
+    }
+  }
+
+  void finish() {
+    for (const auto& [reason, count] : refused_)
+      report_.line(fmt::format("not run: {} cases, {}", count, reason));
+    report_.line(fmt::format("{} of {} cases in {:.2f} s: {} analyses of the geometry, {} normal and {} tangential "
+                             "problems",
+                             solved_, cases_, seconds_, effort_.geometry, effort_.normal, effort_.tangential));
+    if (quantities_ == 0) return;
+    std::string names;
+    for (const auto& [name, count] : unequal_) names += fmt::format("{}{} {}", names.empty() ? "" : ", ", count, name);
+    if (!names.empty()) report_.line("near but not equal: " + names);
+    report_.figure("equal to the printed digits", fmt::format("{}", equal_), fmt::format("{}", quantities_),
+                   equal_ >= 0.95 * quantities_);
+    report_.figure("within 1 %", fmt::format("{}", near_), fmt::format("{}", quantities_),
+                   near_ >= 0.99 * quantities_ && other_patches_ == 0);
+  }
+
+  Report& report_;
+  std::string name_;
+  std::map<int, PrintedWheel> printed_;
+  std::map<std::string, int> refused_, unequal_;
+  contact_program::WheelEffort effort_;
+  int cases_ = 0, solved_ = 0, quantities_ = 0, equal_ = 0, near_ = 0, other_patches_ = 0;
+  double seconds_ = 0;
+};
+
+} // namespace
+
+bool run_contact_wheel_rail(const StudyOptions& options, std::ostream& out) {
+  Report report(out, options.figures);
+  if (!fs::exists(input_folder)) {
+    report.line("SKIPPED: the folder of CONTACT's cases is not beside MICROSLIP_REFERENCE_DATA");
+    return true;
+  }
+  double done = 0;
+  for (const char* name : input_files) {
+    const double end = done + 1.0 / std::size(input_files);
+    if (!WheelFile(report, name).run(part_of(options.progress, done, end))) return false;
+    done = end;
+  }
+  return report.all_met();
+}
+
+} // namespace microslip::validation
