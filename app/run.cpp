@@ -173,15 +173,28 @@ private:
 
   /// In CONTACT's own layout.
   void write_texts(const Case& c, const Outcome& outcome) {
-    if (c.digits.matfil != contact_program::Stored::none) write_text(c, "mat", contact_program::mat_text(c, outcome));
+    if (!outcome.wheel) {
+      write_texts(c, outcome, "");
+      return;
+    }
+    char letter = 'a'; // as CONTACT names them, if there are several
+    for (const auto& patch : outcome.wheel->patches) {
+      const bool alone = outcome.wheel->patches.size() == 1;
+      write_texts(patch.contact, *patch.solution, alone ? "" : std::string(1, letter++));
+    }
+  }
+
+  void write_texts(const Case& c, const Outcome& outcome, const std::string& patch) {
+    if (c.digits.matfil != contact_program::Stored::none)
+      write_text(c, patch + ".mat", contact_program::mat_text(c, outcome));
     if (!outcome.interior.empty() && c.subs_file != contact_program::SubsFile::none)
-      write_text(c, "subs", contact_program::subs_text(c, outcome.interior));
+      write_text(c, patch + ".subs", contact_program::subs_text(c, outcome.interior));
   }
 
   /// Beside the result file, numbered as CONTACT does.
-  void write_text(const Case& c, const char* kind, const std::string& text) {
+  void write_text(const Case& c, const std::string& ending, const std::string& text) {
     auto name = output_;
-    OutputFile file(name.replace_extension(fmt::format(".{:04}.{}", c.number, kind)));
+    OutputFile file(name.replace_extension(fmt::format(".{:04}{}", c.number, ending)));
     file.write(text);
     file.commit();
     if (json_) files_.push_back(name.string());

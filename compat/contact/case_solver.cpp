@@ -47,6 +47,16 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   return outcome;
 }
 
+void CaseSolver::move_origin(double dx, double dy) {
+  constexpr double mm = 1e-3;
+  steps_.move_origin(mm * dx, mm * dy);
+  if (!springs_) return;
+  for (Springs* springs : {&springs_->before, &springs_->after}) {
+    springs->grid.x0 += mm * dx;
+    springs->grid.y0 += mm * dy;
+  }
+}
+
 Outcome CaseSolver::run(const Case& c, const Progress& progress) {
   auto reasons = unsupported(c);
   if (reasons.empty() && c.digits.is_skipped()) {

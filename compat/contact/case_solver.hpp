@@ -20,6 +20,9 @@ public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
+  /// The tractions of the last case stay where they are while the frame's origin moves by (-dx, -dy) [mm].
+  void move_origin(double dx, double dy);
+
 private:
   Outcome solve(const Case& c, const Progress& progress);
 

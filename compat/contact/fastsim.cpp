@@ -207,7 +207,9 @@ ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, Con
   ContactStep normal = step;
   normal.frictionless = true;
   ContactStepSolution out = steps.solve(normal);
-  if (step.given) out.normal.elastic_energy = 0;
+  const bool virtual_penetration =
+      c.digits.bound == PressureModel::kik_piotrowski || c.digits.bound == PressureModel::analyn;
+  if (step.given && !virtual_penetration) out.normal.elastic_energy = 0;
   if (out.contact_elements > 0) {
     out.tangential = SimplifiedCase(c, step, out.normal.pressure, out.normal_force, carried).solve();
     if (out.status == Status::ok) out.status = out.tangential.forces.status;

@@ -162,12 +162,89 @@ int RunFile::add_points(const Outcome& outcome) {
   return static_cast<int>(states.size());
 }
 
+namespace {
+
+/// A number of a wheel.
+struct WheelColumn {
+  const char *name, *unit, *description;
+  double (*value)(const WheelOutcome& wheel);
+};
+
+constexpr double mm = 1e-3;
+
+constexpr WheelColumn wheel_columns[] = {
+    {"z", "m", "Z_WS, depth of the wheelset below its nominal place", [](const WheelOutcome& w) { return mm * w.z; }},
+    {"fx_track", "N", "force on the rail, in the track's axes: forward", [](const WheelOutcome& w) { return w.track.force.x; }},
+    {"fy_track", "N", "to the right", [](const WheelOutcome& w) { return w.track.force.y; }},
+    {"fz_track", "N", "down", [](const WheelOutcome& w) { return w.track.force.z; }},
+    {"mx_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.x; }},
+    {"my_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.y; }},
+    {"mz_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.z; }},
+    {"fx_wheelset", "N", "the same force in the wheelset's axes", [](const WheelOutcome& w) { return w.wheelset.force.x; }},
+    {"fy_wheelset", "N", "to the right", [](const WheelOutcome& w) { return w.wheelset.force.y; }},
+    {"fz_wheelset", "N", "down", [](const WheelOutcome& w) { return w.wheelset.force.z; }},
+    {"mx_wheelset", "N m", "moment about the wheel's marker", [](const WheelOutcome& w) { return mm * w.wheelset.moment.x; }},
+    {"my_wheelset", "N m", "moment about the wheel's marker", [](const WheelOutcome& w) { return mm * w.wheelset.moment.y; }},
+    {"mz_wheelset", "N m", "moment about the wheel's marker", [](const WheelOutcome& w) { return mm * w.wheelset.moment.z; }},
+    {"pitch_velocity", "rad/s", "VPITCH_WS", [](const WheelOutcome& w) { return w.vpitch; }},
+    {"rail_deflection_lateral", "m", "to the right, with F = 3", [](const WheelOutcome& w) { return mm * w.dy_rail; }},
+    {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return mm * w.dz_rail; }},
+};
+
+/// A number of the place of a patch.
+struct PlaceColumn {
+  const char *name, *unit, *description;
+  double (*value)(const PatchLocation& location);
+};
+
+constexpr PlaceColumn place_columns[] = {
+    {"x_track", "m", "XCP(TR), reference of a patch in the track's axes", [](const PatchLocation& l) { return mm * l.track.x; }},
+    {"y_track", "m", "YCP(TR)", [](const PatchLocation& l) { return mm * l.track.y; }},
+    {"z_track", "m", "ZCP(TR)", [](const PatchLocation& l) { return mm * l.track.z; }},
+    {"contact_angle", "rad", "DELTCP(TR)", [](const PatchLocation& l) { return l.angle; }},
+    {"y_rail", "m", "YCP(R), in the axes of the rail's profile", [](const PatchLocation& l) { return mm * l.rail.y; }},
+    {"z_rail", "m", "ZCP(R)", [](const PatchLocation& l) { return mm * l.rail.z; }},
+    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile", [](const PatchLocation& l) { return mm * l.wheel.x; }},
+    {"y_wheel", "m", "YCP(W)", [](const PatchLocation& l) { return mm * l.wheel.y; }},
+    {"z_wheel", "m", "ZCP(W)", [](const PatchLocation& l) { return mm * l.wheel.z; }},
+};
+
+} // namespace
+
 void RunFile::add(const Case& c, const Outcome& outcome) {
+  if (!outcome.wheel) {
+    add_contact(c, outcome, {c.number, 0, {}});
+    return;
+  }
+  add_wheel(c, *outcome.wheel);
+  int patch = 0;
+  for (const WheelPatch& p : outcome.wheel->patches) add_contact(p.contact, *p.solution, {c.number, ++patch, p.location});
+}
+
+void RunFile::add_wheel(const Case& c, const WheelOutcome& wheel) {
+  const auto add_count = [&](const char* name, int value, const char* what) {
+    file_.append(std::string("wheels/") + name, std::span<const int>(&value, 1), "-", what);
+  };
+  add_count("case", c.number, "number of the case in the file, from 1");
+  add_count("patches", static_cast<int>(wheel.patches.size()), "contact patches");
+  for (const auto& [name, unit, what, value] : wheel_columns) {
+    const double number = value(wheel);
+    file_.append(std::string("wheels/") + name, std::span<const double>(&number, 1), unit, what);
+  }
+}
+
+void RunFile::add_contact(const Case& c, const Outcome& outcome, const Origin& origin) {
   const bool solved = outcome.kind == Outcome::Kind::solved;
   const auto add_count = [&](const char* name, int value, const char* what) {
     file_.append(std::string("cases/") + name, std::span<const int>(&value, 1), "-", what);
   };
   add_count("line", static_cast<int>(c.line), "line of the input file where the case begins");
+  add_count("number", origin.number, "of the case in the file, from 1");
+  add_count("patch", origin.patch, "contact patch of a wheel, from 1; 0 for a contact of its own");
+  for (const auto& [name, unit, what, value] : place_columns) {
+    const double number = origin.place ? value(*origin.place) : nan;
+    file_.append(std::string("cases/") + name, std::span<const double>(&number, 1), unit, what);
+  }
   add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
   add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0,
             "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction");

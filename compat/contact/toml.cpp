@@ -32,6 +32,7 @@ bool is_plain(const Case& c) {
 void check(const Case& c) {
   const Digits& d = c.digits;
   if (!c.unreadable.empty()) refuse(c.unreadable);
+  if (c.wheel_rail) refuse("MODULE = 1 (wheel on rail)");
   for (const std::string& reason : unsupported(c)) refuse(reason);
   if (d.is_simplified() && d.heat != Heat::none) refuse(written(d.heat) + " (temperatures with FASTSIM or FaStrip)");
   if (d.is_simplified() && d.mater != Bulk::fastsim && d.mater != Bulk::fastrip)

@@ -32,7 +32,20 @@ struct Range {
   }
 };
 
+/// Elements of a size from `start` on, `count` of them, that are to reach from `low` to `high` as well.
+void reach(double low, double high, double size, double& start, int& count) {
+  const int before = std::max(0, static_cast<int>(std::lround((start - low) / size)));
+  const int behind = std::max(0, static_cast<int>(std::lround((high - start) / size)) - count);
+  start -= before * size;
+  count += before + behind;
+}
+
 } // namespace
+
+void cover(PatchFrame& frame, const PatchBox& box) {
+  reach(box.x0, box.x1, frame.dx, frame.x0, frame.mx);
+  reach(box.s0, box.s1, frame.ds, frame.s0, frame.my);
+}
 
 PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,
                          const Discretisation& sizes, GridOrigin origin, double place, int most) {
@@ -45,7 +58,8 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
   f.grid = f.reference;
   double s_grid = f.s_rail;
   if (origin != GridOrigin::reference) {
-    f.grid.origin = f.reference.outer({origin == GridOrigin::fixed ? -(place + whole.x) : 0, -f.s_rail, 0});
+    const double along = origin == GridOrigin::fixed ? place + whole.x : whole.x;
+    f.grid.origin = f.reference.outer({-along, -f.s_rail, 0});
     s_grid = 0;
   }
   const double s_low = rail.nearest_s_at_y(whole.y0) - s_grid, s_high = rail.nearest_s_at_y(whole.y1) - s_grid;

@@ -23,10 +23,18 @@ struct PatchFrame {
   double s1() const { return s0 + my * ds; }
 };
 
+/// A part of a patch's plane, in the coordinates of its elements [mm].
+struct PatchBox {
+  double x0 = 0, x1 = 0, s0 = 0, s1 = 0;
+};
+
+/// Lets the elements reach far enough to cover a box as well.
+void cover(PatchFrame& frame, const PatchBox& box);
+
 /// How the elements of successive cases fit together.
 enum class GridOrigin {
   reference, ///< an element's centre is at the reference
-  moving,    ///< fixed across the rail, along the track with the wheelset: transient rolling
+  moving,    ///< fixed across the rail, and along the track to the wheelset: transient rolling
   fixed,     ///< fixed on the rail: shifts
 };
 

@@ -13,7 +13,6 @@ struct Refusal {
 };
 
 constexpr Refusal refusals[] = {
-    {"C1 = 4, 5", "a wheel on a roller", [](const Case&, const WheelRailData& d) { return d.digits.is_roller(); }},
     {"F = 1", "FX_WS prescribed",
      [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::force_x; }},
     {"F = 2", "MY_WS prescribed, as in CONTACT",
@@ -24,9 +23,10 @@ constexpr Refusal refusals[] = {
      [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::true_slip; }},
     {"D = 4", "conformal contact",
      [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::conformal; }},
-    {"D = 5, 6", "contact search by brute force",
+    {"D = 5, 6", "contact search by brute force on a roller",
      [](const Case&, const WheelRailData& d) {
-       return d.search == ContactSearch::brute_force || d.search == ContactSearch::steep;
+       const bool brute_force = d.search == ContactSearch::brute_force || d.search == ContactSearch::steep;
+       return brute_force && d.digits.is_roller();
      }},
     {"D = 7", "patches at the first point of contact",
      [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::first_point; }},

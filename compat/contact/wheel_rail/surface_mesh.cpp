@@ -5,6 +5,12 @@
 
 namespace microslip::contact_program {
 
+std::pair<double, double> SurfaceMesh::range_of_x() const {
+  const auto [low, high] =
+      std::minmax_element(points_.begin(), points_.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  return {low->x, high->x};
+}
+
 std::optional<double> SurfaceMesh::height(double x, double y) {
   constexpr double slack = 1e-9;
   if (nx_ < 2 || ny_ < 2) return {};

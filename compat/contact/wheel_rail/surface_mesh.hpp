@@ -3,6 +3,7 @@
 #include "microslip/railway/frame.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace microslip::contact_program {
@@ -14,6 +15,9 @@ public:
 
   /// z over (x, y), by Newton's method from the place that was found last; none off the mesh.
   std::optional<double> height(double x, double y);
+
+  /// The least and the greatest x of its points.
+  std::pair<double, double> range_of_x() const;
 
 private:
   const Vec3<double>& point(int i, int j) const { return points_[static_cast<std::size_t>(j) * nx_ + i]; }

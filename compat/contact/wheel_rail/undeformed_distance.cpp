@@ -98,26 +98,70 @@ SurfaceMesh wheel_mesh(const PatchFrame& f, const Placement& p) {
   return SurfaceMesh(behind + ahead + 1, below + above + 1, std::move(points));
 }
 
+/// A roller's surface around a patch, over the points of its profile, in the frame of its elements.
+SurfaceMesh roller_mesh(const PatchFrame& f, const Placement& p) {
+  const ProfileCurve& profile = *p.rail_profile;
+  const double middle = profile.nearest_s_at_y(p.rail.inner(f.reference.origin).y);
+  const double half = 0.55 * f.my * f.ds + std::abs(f.s0 + 0.5 * f.my * f.ds - f.grid.inner(f.reference.origin).y);
+  const std::size_t n = profile.points().size();
+  std::size_t first = 0, last = n - 1;
+  while (first + 2 < n && profile.s_of(first + 1) < middle - half) ++first;
+  while (last > first + 1 && profile.s_of(last - 1) > middle + half) --last;
+  const int below = steps(-f.x0, f.dx) + 2, above = steps(f.x1(), f.dx) + 2;
+  const double sign = p.roller_radius < 0 ? -1 : 1;
+  std::vector<Vec3<double>> points;
+  for (std::size_t k = first; k <= last; ++k) {
+    const ProfilePoint& at = profile.points()[k];
+    const double radius = p.roller_radius - at.z;
+    for (int i = -below; i <= above; ++i) {
+      const double x = f.grid.origin.x + i * f.dx, square = radius * radius - x * x;
+      const double z = p.roller_radius - sign * (square > 0 ? std::sqrt(square) : 0);
+      points.push_back(f.grid.inner(p.rail.outer({x, at.y, z})));
+    }
+  }
+  return SurfaceMesh(below + above + 1, static_cast<int>(last - first + 1), std::move(points));
+}
+
+/// The rail's surface over the elements' plane.
+class RailSurface {
+public:
+  RailSurface(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) : rail_(f, rail) {
+    if (p.on_roller()) roller_ = roller_mesh(f, p);
+  }
+  void go_to_row(double s) { height_ = rail_.at(s); }
+  std::optional<double> height(double x, double s) { return roller_ ? roller_->height(x, s) : height_; }
+  /// Of the row; none beyond the rail.
+  std::optional<double> angle() const { return height_ ? std::optional(rail_.angle()) : std::nullopt; }
+
+private:
+  RailHeights rail_;
+  std::optional<SurfaceMesh> roller_;
+  std::optional<double> height_;
+};
+
 } // namespace
 
 UndeformedDistance undeformed_distance(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) {
   UndeformedDistance h;
-  RailHeights rail_heights(f, rail);
+  RailSurface rail_surface(f, p, rail);
   SurfaceMesh wheel = wheel_mesh(f, p);
   double least = missing, first_angle = 1e30, last_angle = -1e30;
   for (int j = 0; j < f.my; ++j) {
     const double s = f.s0 + (j + 0.5) * f.ds;
-    const auto on_rail = rail_heights.at(s);
+    rail_surface.go_to_row(s);
     bool overlaps = false;
     for (int i = 0; i < f.mx; ++i) {
-      const auto on_wheel = on_rail ? wheel.height(f.x0 + (i + 0.5) * f.dx, s) : std::nullopt;
+      const double x = f.x0 + (i + 0.5) * f.dx;
+      const auto on_rail = rail_surface.height(x, s);
+      const auto on_wheel = on_rail ? wheel.height(x, s) : std::nullopt;
       h.values.push_back(on_wheel ? *on_rail - *on_wheel : missing);
       least = std::min(least, h.values.back());
       overlaps |= h.values.back() < 0;
     }
-    if (!overlaps) continue;
-    first_angle = std::min(first_angle, rail_heights.angle());
-    last_angle = std::max(last_angle, rail_heights.angle());
+    const auto angle = rail_surface.angle();
+    if (!overlaps || !angle) continue;
+    first_angle = std::min(first_angle, *angle);
+    last_angle = std::max(last_angle, *angle);
   }
   for (double& value : h.values) value -= least;
   h.approach = -least;

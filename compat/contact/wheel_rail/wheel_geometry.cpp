@@ -11,6 +11,10 @@ double roll_of(const Frame<double>& frame) {
 
 } // namespace
 
+double place_on_track(const WheelRailData& data) {
+  return data.digits.is_roller() ? 0 : data.position.s;
+}
+
 WheelGeometry::WheelGeometry(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
                              std::shared_ptr<const ProfileCurve> wheel, GridOrigin origin, int most_elements,
                              const RailDeflection& deflection)
@@ -19,7 +23,10 @@ WheelGeometry::WheelGeometry(const WheelRailData& right, std::shared_ptr<const P
   const Placement at_zero = placement(0);
   const Vec3<double>& place = at_zero.rail.origin;
   rail_in_track_ = std::make_shared<ProfileCurve>(rail_->moved(roll_of(at_zero.rail), place.y, place.z));
-  at_zero_ = find_gap_line(at_zero, *rail_in_track_, data_.grid.ds);
+  if (right.search == ContactSearch::brute_force || right.search == ContactSearch::steep)
+    brute_force_.emplace(at_zero, *rail_in_track_, data_.grid, right.search == ContactSearch::steep);
+  else
+    at_zero_ = find_gap_line(at_zero, *rail_in_track_, data_.grid.ds);
 }
 
 Placement WheelGeometry::placement(double z) const {
@@ -27,24 +34,34 @@ Placement WheelGeometry::placement(double z) const {
 }
 
 /// A wheel that is lowered over a prismatic rail has the same locus.
-GapLine WheelGeometry::line(double z) {
-  return at_zero_->lowered(z);
+GapLine WheelGeometry::line(double z) const {
+  return data_.digits.is_roller() ? find_gap_line(placement(z), rail(), data_.grid.ds) : at_zero_->lowered(z);
 }
 
 double WheelGeometry::curvature() const {
-  return 0.5 / data_.wheelset.nominal_radius;
+  const double of_roller = data_.digits.is_roller() ? 0.5 / data_.track.roller_radius : 0;
+  return 0.5 / data_.wheelset.nominal_radius + of_roller;
 }
 
-LeastGap WheelGeometry::least_gap_at_zero() {
-  return least_gap(*at_zero_);
+LeastGap WheelGeometry::least_gap_at_zero() const {
+  return brute_force_ ? brute_force_->least() : least_gap(*at_zero_);
+}
+
+bool WheelGeometry::overlaps() const {
+  return brute_force_ ? brute_force_->overlaps() : at_zero_->overlaps;
+}
+
+std::vector<GapRegion> WheelGeometry::regions(double z) const {
+  if (!brute_force_) return find_regions(line(z), curvature());
+  return brute_force_->regions(z);
 }
 
 std::vector<PatchFrame> WheelGeometry::patches(double z) {
   const Placement placed = placement(z);
   std::vector<PatchFrame> frames;
-  for (const PatchRegion& patch : make_patches(find_regions(line(z), curvature()), data_.grid))
+  for (const PatchRegion& patch : make_patches(regions(z), data_.grid))
     frames.push_back(
-        lay_out_patch(patch, placed, rail(), data_.grid, origin_, data_.position.s, most_elements_));
+        lay_out_patch(patch, placed, rail(), data_.grid, origin_, place_on_track(data_), most_elements_));
   return frames;
 }
 

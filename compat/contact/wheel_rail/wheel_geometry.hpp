@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/contact/wheel_rail/gap_surface.hpp"
 #include "compat/contact/wheel_rail/patch_frame.hpp"
 #include "compat/contact/wheel_rail/undeformed_distance.hpp"
 
@@ -18,16 +19,17 @@ public:
   Placement placement(double z) const;
   const ProfileCurve& rail() const { return *rail_in_track_; }
   /// With the wheelset at Z_WS = 0.
-  LeastGap least_gap_at_zero();
+  LeastGap least_gap_at_zero() const;
   /// The patches with the wheelset at `z`.
   std::vector<PatchFrame> patches(double z);
   UndeformedDistance distance(const PatchFrame& frame, double z) const {
     return undeformed_distance(frame, placement(z), rail());
   }
-  bool overlaps() const { return at_zero_->overlaps; }
+  bool overlaps() const;
 
 private:
-  GapLine line(double z);
+  GapLine line(double z) const;
+  std::vector<GapRegion> regions(double z) const;
   double curvature() const;
 
   const WheelRailData& data_;
@@ -36,7 +38,11 @@ private:
   int most_elements_;
   RailDeflection deflection_;
   std::shared_ptr<const ProfileCurve> rail_in_track_;
-  std::optional<GapLine> at_zero_; ///< the gap with Z_WS = 0
+  std::optional<GapLine> at_zero_; ///< the gap with Z_WS = 0,
+  std::optional<GapSurface> brute_force_; ///< or that over the whole surface
 };
+
+/// S_WS; rollers have none.
+double place_on_track(const WheelRailData& data);
 
 } // namespace microslip::contact_program

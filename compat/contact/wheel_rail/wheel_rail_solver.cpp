@@ -59,6 +59,22 @@ double hertzian_depth(const Case& c, const LeastGap& gap, double force) {
   return depth / std::max(0.5, std::cos(gap.angle));
 }
 
+/// Around the elements in contact [mm].
+std::optional<PatchBox> contact_box(const Outcome& o) {
+  constexpr double per_m = 1e3;
+  const ElementGrid& g = o.step.grid;
+  int i0 = g.mx, i1 = -1, j0 = g.my, j1 = -1;
+  for (int j = 0; j < g.my; ++j)
+    for (int i = 0; i < g.mx; ++i) {
+      if (!(o.solution.normal.pressure[static_cast<std::size_t>(j) * g.mx + i] > 0)) continue;
+      i0 = std::min(i0, i), i1 = std::max(i1, i);
+      j0 = std::min(j0, j), j1 = std::max(j1, j);
+    }
+  if (i1 < 0) return {};
+  return PatchBox{per_m * (g.x(i0) - g.dx / 2), per_m * (g.x(i1) + g.dx / 2), per_m * (g.y(j0) - g.dy / 2),
+                  per_m * (g.y(j1) + g.dy / 2)};
+}
+
 void append_new(std::vector<std::string>& to, const std::vector<std::string>& from) {
   for (const auto& text : from)
     if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
@@ -100,17 +116,50 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   const Case right = right_hand(c);
   const WheelRailData& data = *right.wheel_rail;
   effort_ = {};
-  is_first_ = true;
   if (c.digits.pvtime == Continuation::nothing) tracks_.clear();
   for (Track& track : tracks_) track.is_new = true;
+  move_origins(origin_of(c.digits));
   WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
                          origin_of(c.digits), c.solver.npot_max);
   if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
   Outcome outcome = c.digits.norm == Normal::force ? find_height(right, geometry, progress)
                                                    : solve_at(right, geometry, data.position.z, progress);
-  if (outcome.wheel) finish(c, *outcome.wheel, progress);
+  if (outcome.wheel) {
+    last_z_ = outcome.wheel->z;
+    remember(*outcome.wheel, frames_, place_on_track(data), origin_of(c.digits));
+    finish(c, *outcome.wheel, progress);
+  }
   append_new(outcome.notes, left_out_of_wheel(c));
   return outcome;
+}
+
+/// What the next case may go on from.
+void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<PatchFrame>& frames, double place,
+                               GridOrigin origin) {
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    Track& track = tracks_[k];
+    track.origin = origin;
+    track.x = frames[k].reference.origin.x;
+    track.place = place + track.x;
+    track.s_rail = frames[k].s_rail;
+    track.dx = frames[k].dx;
+    track.ds = frames[k].ds;
+    track.contact = contact_box(*wheel.patches[k].solution);
+  }
+}
+
+/// Tractions of elements about the reference, as seen from where shifts and transient rolling count from.
+void WheelRailSolver::move_origins(GridOrigin origin) {
+  if (origin == GridOrigin::reference) return;
+  for (Track& track : tracks_) {
+    if (track.origin != GridOrigin::reference) continue;
+    const double along = origin == GridOrigin::fixed ? track.place : track.x;
+    const double dx = track.dx * std::round(along / track.dx);
+    const double ds = track.ds * std::round(track.s_rail / track.ds);
+    track.solver->move_origin(dx, ds);
+    if (track.contact)
+      track.contact = {track.contact->x0 + dx, track.contact->x1 + dx, track.contact->s0 + ds, track.contact->s1 + ds};
+  }
 }
 
 /// Fields inside the bodies at the final height, and what was found of a left wheel's mirror image for the wheel.
@@ -173,9 +222,11 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
 
 Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress) {
   ++effort_.geometry;
-  const auto frames = geometry.patches(z);
+  auto frames = geometry.patches(z);
   const Placement placement = geometry.placement(z);
   follow(frames);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    if (right.digits.pvtime != Continuation::nothing && tracks_[k].contact) cover(frames[k], *tracks_[k].contact);
   Outcome outcome;
   WheelOutcome wheel;
   wheel.z = z;
@@ -195,6 +246,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     if (outcome.solution.status == Status::ok) outcome.solution.status = o.solution.status;
   }
   outcome.wheel = std::move(wheel);
+  frames_ = std::move(frames);
   return outcome;
 }
 
@@ -205,7 +257,8 @@ Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry,
   ++effort_.geometry;
   ForceSearch search(target, gap.gap);
   constexpr int most_steps = 60;
-  double z = gap.gap + hertzian_depth(right, gap, target);
+  const bool goes_on_from_last = last_z_ && right.digits.iestim != InitialGuess::nothing;
+  double z = goes_on_from_last ? *last_z_ : gap.gap + hertzian_depth(right, gap, target);
   for (int k = 0; k < most_steps; ++k) {
     Outcome outcome = solve_at(right, geometry, z, progress);
     if (outcome.kind != Outcome::Kind::solved) return outcome;

@@ -20,6 +20,9 @@ public:
   /// motion's progress function returns false; the sequence then is as it was.
   ContactStepSolution solve(const ContactStep& step);
 
+  /// The tractions of the last steps stay where they are while the frame's origin moves by (-dx, -dy) [m].
+  void move_origin(double dx, double dy);
+
 private:
   struct State {
     ElementGrid grid;

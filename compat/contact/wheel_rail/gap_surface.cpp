@@ -1,0 +1,168 @@
+#include "compat/contact/wheel_rail/gap_surface.hpp"
+
+#include "compat/contact/wheel_rail/surface_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace microslip::contact_program {
+namespace {
+
+constexpr double missing = 999, beyond = 777;
+
+/// The lower side of a round wheel, in the track's axes: `slices` across at the points of its profile.
+SurfaceMesh lower_side(const Placement& p, int slices, double half) {
+  const auto& profile = p.wheel_profile->points();
+  std::vector<Vec3<double>> points;
+  for (const ProfilePoint& at : profile)
+    for (int i = 0; i < slices; ++i) {
+      const double x = half * (2.0 * i / (slices - 1) - 1), radius = p.radius + at.z, square = radius * radius - x * x;
+      points.push_back(p.wheel.outer({x, at.y, (square > 0 ? std::sqrt(square) : 0) - p.radius}));
+    }
+  return SurfaceMesh(slices, static_cast<int>(profile.size()), std::move(points));
+}
+
+} // namespace
+
+GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Discretisation& sizes, bool steep)
+    : dx_(sizes.dx) {
+  constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
+  const double half = p.radius * (p.radius < small_wheel || steep ? wide : narrow);
+  int slices = static_cast<int>(std::lround(2 * half / (1.5 * sizes.dx) + 2));
+  slices += slices % 2 == 0;
+  SurfaceMesh wheel = lower_side(p, slices, half);
+  const auto [first, last] = wheel.range_of_x();
+  nx_ = slices;
+  for (int i = 0; i < nx_; ++i) x_.push_back(first + i * (last - first) / (nx_ - 1));
+  const auto& points = rail.points();
+  const double y0 = points[1].y, y1 = points[points.size() - 2].y, dy = (steep ? 0.3 : 0.75) * sizes.ds;
+  ny_ = static_cast<int>(std::floor((y1 - y0) / dy + 1e-9)) + 1;
+  for (int j = 0; j < ny_; ++j) {
+    y_.push_back(y0 + j * dy);
+    const auto s = rail.s_at_y(y_.back());
+    const CurvePoint on_rail = s ? rail.at(*s) : CurvePoint();
+    z_rail_.push_back(s ? on_rail.value.z : missing);
+    angle_.push_back(std::atan2(on_rail.first.z, on_rail.first.y));
+    for (int i = 0; i < nx_; ++i) {
+      const auto on_wheel = s ? wheel.height(x_[static_cast<std::size_t>(i)], y_.back()) : std::nullopt;
+      gap_.push_back(on_wheel ? on_rail.value.z - *on_wheel : missing);
+      overlaps_ |= on_wheel.has_value();
+    }
+  }
+}
+
+LeastGap GapSurface::least() const {
+  const auto at = static_cast<int>(std::min_element(gap_.begin(), gap_.end()) - gap_.begin());
+  const int i = at % nx_, j = at / nx_;
+  LeastGap least{gap(i, j), angle_[static_cast<std::size_t>(j)], z_rail_[static_cast<std::size_t>(j)] - gap(i, j), 0};
+  const int k = std::clamp(j, 1, ny_ - 2), n = std::min({3, k, ny_ - 1 - k});
+  const double step = y_[static_cast<std::size_t>(k + n)] - y_[static_cast<std::size_t>(k)];
+  least.curvature = (gap(i, k + n) + gap(i, k - n) - 2 * gap(i, k)) / (2 * step * step);
+  return least;
+}
+
+/// Points below their four neighbours, with overlap; those of a plateau count once.
+std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
+  constexpr double plateau = 1e-6;
+  std::vector<std::pair<int, int>> found;
+  std::vector<char> mask(gap_.size(), 0);
+  for (int i = 0; i < nx_; ++i)
+    for (int j = 0; j < ny_; ++j) {
+      const double here = gap(i, j);
+      bool is_minimum = here < depth && here < beyond;
+      const auto compare = [&](int other_i, int other_j, bool before) {
+        if (!is_minimum || other_i < 0 || other_i >= nx_ || other_j < 0 || other_j >= ny_) return;
+        const double other = gap(other_i, other_j);
+        if (mask[static_cast<std::size_t>(other_j) * nx_ + other_i] && std::abs(other - here) < plateau) {
+          mask[static_cast<std::size_t>(j) * nx_ + i] = 1;
+          is_minimum = false;
+        } else if (before ? other <= here : other < here) {
+          is_minimum = false;
+        }
+      };
+      compare(i, j - 1, true);
+      compare(i, j + 1, false);
+      compare(i - 1, j, true);
+      compare(i + 1, j, false);
+      if (!is_minimum) continue;
+      found.emplace_back(i, j);
+      mask[static_cast<std::size_t>(j) * nx_ + i] = 1;
+    }
+  std::stable_sort(found.begin(), found.end(), [this](const auto& a, const auto& b) {
+    return gap(a.first, a.second) < gap(b.first, b.second);
+  });
+  return found;
+}
+
+/// Grown as long as there is overlap beside it, corners included; then by a row and a column on each side.
+GapSurface::Box GapSurface::box_around(int i, int j, double depth) const {
+  Box box{i, i, j, j};
+  const auto any = [&](int i0, int i1, int j0, int j1) {
+    if (i0 < 0 || j0 < 0 || i1 >= nx_ || j1 >= ny_) {
+      i0 = std::max(i0, 0), j0 = std::max(j0, 0);
+      i1 = std::min(i1, nx_ - 1), j1 = std::min(j1, ny_ - 1);
+    }
+    for (int b = j0; b <= j1; ++b)
+      for (int a = i0; a <= i1; ++a)
+        if (gap(a, b) < depth) return true;
+    return false;
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    const auto grow = [&](int& side, int by, bool along_x) {
+      while (along_x ? side + by >= 0 && side + by < nx_ : side + by >= 0 && side + by < ny_) {
+        const bool overlap = along_x ? any(side + by, side + by, box.j0 - 1, box.j1 + 1)
+                                     : any(box.i0 - 1, box.i1 + 1, side + by, side + by);
+        if (!overlap) return;
+        side += by;
+        grows = true;
+      }
+    };
+    grow(box.i0, -1, true);
+    grow(box.i1, 1, true);
+    grow(box.j0, -1, false);
+    grow(box.j1, 1, false);
+  }
+  return {std::max(box.i0 - 1, 0), std::min(box.i1 + 1, nx_ - 1), std::max(box.j0 - 1, 0),
+          std::min(box.j1 + 1, ny_ - 1)};
+}
+
+GapRegion GapSurface::region(const Box& box, double depth) const {
+  GapRegion r;
+  for (int j = box.j0; j <= box.j1; ++j)
+    for (int i = box.i0; i <= box.i1; ++i) {
+      const double overlap = depth - gap(i, j);
+      if (!(overlap > 0)) continue;
+      const double weight = dx_ * std::max(overlap * overlap, 1e-10);
+      r.x += weight * x_[static_cast<std::size_t>(i)];
+      r.y += weight * y_[static_cast<std::size_t>(j)];
+      r.angle += weight * angle_[static_cast<std::size_t>(j)];
+      r.weight += weight;
+    }
+  r.x /= r.weight;
+  r.y /= r.weight;
+  r.angle /= r.weight;
+  const auto along = [&](int i) { return x_[static_cast<std::size_t>(i)]; };
+  const auto across = [&](int j) { return static_cast<std::size_t>(j); };
+  r.x0 = along(box.i0);
+  r.x1 = along(box.i1);
+  r.y0 = y_[across(box.j0)];
+  r.y1 = y_[across(box.j1)];
+  r.z0 = z_rail_[across(box.j0)];
+  r.z1 = z_rail_[across(box.j1)];
+  return r;
+}
+
+std::vector<GapRegion> GapSurface::regions(double depth) const {
+  std::vector<Box> taken;
+  std::vector<GapRegion> found;
+  for (const auto& [i, j] : minima(depth)) {
+    if (std::any_of(taken.begin(), taken.end(), [i = i, j = j](const Box& b) { return b.holds(i, j); })) continue;
+    taken.push_back(box_around(i, j, depth));
+    found.push_back(region(taken.back(), depth));
+  }
+  return found;
+}
+
+} // namespace microslip::contact_program

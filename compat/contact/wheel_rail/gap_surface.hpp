@@ -1,0 +1,41 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/gap_regions.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace microslip::contact_program {
+
+/// The gap between wheel and rail over the whole of the wheel's lower side, seen from above: CONTACT's search by brute
+/// force, on a grid of 1.5 DX by .75 DS, or for steep slopes of .3 DS.
+class GapSurface {
+public:
+  /// With the wheelset at Z_WS = 0, over a rail that is the same all along. `rail` in track coordinates.
+  GapSurface(const Placement& placement, const ProfileCurve& rail, const Discretisation& sizes, bool steep);
+
+  bool overlaps() const { return overlaps_; }
+  LeastGap least() const;
+  /// With the wheelset lower by `depth` [mm], from the deepest one on.
+  std::vector<GapRegion> regions(double depth) const;
+
+private:
+  struct Box {
+    int i0, i1, j0, j1;
+    bool holds(int i, int j) const { return i >= i0 && i <= i1 && j >= j0 && j <= j1; }
+  };
+
+  double gap(int i, int j) const { return gap_[static_cast<std::size_t>(j) * nx_ + i]; }
+  std::vector<std::pair<int, int>> minima(double depth) const;
+  Box box_around(int i, int j, double depth) const;
+  GapRegion region(const Box& box, double depth) const;
+
+  int nx_ = 0, ny_ = 0;
+  double dx_ = 0; ///< of the elements
+  std::vector<double> x_, y_;
+  std::vector<double> z_rail_, angle_; ///< over y
+  std::vector<double> gap_;            ///< x fastest
+  bool overlaps_ = false;
+};
+
+} // namespace microslip::contact_program
