@@ -1,6 +1,7 @@
 #include "compat/contact/input.hpp"
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/support.hpp"
+#include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>
@@ -16,10 +17,20 @@ namespace {
 using namespace microslip;
 using namespace microslip::contact_program;
 
+/// What holds for every wheel on a rail.
+bool is_sound(const WheelRailData& d, const FrictionData& friction) {
+  const bool has_stations = friction.stations.empty() ? friction.sets.size() == 1
+                                                      : friction.stations.size() == friction.sets.size();
+  return has_stations && d.grid.dx > 0 && d.grid.ds > 0 && d.grid.d_comb <= d.grid.d_sep && !d.rail.file.empty() &&
+         !d.wheel.file.empty() && d.wheelset.nominal_radius > 0 && d.search != ContactSearch::keep &&
+         d.search != ContactSearch::form && std::isfinite(d.position.z);
+}
+
 /// What holds for every case that the reader hands out.
 bool is_sound(const Case& c) {
-  if (!c.unreadable.empty()) return c.number > 0;
-  if (!c.material || !c.potential || c.friction.sets.empty()) return false;
+  if (!c.material || c.friction.sets.empty() || c.friction.law == Law::keep) return false;
+  if (c.wheel_rail) return is_sound(*c.wheel_rail, c.friction);
+  if (!c.potential) return false;
   const PotentialContact& p = *c.potential;
   const std::size_t count = static_cast<std::size_t>(p.mx) * static_cast<std::size_t>(p.my);
   const bool has_heights = p.is_hertzian() || c.geometry.base != Base::by_element || c.geometry.values.size() == count;
@@ -31,6 +42,10 @@ bool is_sound(const Case& c) {
 /// A case on a small grid is a problem that makes sense, or is refused.
 void set_up(const Case& c) {
   constexpr int small = 64;
+  if (c.wheel_rail) { // without its profiles nothing more can be said
+    unsupported_of_wheel(c);
+    return;
+  }
   if (!unsupported(c).empty() || c.potential->mx > small || c.potential->my > small) return;
   try {
     const ContactStep step = contact_step(c);

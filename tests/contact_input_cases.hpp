@@ -23,6 +23,24 @@ inline const std::string first_shift = R"( 3 MODULE
  .01 0 .01 0 0 0
 )";
 
+/// A right wheel on a rail with its height given.
+inline const std::string first_wheel = R"( 1 MODULE
+ 1203000  C-P-B-T-N-F-S
+ 0022033  V-L-D-C-M-Z-E
+ 0000331  H-G-I-A-O-W-R
+ 999 100 30 1 1e-7     MAXGS, MAXIN, MAXNR, MAXOUT, EPS
+ .3 .3                 FSTAT, FKIN
+ .28 .28 82000. 82000. POISS, GG
+ .2 .2 1. 90d 8. 4.    DX, DS, DQREL, A_SEP, D_SEP, D_COMB
+ -1. 200. 0. 0.        GAUGHT, RAILY0, RAILZ0, CANT
+ 'rail.prr' 0 1. 0.    RFNAME, MIRRORY, SCALE, SMOOTH
+ 0 0 0 0 0 0           DY, DZ, ROLL, VY, VZ, VROLL
+ 200. -100. 100.       FBDIST, FBPOS, NOMRAD_W
+ 'wheel.prw' 0 1. 0.   WFNAME, MIRRORY, SCALE, SMOOTH
+ 0 0 .16 0 0 0         S, Y, Z, ROLL, YAW, PITCH
+ 100. 0 0 0 0 -1.      VS, VY, VZ, VROLL, VYAW, VPITCH
+)";
+
 /// A text with C = 2 made one with C = 4, which is refused.
 inline std::string with_corrected_coefficients(std::string text) {
   const std::string digits = "022020", material = ".42 .42 200. 200.";

@@ -252,18 +252,15 @@ TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
   EXPECT_EQ(cases[0].extra_slip.size(), 12u);
 }
 
-TEST(ContactInputFile, OtherModulesAreHandedOutAsUnreadable) {
-  const std::string wheel = " 1 MODULE\n 0203100\n 'a.prr' 0 1\n 3.5 4\n";
+TEST(ContactInputFile, SequencesOfBothModulesKnowNothingOfEachOther) {
   const std::string kept = " 3 MODULE\n 001110\n 100000\n 0100331\n 9. -.4 0 0\n";
-  const auto cases = read(wheel + first_shift + wheel + kept + first_shift + kept + " 0 MODULE\n");
-  ASSERT_EQ(cases.size(), 6u);
-  EXPECT_EQ(cases[0].unreadable, "MODULE = 1 (wheel on rail)");
-  EXPECT_EQ(cases[1].unreadable, "");
+  const auto cases = read(first_shift + first_wheel + kept + " 0 MODULE\n");
+  ASSERT_EQ(cases.size(), 3u);
+  EXPECT_FALSE(cases[0].wheel_rail);
+  EXPECT_TRUE(cases[1].wheel_rail);
   EXPECT_EQ(cases[2].number, 3);
-  EXPECT_EQ(cases[3].unreadable, "it keeps what case 3 has changed, which cannot be run");
-  EXPECT_EQ(cases[4].unreadable, "");
-  EXPECT_EQ(cases[5].unreadable, "");
-  EXPECT_EQ(cases[5].x, -0.4);
+  EXPECT_EQ(cases[2].x, -0.4);
+  EXPECT_EQ(cases[2].friction.sets[0][0], 0.4);
 }
 
 } // namespace

@@ -111,16 +111,5 @@ TEST(ContactWords, ControlIntegersAreRightAligned) {
   EXPECT_THROW(read("2031.0"), Error);
 }
 
-TEST(ContactWords, FindsTheNextModule) {
-  with_words("1 2 3 rest\n 3 modul\n x 3 MODULE\n % 3 MODULE\n 3 Module % next\n 7", [](Words& words) {
-    words.real("X");
-    EXPECT_TRUE(words.skip_to_module());
-    EXPECT_EQ(words.line(), 5u);
-    EXPECT_EQ(words.integer("MODULE", 0, 3), 3);
-    EXPECT_FALSE(words.skip_to_module());
-    return 0;
-  });
-}
-
 } // namespace
 } // namespace microslip::contact_program

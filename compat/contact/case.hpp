@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -69,8 +68,6 @@ struct Case {
   int number = 0;                        ///< in the file, from 1
   std::size_t line = 0;                  ///< where it begins
   std::pair<int, int> sequence = {1, 1}; ///< RE and CP: sequences that know nothing of each other
-  /// Why the reader could not take it; then nothing else is known.
-  std::string unreadable = {};
 
   Digits digits = {};
   double normal = 0;             ///< PEN [mm] or FN [N]

@@ -3,6 +3,9 @@
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/support.hpp"
 #include "microslip/error.hpp"
+#include "microslip/exact/halfspace/surface_operator.hpp"
+
+#include <tuple>
 
 namespace microslip::contact_program {
 
@@ -24,6 +27,25 @@ int element_state(const Outcome& outcome, std::size_t element) {
   return outcome.solution.tangential.state[element] == CellState::adhesion ? 1 : 2;
 }
 
+namespace {
+
+/// With all of what elements do to each other, where the problem was solved with less of it: as CONTACT counts it.
+double half_space_energy(const ContactStep& step, const ContactStepSolution& s) {
+  const ElementGrid& grid = step.grid;
+  std::vector<double> u(grid.count()), ux(grid.count()), uy(grid.count());
+  NormalOperator(step.bodies.material, grid).apply(s.normal.pressure, u);
+  double sum = 0;
+  for (std::size_t k = 0; k < u.size(); ++k) sum += s.normal.pressure[k] * u[k];
+  if (!step.frictionless) {
+    const auto& [px, py] = std::tie(s.tangential.tractions.px, s.tangential.tractions.py);
+    TangentialOperator::displacement(step.bodies, grid).apply(px, py, ux, uy);
+    for (std::size_t k = 0; k < u.size(); ++k) sum += px[k] * ux[k] + py[k] * uy[k];
+  }
+  return 0.5 * sum * grid.element_area();
+}
+
+} // namespace
+
 Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   Outcome outcome;
   outcome.step = contact_step(c);
@@ -35,6 +57,8 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   if (c.digits.is_simplified()) springs_ = std::move(springs);
   if (outcome.step.frictionless) springs_ = CarriedSprings();
   outcome.totals = printed_totals(c, outcome.step, outcome.solution);
+  if (outcome.step.response.patches.count > 1)
+    outcome.totals.elastic_energy = half_space_energy(outcome.step, outcome.solution);
   outcome.temperature = temperatures_of(outcome.step, outcome.solution);
   if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
   outcome.interior = interior_blocks(c, outcome.step, outcome.solution, interior_, progress);

@@ -200,6 +200,13 @@ private:
   GridRolling rolling_ = {};
 };
 
+/// Half the tractions' work on the springs.
+double spring_energy(const ElementGrid& grid, const TangentialSolution& s) {
+  double sum = 0;
+  for (std::size_t k = 0; k < s.ux.size(); ++k) sum += s.tractions.px[k] * s.ux[k] + s.tractions.py[k] * s.uy[k];
+  return 0.5 * sum * grid.element_area();
+}
+
 } // namespace
 
 ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,
@@ -212,6 +219,7 @@ ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, Con
   if (step.given && !virtual_penetration) out.normal.elastic_energy = 0;
   if (out.contact_elements > 0) {
     out.tangential = SimplifiedCase(c, step, out.normal.pressure, out.normal_force, carried).solve();
+    if (virtual_penetration) out.tangential.elastic_energy = spring_energy(step.grid, out.tangential);
     if (out.status == Status::ok) out.status = out.tangential.forces.status;
     const auto& state = out.tangential.state;
     out.adhesion_elements = static_cast<int>(std::count(state.begin(), state.end(), CellState::adhesion));

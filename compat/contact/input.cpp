@@ -25,16 +25,13 @@ const Case* InputReader::next() {
   now_ = &sequences_[{module_, sequence_}];
   Case& c = now_->last;
   c.number = ++cases_;
-  c.line = lost_.line = words_.line();
+  c.line = words_.line();
   c.sequence = sequence_;
-  c.unreadable.clear();
   if (module_ == 1)
     WheelRailReader(words_, folder_.string(), *now_).read();
   else
     read_case(c);
-  if (!c.unreadable.empty()) return give_up(c.unreadable);
   now_->has_case = true;
-  now_->lost = 0;
   in_module_ = c.digits.stays_in_module();
   return &c;
 }
@@ -52,27 +49,9 @@ int InputReader::read_module() {
   return module;
 }
 
-/// A case that cannot be read; later cases of its sequence may keep something of it.
-const Case* InputReader::give_up(const std::string& why) {
-  const auto line = lost_.line;
-  lost_ = {};
-  lost_.line = line;
-  lost_.number = cases_;
-  lost_.sequence = sequence_;
-  lost_.unreadable = why;
-  now_->lost = cases_;
-  in_module_ = false;
-  ended_ = !words_.skip_to_module();
-  return &lost_;
-}
-
 void InputReader::read_case(Case& c) {
   c.digits = read_digits(words_, now_->has_damping ? Damping::keep : Damping::none);
   check_digits(c);
-  if (keeps_lost(c)) {
-    c.unreadable = "it keeps what case " + std::to_string(now_->lost) + " has changed, which cannot be run";
-    return;
-  }
   check_kept(c);
   read_solver(words_, c.digits.gausei, c.solver);
   now_->has_solver = true;
@@ -90,7 +69,6 @@ void InputReader::read_case(Case& c) {
   if (c.digits.heat == Heat::read) c.heat = read_heat(words_, c.digits.mater);
   read_potential(c);
   read_geometry(c);
-  if (!c.unreadable.empty()) return;
   read_friction_by_rows(c);
   read_extra_slip(c);
   read_points(words_, c);
@@ -102,14 +80,6 @@ void InputReader::check_digits(const Case& c) {
   if (d.heat != Heat::none && d.has_history()) words_.fail("digit H", number(d.heat), "must be 0 with T = 1 or 2");
   if (d.mater == Bulk::viscoelastic && d.has_history())
     words_.fail("digit M", number(d.mater), "must go with T = 3 (or 0)");
-}
-
-/// Whether it keeps something that a case has changed which could not be read.
-bool InputReader::keeps_lost(const Case& c) const {
-  const Digits& d = c.digits;
-  return now_->lost > 0 &&
-         (d.gausei == SolverChoice::keep || d.frclaw == Law::keep || !d.reads_material() ||
-          d.discns != GridSource::read || d.exrhs == ExtraSlip::keep || d.heat == Heat::keep || keeps_points(d));
 }
 
 /// What is to be kept must be there. The first case of a sequence cannot continue anything.
@@ -234,11 +204,6 @@ void InputReader::read_potential(Case& c) {
 bool InputReader::keeps_geometry(Case& c) {
   const DistanceSource digit = c.digits.rznorm;
   if (digit == DistanceSource::read) return false;
-  if (now_->lost > 0) {
-    c.unreadable = "it keeps the undeformed distance that case " + std::to_string(now_->lost) +
-                   " has changed, which cannot be run";
-    return true;
-  }
   now_->need(words_, true, now_->has_geometry, written(digit), "the undeformed distance");
   if (c.geometry.base == Base::by_element && c.geometry.values.size() != c.potential->elements())
     words_.fail("case " + std::to_string(c.number) + ": digit " + written(digit) +

@@ -32,10 +32,8 @@ public:
 
 private:
   int read_module();
-  const Case* give_up(const std::string& why);
   void read_case(Case& c);
   void check_digits(const Case& c);
-  bool keeps_lost(const Case& c) const;
   void check_kept(Case& c);
   void read_kinematics(Case& c);
   void read_friction(Case& c);
@@ -58,7 +56,6 @@ private:
   std::pair<int, int> sequence_ = {1, 1};
   int module_ = 0, cases_ = 0;
   bool in_module_ = false, ended_ = false, complete_ = false;
-  Case lost_;
 };
 
 } // namespace microslip::contact_program

@@ -14,7 +14,6 @@ namespace microslip::contact_program {
 struct CaseSequence {
   Case last = {};
   bool has_case = false, has_solver = false, has_friction = false, has_geometry = false, has_damping = false;
-  int lost = 0; ///< number of a later case that could not be read
 
   /// Throws Error for a digit that keeps something which is not there.
   void need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const;

@@ -96,7 +96,6 @@ bool covers_less(const InfluenceTable& table, const ElementGrid& grid) {
 } // namespace
 
 std::vector<std::string> unsupported(const Case& c) {
-  if (!c.unreadable.empty()) return {c.unreadable};
   std::vector<std::string> reasons;
   for (const auto& [digit, meaning, applies] : refusals)
     if (applies(c)) reasons.push_back(std::string(digit) + " (" + meaning + ")");

@@ -31,7 +31,6 @@ bool is_plain(const Case& c) {
 /// What no case file can say.
 void check(const Case& c) {
   const Digits& d = c.digits;
-  if (!c.unreadable.empty()) refuse(c.unreadable);
   if (c.wheel_rail) refuse("MODULE = 1 (wheel on rail)");
   for (const std::string& reason : unsupported(c)) refuse(reason);
   if (d.is_simplified() && d.heat != Heat::none) refuse(written(d.heat) + " (temperatures with FASTSIM or FaStrip)");

@@ -85,12 +85,6 @@ std::optional<int> to_integer(std::string_view word) {
   return value;
 }
 
-bool says_module(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text.find("MODULE") != std::string::npos;
-}
-
 } // namespace
 
 Words::Words(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
@@ -247,15 +241,6 @@ int Words::optional_integer(std::string_view field, int fallback, int low, int h
 
 void Words::end_record() {
   next_ = words_.size();
-}
-
-bool Words::skip_to_module() {
-  for (end_record(); fill(); end_record()) {
-    if (next_ != 0 || words_[0].quoted || !to_integer(words_[0].text)) continue;
-    if (std::any_of(words_.begin() + 1, words_.end(), [](const Word& word) { return says_module(word.text); }))
-      return true;
-  }
-  return false;
 }
 
 void Words::fail(const std::string& message) const {

@@ -46,10 +46,6 @@ public:
   void end_record();
   /// Drops so many lines after the last value's, whatever they are. Throws Error at the end of the file.
   void skip_lines(int count);
-  /// Drops lines up to the next one that names a module: a whole number and the word MODULE in any case. False if there
-  /// is none.
-  bool skip_to_module();
-
   /// Throws Error with file and the line of the last value.
   [[noreturn]] void fail(const std::string& message) const;
   /// The same for a field and its value.

@@ -34,7 +34,7 @@ SurfaceMotion rail_motion(const WheelRailData& d, const Placement& p, const Vec&
   Vec rotation{r.vroll, 0, 0};
   Vec velocity{0, r.vy, r.vz};
   if (p.on_roller()) {
-    const Vec axle = {0, 0, p.rail.origin.z + p.roller_radius};
+    const Vec axle = {0, 0, p.roller_radius}; // wherever the roller's profile lies
     const Vec spin{0, d.velocity.vs, 0};
     return {velocity + cross(rotation, arm) + cross(spin, at - axle), rotation + spin};
   }

@@ -1,0 +1,132 @@
+// The grammar of module 1 of CONTACT's input files.
+
+#include "compat/contact/input.hpp"
+#include "microslip/error.hpp"
+#include "tests/contact_input_cases.hpp"
+
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip::contact_program {
+namespace {
+
+std::vector<Case> read(const std::string& text) {
+  std::istringstream stream(text);
+  InputReader reader(stream, "folder/a.inp");
+  std::vector<Case> cases;
+  while (const Case* c = reader.next()) cases.push_back(*c);
+  return cases;
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+void expect_message(const std::string& text, const std::string& message) {
+  try {
+    read(text);
+    ADD_FAILURE() << "no Error: " << message;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), message);
+  }
+}
+
+TEST(ContactWheelInput, ReadsARecordPerConcept) {
+  const Case c = read(first_wheel).at(0);
+  const WheelRailData& d = *c.wheel_rail;
+  EXPECT_EQ(d.digits.config, Config::right_on_track);
+  EXPECT_EQ(d.search, ContactSearch::locus);
+  EXPECT_EQ(d.grid.dx, 0.2);
+  EXPECT_DOUBLE_EQ(d.grid.a_sep, std::numbers::pi / 2);
+  EXPECT_EQ(d.grid.d_turn, 12) << "2 D_SEP - D_COMB";
+  EXPECT_EQ(d.grid.g_miss, -1);
+  EXPECT_FALSE(d.track.by_gauge());
+  EXPECT_EQ(d.track.rail_y0, 200);
+  EXPECT_EQ(d.rail.file, "folder/rail.prr");
+  EXPECT_EQ(d.wheelset.flange_back_position, -100);
+  EXPECT_EQ(d.position.z, 0.16);
+  EXPECT_EQ(d.velocity.vpitch, -1);
+  EXPECT_EQ(c.solver.npot_max, 2000000);
+  EXPECT_EQ(c.digits.norm, Normal::approach);
+}
+
+TEST(ContactWheelInput, ReadsWhatIsOptional) {
+  std::string text = with(first_wheel, "1e-7     MAXGS", "1e-7 5000 MAXGS");
+  text = with(text, "8. 4.    DX", "8. 4. 10. .1 DX");
+  text = with(text, "-1. 200. 0. 0.   ", "14. 0 1435. 2.5d 1e-6");
+  text = with(text, "'rail.prr' 0 1. 0.    RFNAME", "'rail.prr' 1 2. 3. -1 2 RFNAME\n 1 140d 25d 4d 1.5\n -1 .25 %");
+  text = with(text, "100.       FBDIST", "100. -3. FBDIST");
+  const WheelRailData d = *read(text).at(0).wheel_rail;
+  EXPECT_EQ(read(text).at(0).solver.npot_max, 5000);
+  EXPECT_EQ(d.grid.d_turn, 10);
+  EXPECT_EQ(d.grid.g_miss, 0.1);
+  EXPECT_DOUBLE_EQ(d.track.cant, 2.5 * std::numbers::pi / 180);
+  EXPECT_EQ(d.track.curvature, 1e-6);
+  EXPECT_EQ(d.rail.mirror_y, 1);
+  EXPECT_EQ(d.rail.mirror_z, -1);
+  EXPECT_EQ(d.rail.smoothing, 1);
+  EXPECT_EQ(d.rail.kink_width, 1.5);
+  EXPECT_EQ(d.rail.error_handling, -1);
+  EXPECT_EQ(d.rail.most_omitted, 0.25);
+  EXPECT_EQ(d.wheelset.tape_circle, -3);
+}
+
+TEST(ContactWheelInput, FrictionHasStationsByInclination) {
+  const auto text = with(with(first_wheel, " 0022033", " 1322033"), " .3 .3  ", " 2\n -20d .2 0 1 0 1\n -10d .3 0 1 0 1\n .001 2.");
+  const Case c = read(text).at(0);
+  ASSERT_EQ(c.friction.stations.size(), 2u);
+  EXPECT_DOUBLE_EQ(c.friction.stations[1], -std::numbers::pi / 18);
+  EXPECT_EQ(c.friction.sets[1], (std::vector<double>{0.3, 0, 1, 0, 1, 0.001, 2}));
+}
+
+TEST(ContactWheelInput, LaterCasesKeepWhatTheyDoNotRead) {
+  const std::string moved = " 1 MODULE\n 0203100\n 0111001\n 0100331\n 1. 2. 5e3 0 0 0  Y_WS, FZ\n";
+  const std::string other = " 1 MODULE 2 1\n" + first_wheel.substr(first_wheel.find('\n') + 1);
+  const auto cases = read(first_wheel + moved + other + moved);
+  ASSERT_EQ(cases.size(), 4u);
+  EXPECT_TRUE(cases[1].wheel_rail->digits.is_left());
+  EXPECT_EQ(cases[1].wheel_rail->search, ContactSearch::locus);
+  EXPECT_EQ(cases[1].wheel_rail->position.z, 5e3);
+  EXPECT_EQ(cases[1].digits.norm, Normal::force);
+  EXPECT_EQ(cases[1].wheel_rail->velocity.vs, 100);
+  EXPECT_EQ(cases[1].wheel_rail->rail.file, "folder/rail.prr");
+  EXPECT_EQ(cases[2].sequence, (std::pair<int, int>{2, 1}));
+}
+
+TEST(ContactWheelInput, RollersAndDeflectionsHaveRecordsOfTheirOwn) {
+  std::string text = with(with(first_wheel, " 1203000", " 5203130"), " 0022033", " 0022035");
+  text = with(text, "-1. 200. 0. 0. ", "-1. 200. 0. 400. ");
+  text = with(text, " 0 0 0 0 0 0           DY", " 0 0 .1r 0 0 0 DY\n 1e5 2e3 3e5 4e3 .5 KY");
+  text = with(text, " 100. 0 0 0 0 -1.      VS", " .25 0 0 0 0 -1. VPITCH_ROL\n 1 2 3 4d 5 6\n 7 8 9 10 11 12");
+  const WheelRailData d = *read(text).at(0).wheel_rail;
+  EXPECT_TRUE(d.digits.is_roller());
+  EXPECT_EQ(d.track.roller_radius, 400);
+  EXPECT_EQ(d.support.fz, 4e3);
+  EXPECT_EQ(d.support.first_step, 0.5);
+  EXPECT_EQ(d.velocity.vs, 0.25);
+  EXPECT_EQ(d.deflection.dz, 3);
+  EXPECT_EQ(d.deflection.vpitch, 12);
+}
+
+TEST(ContactWheelInput, ErrorsNameFileLineAndField) {
+  const std::string a = "folder/a.inp:";
+  expect_message(with(first_wheel, "8. 4. ", "8. 9. "), a + "8: D_COMB = 9: must not be above D_SEP");
+  expect_message(with(first_wheel, " .2 .2 1.", " .2 0 1."), a + "8: DS = 0: must be in [1e-08, 1e+20]");
+  expect_message(with(first_wheel, "'rail.prr'", "rail.prr"),
+                 a + "10: FNAME = 'rail.prr': must be a text in single quotes");
+  expect_message(with(first_wheel, "100.       FBDIST", "-1.       FBDIST"),
+                 a + "12: NOMRADW = -1: must be in [0.001, 1e+20]");
+  expect_message(with(first_wheel, " 1203000", " 2203000"), a + "2: digit C of CPBTNFS = 2: must be one of 0, 1, 4, 5");
+  expect_message(with(first_wheel, " 1203000", " 1223000"), a + "4: digit B = 2: must be 0, 1, 5 or 6 in module 1");
+  expect_message(with(first_wheel, " 0022033", " 0122033"),
+                 a + "4: case 1: digit L = 1 keeps the friction law, which no earlier case has given");
+  expect_message(with(first_wheel, " 0022033", " 0022032"),
+                 a + "4: case 1: digit E = 2 keeps the wheel's profile, which no earlier case has given");
+}
+
+} // namespace
+} // namespace microslip::contact_program
