@@ -25,8 +25,8 @@ std::vector<GapRegion> regions_at(const std::vector<double>& centres) {
   return regions;
 }
 
-Discretisation rules() {
-  Discretisation d;
+PatchRules rules() {
+  PatchRules d;
   d.a_sep = 1.5;
   d.d_sep = 8;
   d.d_comb = 4;
@@ -70,7 +70,7 @@ TEST(ContactPatchRules, FramesTurnBeforePatchesJoin) {
 }
 
 TEST(ContactPatchRules, RegionsOfOtherAnglesStayApart) {
-  Discretisation d = rules();
+  PatchRules d = rules();
   d.a_sep = 0.04;
   EXPECT_EQ(make_patches(regions_at({0, 5}), d).size(), 2u);
   EXPECT_EQ(make_patches(regions_at({0, 3.5}), d).size(), 1u);

@@ -40,12 +40,23 @@ constexpr const char* input_files[] = {"mbench_a22_left",
                                        "wheel-rail/cases/wheelflat"};
 constexpr double relative_difference = 0.01; ///< that counts as near
 
+constexpr double rounding_level = 1e-6;      ///< of a quantity's scale: below it is zero but for rounding
+
 /// Ours by CONTACT's names, with what a difference is compared with where the value itself is next to zero.
 struct OwnNumber {
   std::string name;
   double value;
   double scale = 0;
 };
+
+/// Cases that CONTACT leaves unsolved, and why.
+struct Excuse {
+  const char* file;
+  int number;
+  const char* reason;
+};
+constexpr Excuse excuses[] = {
+    {"mbench_a22_kpec", 1, "KPEC's pressure jumps with the height: CONTACT ends with FZ = 9982 N in place of 10000 N"}};
 
 std::vector<OwnNumber> totals_of(const contact_program::WheelOutcome& w) {
   const auto& track = w.track.force;
@@ -63,8 +74,8 @@ std::vector<OwnNumber> totals_of(const contact_program::WheelOutcome& w) {
 std::vector<OwnNumber> numbers_of(const WheelPatch& p) {
   const contact_program::PrintedTotals& t = p.solution->totals;
   const contact_program::PatchLocation& l = p.location;
-  const double limit = 0.3 * t.fn, size = std::sqrt(t.contact * p.solution->step.grid.element_area()) * 1e3;
-  const double creepage = 1e-3 * std::hypot(p.contact.x, p.contact.y, size * p.contact.phi);
+  const double limit = 0.1 * t.fn, size = std::sqrt(t.contact * p.solution->step.grid.element_area()) * 1e3;
+  const double creepage = std::max(1e-4, 0.1 * std::hypot(p.contact.x, p.contact.y, size * p.contact.phi));
   const double elements = std::sqrt(std::max(1, t.contact)) / relative_difference;
   return {{"XCP(TR)", l.track.x, 1},
           {"YCP(TR)", l.track.y},
@@ -83,8 +94,8 @@ std::vector<OwnNumber> numbers_of(const WheelPatch& p) {
           {"FS", t.fy, limit},
           {"MN", t.mz, limit * size},
           {"ELAST.EN.", t.elastic_energy},
-          {"FRIC.POWER", t.friction, 1e-9},
-          {"FRIC.WORK", t.friction, 1e-9},
+          {"FRIC.POWER", t.friction, 1e-6},
+          {"FRIC.WORK", t.friction, 1e-6},
           {"FN/G", t.fn_over_g},
           {"FX/FSTAT/FN", t.x, 1},
           {"FS/FSTAT/FN", t.y, 1},
@@ -121,6 +132,9 @@ public:
     return true;
   }
 
+  /// Of the table at the end; empty if there was nothing to compare.
+  const std::string& row() const { return row_; }
+
 private:
   void take(const Case& c, const Outcome& o) {
     ++cases_;
@@ -132,7 +146,7 @@ private:
     effort_.normal += o.wheel->effort.normal;
     effort_.tangential += o.wheel->effort.tangential;
     const auto printed = printed_.find(c.number);
-    if (printed == printed_.end()) return;
+    if (printed == printed_.end() || is_excused(c.number)) return;
     compare(c.number, "", totals_of(*o.wheel), printed->second.totals);
     const auto& patches = printed->second.patches;
     if (patches.size() != o.wheel->patches.size()) {
@@ -145,6 +159,15 @@ private:
               patches[k]);
   }
 
+  bool is_excused(int number) {
+    for (const auto& [file, excused, reason] : excuses)
+      if (file == name_ && excused == number) {
+        report_.line(fmt::format("case {} is not compared: {}", number, reason));
+        return true;
+      }
+    return false;
+  }
+
   void compare(int number, const std::string& where, const std::vector<OwnNumber>& ours,
                const PrintedNumbers& printed) {
     for (const auto& [name, value, scale] : ours) {
@@ -153,7 +176,8 @@ private:
       const auto& [theirs, rounding] = found->second;
       const double difference = std::abs(value - theirs);
       ++quantities_;
-      const bool equal = difference <= rounding * 1.001;
+      const bool is_zero = std::max(std::abs(value), std::abs(theirs)) <= rounding_level * scale;
+      const bool equal = difference <= rounding * 1.001 || is_zero;
       equal_ += equal;
       const bool near = difference - rounding <= relative_difference * std::max(std::abs(theirs), scale);
       near_ += near;
@@ -169,6 +193,9 @@ private:
                              "problems",
                              solved_, cases_, seconds_, effort_.geometry, effort_.normal, effort_.tangential));
     if (quantities_ == 0) return;
+    row_ = fmt::format("{:<20} {:>3} {:>5} {:>6} {:>6} {:>7.2f} {:>6} {:>6} {:>6}", fs::path(name_).filename().string(),
+                       solved_, effort_.geometry, effort_.normal, effort_.tangential, seconds_, quantities_, equal_,
+                       near_);
     std::string names;
     for (const auto& [name, count] : unequal_) names += fmt::format("{}{} {}", names.empty() ? "" : ", ", count, name);
     if (!names.empty()) report_.line("near but not equal: " + names);
@@ -185,6 +212,7 @@ private:
   contact_program::WheelEffort effort_;
   int cases_ = 0, solved_ = 0, quantities_ = 0, equal_ = 0, near_ = 0, other_patches_ = 0;
   double seconds_ = 0;
+  std::string row_;
 };
 
 } // namespace
@@ -196,11 +224,17 @@ bool run_contact_wheel_rail(const StudyOptions& options, std::ostream& out) {
     return true;
   }
   double done = 0;
+  std::vector<std::string> rows;
   for (const char* name : input_files) {
     const double end = done + 1.0 / std::size(input_files);
-    if (!WheelFile(report, name).run(part_of(options.progress, done, end))) return false;
+    WheelFile file(report, name);
+    if (!file.run(part_of(options.progress, done, end))) return false;
+    if (!file.row().empty()) rows.push_back(file.row());
     done = end;
   }
+  report.heading("Cases run; geometry analysed, normal and tangential problems solved; seconds; quantities, equal to the "
+                 "printed digits, within 1 %");
+  for (const auto& row : rows) report.line(row);
   return report.all_met();
 }
 

@@ -19,7 +19,7 @@ void WheelRailReader::read() {
   }
   read_material(c_.digits);
   read_damping_and_heat(c_.digits);
-  if (data.digits.reads_grid()) data.grid = read_discretisation(words_);
+  if (data.digits.reads_grid()) data.grid = read_patch_rules(words_);
   read_track(data);
   read_wheelset(data);
   c_.wheel_rail = data;

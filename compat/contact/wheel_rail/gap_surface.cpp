@@ -25,7 +25,7 @@ SurfaceMesh lower_side(const Placement& p, int slices, double half) {
 
 } // namespace
 
-GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Discretisation& sizes, bool steep)
+GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const PatchRules& sizes, bool steep)
     : dx_(sizes.dx) {
   constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
   const double half = p.radius * (p.radius < small_wheel || steep ? wide : narrow);

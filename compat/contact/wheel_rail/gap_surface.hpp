@@ -12,7 +12,7 @@ namespace microslip::contact_program {
 class GapSurface {
 public:
   /// With the wheelset at Z_WS = 0, over a rail that is the same all along. `rail` in track coordinates.
-  GapSurface(const Placement& placement, const ProfileCurve& rail, const Discretisation& sizes, bool steep);
+  GapSurface(const Placement& placement, const ProfileCurve& rail, const PatchRules& sizes, bool steep);
 
   bool overlaps() const { return overlaps_; }
   LeastGap least() const;

@@ -48,7 +48,7 @@ void cover(PatchFrame& frame, const PatchBox& box) {
 }
 
 PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,
-                         const Discretisation& sizes, GridOrigin origin, double place, int most) {
+                         const PatchRules& sizes, GridOrigin origin, double place, int most) {
   const GapRegion& whole = patch.whole;
   PatchFrame f;
   f.s_rail = rail.nearest_s_at_y(whole.y);

@@ -40,6 +40,6 @@ enum class GridOrigin {
 
 /// `rail` in track coordinates, `place` is S_WS. Elements are doubled until there are less than `most`.
 PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,
-                         const Discretisation& sizes, GridOrigin origin, double place, int most);
+                         const PatchRules& sizes, GridOrigin origin, double place, int most);
 
 } // namespace microslip::contact_program

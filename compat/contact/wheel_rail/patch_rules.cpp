@@ -12,7 +12,7 @@ double distance(const GapRegion& field, const GapRegion& gauge) {
   return std::hypot(x, field.y0 - gauge.y1, field.z0 - gauge.z1);
 }
 
-bool may_join(const GapRegion& a, const GapRegion& b, double farthest, const Discretisation& rules) {
+bool may_join(const GapRegion& a, const GapRegion& b, double farthest, const PatchRules& rules) {
   return std::abs(a.angle - b.angle) <= rules.a_sep && distance(a, b) <= farthest;
 }
 
@@ -30,7 +30,7 @@ GapRegion united(const GapRegion& a, const GapRegion& b) {
   return r;
 }
 
-void combine(std::vector<GapRegion>& regions, const Discretisation& rules) {
+void combine(std::vector<GapRegion>& regions, const PatchRules& rules) {
   for (std::size_t k = 0; k + 1 < regions.size();) {
     if (!may_join(regions[k], regions[k + 1], rules.d_comb, rules)) {
       ++k;
@@ -41,7 +41,7 @@ void combine(std::vector<GapRegion>& regions, const Discretisation& rules) {
   }
 }
 
-void find_factors(PatchRegion& patch, const Discretisation& rules) {
+void find_factors(PatchRegion& patch, const PatchRules& rules) {
   const std::size_t n = patch.parts.size();
   patch.factors.assign(n * n, 1);
   for (std::size_t i = 0; i < n; ++i)
@@ -53,7 +53,7 @@ void find_factors(PatchRegion& patch, const Discretisation& rules) {
 }
 
 /// Turns the frames of patches that are nearly near enough to be joined.
-void turn(std::vector<PatchRegion>& patches, const Discretisation& rules) {
+void turn(std::vector<PatchRegion>& patches, const PatchRules& rules) {
   if (!(rules.d_turn > rules.d_sep)) return;
   const std::vector<PatchRegion> before = patches;
   for (std::size_t k = 0; k + 1 < patches.size(); ++k) {
@@ -68,7 +68,7 @@ void turn(std::vector<PatchRegion>& patches, const Discretisation& rules) {
 
 } // namespace
 
-std::vector<PatchRegion> make_patches(std::vector<GapRegion> regions, const Discretisation& rules) {
+std::vector<PatchRegion> make_patches(std::vector<GapRegion> regions, const PatchRules& rules) {
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) { return a.y > b.y; });
   combine(regions, rules);
   std::vector<PatchRegion> patches;

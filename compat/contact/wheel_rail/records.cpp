@@ -5,9 +5,9 @@
 
 namespace microslip::contact_program {
 
-Discretisation read_discretisation(Words& words) {
+PatchRules read_patch_rules(Words& words) {
   constexpr double least = 1e-8, most = 1e20;
-  Discretisation d;
+  PatchRules d;
   d.dx = words.between("DX", least, most);
   d.ds = words.between("DS", least, most);
   d.dqrel = words.between("DQREL", 1e-3, 10);

@@ -10,7 +10,7 @@ namespace microslip::contact_program {
 // The records of module 1, in CONTACT's units and axes: mm, N, rad, s; the track's x forward, y to the right, z down.
 
 /// The grid of elements, and the rules by which patches are joined: DX DS DQREL A_SEP D_SEP D_COMB D_TURN G_MISS.
-struct Discretisation {
+struct PatchRules {
   double dx = 0, ds = 0; ///< sides of the elements along the track and along the rail's profile
   double dqrel = 1;      ///< step of rolling over DX
   double a_sep = 0;      ///< patches whose angles differ by more are not joined
@@ -90,7 +90,7 @@ struct WheelDeflection {
 struct WheelRailData {
   WheelRailDigits digits;
   ContactSearch search = ContactSearch::keep; ///< D, of this case or before; never keep or form in a case to be run
-  Discretisation grid;
+  PatchRules grid;
   TrackDimensions track;
   ProfileRecord rail, wheel;
   RailPosition rail_position;
@@ -103,7 +103,7 @@ struct WheelRailData {
 };
 
 /// Each reads the record at which `words` stands. Errors as those of Words.
-Discretisation read_discretisation(Words& words);
+PatchRules read_patch_rules(Words& words);
 ProfileRecord read_profile_record(Words& words, const std::string& folder);
 TrackDimensions read_track(Words& words, bool roller);
 RailPosition read_rail_position(Words& words);

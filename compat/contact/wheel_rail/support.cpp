@@ -13,12 +13,13 @@ struct Refusal {
 };
 
 constexpr Refusal refusals[] = {
-    {"F = 1", "FX_WS prescribed",
-     [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::force_x; }},
     {"F = 2", "MY_WS prescribed, as in CONTACT",
      [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::moment_y; }},
-    {"F = 3", "rails without mass on springs",
-     [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::rail_deflection; }},
+    {"F = 1, 3", "FX_WS prescribed or a rail on springs, with other than N = 1 and friction",
+     [](const Case& c, const WheelRailData& d) {
+       const bool searches = d.digits.force == TotalForce::force_x || d.digits.force == TotalForce::rail_deflection;
+       return searches && (c.digits.norm != Normal::force || !c.digits.has_friction());
+     }},
     {"D = 3", "the rigid slip of the true surfaces",
      [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::true_slip; }},
     {"D = 4", "conformal contact",

@@ -5,6 +5,7 @@
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/contact/wheel_rail/root_search.hpp"
 #include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
@@ -75,6 +76,22 @@ std::optional<PatchBox> contact_box(const Outcome& o) {
                   per_m * (g.y(j1) + g.dy / 2)};
 }
 
+constexpr int most_steps = 60;
+constexpr double least_step = 1e-12;
+
+/// What was found last where a force that is prescribed is not reached.
+Outcome unbalanced(Outcome outcome) {
+  outcome.notes.emplace_back("the force that is prescribed is not reached");
+  outcome.solution.status = Status::not_converged;
+  return outcome;
+}
+
+double least_friction(const FrictionData& friction) {
+  double least = 1;
+  for (const auto& set : friction.sets) least = std::min(least, set[0]);
+  return least;
+}
+
 void append_new(std::vector<std::string>& to, const std::vector<std::string>& from) {
   for (const auto& text : from)
     if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
@@ -119,11 +136,9 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   if (c.digits.pvtime == Continuation::nothing) tracks_.clear();
   for (Track& track : tracks_) track.is_new = true;
   move_origins(origin_of(c.digits));
-  WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
-                         origin_of(c.digits), c.solver.npot_max);
-  if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
-  Outcome outcome = c.digits.norm == Normal::force ? find_height(right, geometry, progress)
-                                                   : solve_at(right, geometry, data.position.z, progress);
+  Outcome outcome = data.digits.force == TotalForce::force_x           ? find_pitch_velocity(right, progress)
+                    : data.digits.force == TotalForce::rail_deflection ? find_deflection(right, progress)
+                                                                       : solve_placed(right, {}, progress);
   if (outcome.wheel) {
     last_z_ = outcome.wheel->z;
     remember(*outcome.wheel, frames_, place_on_track(data), origin_of(c.digits));
@@ -131,6 +146,59 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   }
   append_new(outcome.notes, left_out_of_wheel(c));
   return outcome;
+}
+
+/// With the rail deflected so far.
+Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress) {
+  const WheelRailData& data = *right.wheel_rail;
+  WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
+                         origin_of(right.digits), right.solver.npot_max, deflection);
+  if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
+  return right.digits.norm == Normal::force ? find_height(right, geometry, progress)
+                                            : solve_at(right, geometry, data.position.z, progress);
+}
+
+/// F = 3: how far a rail on a spring moves aside, so that the forces on it are in balance.
+Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& progress) {
+  const RailSupport& support = right.wheel_rail->support;
+  const auto residual = [&](const Outcome& o, double dy) {
+    return o.wheel->track.force.y - support.ky * dy + support.fy;
+  };
+  RailDeflection deflection;
+  Outcome outcome = solve_placed(right, deflection, progress);
+  if (outcome.kind != Outcome::Kind::solved) return outcome;
+  const double first = residual(outcome, 0);
+  RootSearch search(std::copysign(support.first_step, first));
+  for (int k = 0;; ++k) {
+    outcome.wheel->dy_rail = deflection.dy;
+    const double force = residual(outcome, deflection.dy);
+    const double scale = std::max(std::abs(support.fy), std::abs(outcome.wheel->track.force.y));
+    if (std::abs(force) < right.solver.eps * scale) return outcome;
+    if (k == most_steps || search.width().value_or(1) < least_step) return unbalanced(std::move(outcome));
+    deflection.dy = search.next(deflection.dy, force);
+    outcome = solve_placed(right, deflection, progress);
+    if (outcome.kind != Outcome::Kind::solved) return outcome;
+  }
+}
+
+/// F = 1: the rate of rotation at which the longitudinal force is the prescribed one, relative to the vertical force.
+Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& progress) {
+  Case now = right;
+  WheelRailData& data = *now.wheel_rail;
+  const double wanted = right.wheel_rail->velocity.vpitch; // FX_WS stands there
+  const double speed = data.digits.is_roller() ? data.velocity.vs * data.track.roller_radius : data.velocity.vs;
+  double& vpitch = data.velocity.vpitch;
+  vpitch = -speed / data.wheelset.nominal_radius;
+  RootSearch search(1e-4 * vpitch);
+  for (int k = 0;; ++k) {
+    Outcome outcome = solve_placed(now, {}, progress);
+    if (outcome.kind != Outcome::Kind::solved) return outcome;
+    const double force = outcome.wheel->wheelset.force.x - wanted, vertical = outcome.wheel->track.force.z;
+    if (std::abs(force) < right.solver.eps * least_friction(right.friction) * vertical) return outcome;
+    if (k == most_steps || search.width().value_or(1) < least_step * std::abs(vpitch))
+      return unbalanced(std::move(outcome));
+    vpitch = search.next(vpitch, force);
+  }
 }
 
 /// What the next case may go on from.
@@ -256,7 +324,6 @@ Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry,
   const LeastGap gap = geometry.least_gap_at_zero();
   ++effort_.geometry;
   ForceSearch search(target, gap.gap);
-  constexpr int most_steps = 60;
   const bool goes_on_from_last = last_z_ && right.digits.iestim != InitialGuess::nothing;
   double z = goes_on_from_last ? *last_z_ : gap.gap + hertzian_depth(right, gap, target);
   for (int k = 0; k < most_steps; ++k) {
@@ -267,11 +334,7 @@ Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry,
     if (std::abs(force - target) < right.solver.eps * target) return outcome;
     search.add(z, force);
     const auto next = search.next();
-    if (!next || k + 1 == most_steps) {
-      outcome.notes.emplace_back("the vertical force jumps, so that FZ is not reached");
-      outcome.solution.status = Status::not_converged;
-      return outcome;
-    }
+    if (!next || k + 1 == most_steps) return unbalanced(std::move(outcome));
     z = *next;
   }
   return {};

@@ -34,6 +34,9 @@ private:
 
   std::shared_ptr<const ProfileCurve> profile(const ProfileRecord& record, ProfileRole role);
   Outcome solve(const Case& c, const Progress& progress);
+  Outcome solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress);
+  Outcome find_deflection(const Case& right, const Progress& progress);
+  Outcome find_pitch_velocity(const Case& right, const Progress& progress);
   Outcome solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress);
   Outcome find_height(const Case& right, WheelGeometry& geometry, const Progress& progress);
   WheelPatch solve_patch(const Case& right, const PatchFrame& frame, const WheelGeometry& geometry, double z,
