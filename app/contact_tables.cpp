@@ -77,8 +77,8 @@ void print_interior(const Outcome& outcome) {
 
 void print_contact(const Case& c, const Outcome& outcome, char lateral) {
   const ElementGrid& grid = outcome.step.grid;
-  fmt::print("{}, {} x {} elements of {:.5g} x {:.5g} mm\n", motion_name(c.digits.tang), grid.mx, grid.my, grid.dx * 1e3,
-             grid.dy * 1e3);
+  fmt::print("{}, {} x {} elements of {:.5g} x {:.5g} mm\n", motion_name(c.digits.tang), grid.mx, grid.my,
+             grid.dx * 1e3, grid.dy * 1e3);
   print_totals(c, outcome, lateral);
   print_interior(outcome);
 }
@@ -108,7 +108,8 @@ void print_location(const contact_program::WheelPatch& patch) {
 void print_wheel(const Case& c, const contact_program::WheelOutcome& wheel) {
   const auto& digits = c.wheel_rail->digits;
   fmt::print("{} wheel on a {}, {} contact {}\n", digits.is_left() ? "left" : "right",
-             digits.is_roller() ? "roller" : "rail", wheel.patches.size(), wheel.patches.size() == 1 ? "patch" : "patches");
+             digits.is_roller() ? "roller" : "rail", wheel.patches.size(),
+             wheel.patches.size() == 1 ? "patch" : "patches");
   Lines totals;
   totals.add("Z_WS [mm]", fmt::format("{:.4f}", wheel.z));
   totals.add("FX(TR) [N]", wheel.track.force.x);

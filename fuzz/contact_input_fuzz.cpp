@@ -19,8 +19,8 @@ using namespace microslip::contact_program;
 
 /// What holds for every wheel on a rail.
 bool is_sound(const WheelRailData& d, const FrictionData& friction) {
-  const bool has_stations = friction.stations.empty() ? friction.sets.size() == 1
-                                                      : friction.stations.size() == friction.sets.size();
+  const bool has_stations =
+      friction.stations.empty() ? friction.sets.size() == 1 : friction.stations.size() == friction.sets.size();
   return has_stations && d.grid.dx > 0 && d.grid.ds > 0 && d.grid.d_comb <= d.grid.d_sep && !d.rail.file.empty() &&
          !d.wheel.file.empty() && d.wheelset.nominal_radius > 0 && d.search != ContactSearch::keep &&
          d.search != ContactSearch::form && std::isfinite(d.position.z);

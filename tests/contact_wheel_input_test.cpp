@@ -76,7 +76,8 @@ TEST(ContactWheelInput, ReadsWhatIsOptional) {
 }
 
 TEST(ContactWheelInput, FrictionHasStationsByInclination) {
-  const auto text = with(with(first_wheel, " 0022033", " 1322033"), " .3 .3  ", " 2\n -20d .2 0 1 0 1\n -10d .3 0 1 0 1\n .001 2.");
+  const auto text =
+      with(with(first_wheel, " 0022033", " 1322033"), " .3 .3  ", " 2\n -20d .2 0 1 0 1\n -10d .3 0 1 0 1\n .001 2.");
   const Case c = read(text).at(0);
   ASSERT_EQ(c.friction.stations.size(), 2u);
   EXPECT_DOUBLE_EQ(c.friction.stations[1], -std::numbers::pi / 18);
@@ -85,7 +86,7 @@ TEST(ContactWheelInput, FrictionHasStationsByInclination) {
 
 TEST(ContactWheelInput, LaterCasesKeepWhatTheyDoNotRead) {
   const std::string moved = " 1 MODULE\n 0203100\n 0111001\n 0100331\n 1. 2. 5e3 0 0 0  Y_WS, FZ\n";
-  const std::string other = " 1 MODULE 2 1\n" + first_wheel.substr(first_wheel.find('\n') + 1);
+  const std::string other = " 1 2 1 MODULE\n" + first_wheel.substr(first_wheel.find('\n') + 1);
   const auto cases = read(first_wheel + moved + other + moved);
   ASSERT_EQ(cases.size(), 4u);
   EXPECT_TRUE(cases[1].wheel_rail->digits.is_left());
@@ -117,7 +118,7 @@ TEST(ContactWheelInput, ErrorsNameFileLineAndField) {
   expect_message(with(first_wheel, "8. 4. ", "8. 9. "), a + "8: D_COMB = 9: must not be above D_SEP");
   expect_message(with(first_wheel, " .2 .2 1.", " .2 0 1."), a + "8: DS = 0: must be in [1e-08, 1e+20]");
   expect_message(with(first_wheel, "'rail.prr'", "rail.prr"),
-                 a + "10: FNAME = 'rail.prr': must be a text in single quotes");
+                 a + "10: FNAME = \"rail.prr\": must be a text in single quotes");
   expect_message(with(first_wheel, "100.       FBDIST", "-1.       FBDIST"),
                  a + "12: NOMRADW = -1: must be in [0.001, 1e+20]");
   expect_message(with(first_wheel, " 1203000", " 2203000"), a + "2: digit C of CPBTNFS = 2: must be one of 0, 1, 4, 5");

@@ -3,6 +3,7 @@
 #include "compat/contact/input.hpp"
 #include "compat/contact/run.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -47,7 +48,7 @@ protected:
   std::vector<Outcome> run(const std::string& text) {
     std::istringstream stream(text);
     InputReader reader(stream, (folder_.path() / "a.inp").string());
-    Run runs;
+    contact_program::Run runs;
     std::vector<Outcome> outcomes;
     while (const Case* c = reader.next()) outcomes.push_back(runs.run(*c));
     for (const auto& o : outcomes)
@@ -112,7 +113,8 @@ TEST_F(WheelOnPlane, LeftIsTheMirrorImageOfRight) {
   std::string text = with(first_wheel, "'rail.prr'", "'convex.prr'");
   text = with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0");
   text = with(text, " 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. ");
-  const auto negated = with(with(text, " 0 3. .1 .002 .01 0", " 0 -3. .1 -.002 -.01 0"), " 100. 1. 0 .1 .2 -1. ", " 100. -1. 0 -.1 -.2 -1. ");
+  const auto negated = with(with(text, " 0 3. .1 .002 .01 0", " 0 -3. .1 -.002 -.01 0"), " 100. 1. 0 .1 .2 -1. ",
+                            " 100. -1. 0 -.1 -.2 -1. ");
   const auto right = run(text), left = run(with(negated, " 1203000", " 0203000"));
   const WheelOutcome &r = *right.at(0).wheel, &l = *left.at(0).wheel;
   ASSERT_EQ(r.patches.size(), 1u);
@@ -128,7 +130,8 @@ TEST_F(WheelOnPlane, LeftIsTheMirrorImageOfRight) {
   const int mx = a.step.grid.mx, my = a.step.grid.my;
   EXPECT_NEAR(a.step.grid.y0, -b.step.grid.y(my - 1), 1e-15);
   for (const int j : {my / 3, my / 2}) {
-    const auto there = static_cast<std::size_t>(j) * mx + mx / 2, here = static_cast<std::size_t>(my - 1 - j) * mx + mx / 2;
+    const auto there = static_cast<std::size_t>(j) * mx + mx / 2,
+               here = static_cast<std::size_t>(my - 1 - j) * mx + mx / 2;
     EXPECT_EQ(a.solution.normal.pressure[there], b.solution.normal.pressure[here]);
     EXPECT_EQ(a.solution.tangential.tractions.py[there], 0 - b.solution.tangential.tractions.py[here]);
   }
@@ -152,7 +155,7 @@ TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
   std::istringstream stream(with(first_wheel, " 0022033", " 0042033") +
                             with(with(first_wheel, "'rail.prr'", "'rail.slcs'"), "'wheel.prw'", "'none.prw'"));
   InputReader reader(stream, (folder_.path() / "a.inp").string());
-  Run runs;
+  contact_program::Run runs;
   EXPECT_EQ(runs.run(*reader.next()).reasons, std::vector<std::string>{"D = 4 (conformal contact)"});
   EXPECT_EQ(runs.run(*reader.next()).reasons, std::vector<std::string>{".slcs (a rail that varies along the track)"});
 }
@@ -163,7 +166,7 @@ TEST(ContactWheelRun, PlacesAndCreepagesAreContactsToTheDigit) {
   std::ifstream file(path);
   if (!file) GTEST_SKIP() << "no file " << path;
   InputReader reader(file, path.string());
-  Run runs;
+  contact_program::Run runs;
   Outcome outcome;
   for (int k = 0; k < 13; ++k) outcome = runs.run(*reader.next());
   const WheelOutcome& w = *outcome.wheel;

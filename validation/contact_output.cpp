@@ -20,13 +20,13 @@ std::vector<std::string> words_of(const std::string& line) {
 /// Names of quantities that a line consists of; nothing for any other line.
 std::vector<std::string> names_in(const std::string& line) {
   static const std::set<std::string> known = {
-      "S_WS",   "Y_WS",   "Z_WS",   "ROLL_WS",     "YAW_WS",      "PITCH_WS",    "VX_WS",     "VY_WS",
-      "VZ_WS",  "VROLL_WS", "VYAW_WS", "VPITCH_WS", "FX(TR)",     "FY(TR)",      "FZ(TR)",    "FX(WS)",
-      "FY(WS)", "FZ(WS)", "XCP(TR)", "YCP(TR)",    "ZCP(TR)",     "DELTCP(TR)",  "YCP(R)",    "ZCP(R)",
-      "XCP(W)", "YCP(W)", "ZCP(W)", "CHI",         "DQ",          "VELOC",       "CKSI",      "CETA",
-      "CPHI",   "FN",     "FX",     "FS",          "MN",          "ELAST.EN.",   "FRIC.POWER", "FRIC.WORK",
-      "FN/G",   "FX/FSTAT/FN", "FS/FSTAT/FN", "APPROACH", "PMAX", "MAX(T1,T2)",  "NPOT",      "NCON",
-      "NADH",   "NSLIP",  "NPLAST", "INORM",       "ITANG",       "SPINXO",      "SPINYO"};
+      "S_WS",   "Y_WS",        "Z_WS",        "ROLL_WS",   "YAW_WS",  "PITCH_WS",   "VX_WS",      "VY_WS",
+      "VZ_WS",  "VROLL_WS",    "VYAW_WS",     "VPITCH_WS", "FX(TR)",  "FY(TR)",     "FZ(TR)",     "FX(WS)",
+      "FY(WS)", "FZ(WS)",      "XCP(TR)",     "YCP(TR)",   "ZCP(TR)", "DELTCP(TR)", "YCP(R)",     "ZCP(R)",
+      "XCP(W)", "YCP(W)",      "ZCP(W)",      "CHI",       "DQ",      "VELOC",      "CKSI",       "CETA",
+      "CPHI",   "FN",          "FX",          "FS",        "MN",      "ELAST.EN.",  "FRIC.POWER", "FRIC.WORK",
+      "FN/G",   "FX/FSTAT/FN", "FS/FSTAT/FN", "APPROACH",  "PMAX",    "MAX(T1,T2)", "NPOT",       "NCON",
+      "NADH",   "NSLIP",       "NPLAST",      "INORM",     "ITANG",   "SPINXO",     "SPINYO"};
   auto words = words_of(line);
   for (const auto& word : words)
     if (!known.contains(word)) return {};

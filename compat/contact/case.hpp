@@ -45,7 +45,7 @@ struct SolverData {
   SolverChoice method = SolverChoice::standard; ///< never keep
   int maxgs = 0, maxin = 0, maxnr = 0, maxout = 0;
   double eps = 1e-5;
-  int npot_max = 2000000; ///< NPOT_MAX: elements that a potential contact of module 1 may have
+  int npot_max = 2000000;        ///< NPOT_MAX: elements that a potential contact of module 1 may have
   double omegah = 1, omegas = 1; ///< G = 2, 3
   double inislp = 0, omgslp = 1; ///< the slip that an iteration for falling friction starts from
 

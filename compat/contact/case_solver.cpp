@@ -52,8 +52,8 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   outcome.step.motion.progress = progress;
   CarriedSprings springs = springs_.value_or(CarriedSprings());
   springs_.reset();
-  outcome.solution = c.digits.is_simplified() ? solve_simplified(c, outcome.step, steps_, springs)
-                                              : steps_.solve(outcome.step);
+  outcome.solution =
+      c.digits.is_simplified() ? solve_simplified(c, outcome.step, steps_, springs) : steps_.solve(outcome.step);
   if (c.digits.is_simplified()) springs_ = std::move(springs);
   if (outcome.step.frictionless) springs_ = CarriedSprings();
   outcome.totals = printed_totals(c, outcome.step, outcome.solution);

@@ -1,5 +1,5 @@
-#include "compat/contact/control_integers.hpp"
 #include "compat/contact/digits.hpp"
+#include "compat/contact/control_integers.hpp"
 
 namespace microslip::contact_program {
 namespace {
@@ -7,10 +7,10 @@ namespace {
 constexpr Put<Digits> first_word[] = {put<Digits, &Digits::pvtime>, put<Digits, &Digits::bound>,
                                       put<Digits, &Digits::tang>,   put<Digits, &Digits::norm>,
                                       put<Digits, &Digits::force>,  put<Digits, &Digits::stress>};
-constexpr Put<Digits> second_word[] = {
-    put<Digits, &Digits::varfrc>, put<Digits, &Digits::frclaw>, put<Digits, &Digits::discns>,
-    put<Digits, &Digits::inflcf>, put<Digits, &Digits::mater>,  put<Digits, &Digits::rznorm>,
-    put<Digits, &Digits::exrhs>};
+constexpr Put<Digits> second_word[] = {put<Digits, &Digits::varfrc>, put<Digits, &Digits::frclaw>,
+                                       put<Digits, &Digits::discns>, put<Digits, &Digits::inflcf>,
+                                       put<Digits, &Digits::mater>,  put<Digits, &Digits::rznorm>,
+                                       put<Digits, &Digits::exrhs>};
 constexpr Put<Digits> third_word[] = {put<Digits, &Digits::xflow>,  put<Digits, &Digits::heat>,
                                       put<Digits, &Digits::gausei>, put<Digits, &Digits::iestim>,
                                       put<Digits, &Digits::matfil>, put<Digits, &Digits::output>,

@@ -42,8 +42,7 @@ std::vector<double> read_friction_values(Words& words, Law law) {
     if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
       words.fail("DFHEAT", set[2], "must keep FREF + DFHEAT in [0, 10]");
   } else {
-    for (const char* field : {"FKIN", "FIN1", "SABSH1", "FIN2", "SABSH2"})
-      set.push_back(words.between(field, 0, 1e12));
+    for (const char* field : {"FKIN", "FIN1", "SABSH1", "FIN2", "SABSH2"}) set.push_back(words.between(field, 0, 1e12));
   }
   words.end_record();
   return set;

@@ -174,18 +174,23 @@ constexpr double mm = 1e-3;
 
 constexpr WheelColumn wheel_columns[] = {
     {"z", "m", "Z_WS, depth of the wheelset below its nominal place", [](const WheelOutcome& w) { return mm * w.z; }},
-    {"fx_track", "N", "force on the rail, in the track's axes: forward", [](const WheelOutcome& w) { return w.track.force.x; }},
+    {"fx_track", "N", "force on the rail, in the track's axes: forward",
+     [](const WheelOutcome& w) { return w.track.force.x; }},
     {"fy_track", "N", "to the right", [](const WheelOutcome& w) { return w.track.force.y; }},
     {"fz_track", "N", "down", [](const WheelOutcome& w) { return w.track.force.z; }},
     {"mx_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.x; }},
     {"my_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.y; }},
     {"mz_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.z; }},
-    {"fx_wheelset", "N", "the same force in the wheelset's axes", [](const WheelOutcome& w) { return w.wheelset.force.x; }},
+    {"fx_wheelset", "N", "the same force in the wheelset's axes",
+     [](const WheelOutcome& w) { return w.wheelset.force.x; }},
     {"fy_wheelset", "N", "to the right", [](const WheelOutcome& w) { return w.wheelset.force.y; }},
     {"fz_wheelset", "N", "down", [](const WheelOutcome& w) { return w.wheelset.force.z; }},
-    {"mx_wheelset", "N m", "moment about the wheel's marker", [](const WheelOutcome& w) { return mm * w.wheelset.moment.x; }},
-    {"my_wheelset", "N m", "moment about the wheel's marker", [](const WheelOutcome& w) { return mm * w.wheelset.moment.y; }},
-    {"mz_wheelset", "N m", "moment about the wheel's marker", [](const WheelOutcome& w) { return mm * w.wheelset.moment.z; }},
+    {"mx_wheelset", "N m", "moment about the wheel's marker",
+     [](const WheelOutcome& w) { return mm * w.wheelset.moment.x; }},
+    {"my_wheelset", "N m", "moment about the wheel's marker",
+     [](const WheelOutcome& w) { return mm * w.wheelset.moment.y; }},
+    {"mz_wheelset", "N m", "moment about the wheel's marker",
+     [](const WheelOutcome& w) { return mm * w.wheelset.moment.z; }},
     {"pitch_velocity", "rad/s", "VPITCH_WS", [](const WheelOutcome& w) { return w.vpitch; }},
     {"rail_deflection_lateral", "m", "to the right, with F = 3", [](const WheelOutcome& w) { return mm * w.dy_rail; }},
     {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return mm * w.dz_rail; }},
@@ -198,13 +203,15 @@ struct PlaceColumn {
 };
 
 constexpr PlaceColumn place_columns[] = {
-    {"x_track", "m", "XCP(TR), reference of a patch in the track's axes", [](const PatchLocation& l) { return mm * l.track.x; }},
+    {"x_track", "m", "XCP(TR), reference of a patch in the track's axes",
+     [](const PatchLocation& l) { return mm * l.track.x; }},
     {"y_track", "m", "YCP(TR)", [](const PatchLocation& l) { return mm * l.track.y; }},
     {"z_track", "m", "ZCP(TR)", [](const PatchLocation& l) { return mm * l.track.z; }},
     {"contact_angle", "rad", "DELTCP(TR)", [](const PatchLocation& l) { return l.angle; }},
     {"y_rail", "m", "YCP(R), in the axes of the rail's profile", [](const PatchLocation& l) { return mm * l.rail.y; }},
     {"z_rail", "m", "ZCP(R)", [](const PatchLocation& l) { return mm * l.rail.z; }},
-    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile", [](const PatchLocation& l) { return mm * l.wheel.x; }},
+    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile",
+     [](const PatchLocation& l) { return mm * l.wheel.x; }},
     {"y_wheel", "m", "YCP(W)", [](const PatchLocation& l) { return mm * l.wheel.y; }},
     {"z_wheel", "m", "ZCP(W)", [](const PatchLocation& l) { return mm * l.wheel.z; }},
 };
@@ -218,7 +225,8 @@ void RunFile::add(const Case& c, const Outcome& outcome) {
   }
   add_wheel(c, *outcome.wheel);
   int patch = 0;
-  for (const WheelPatch& p : outcome.wheel->patches) add_contact(p.contact, *p.solution, {c.number, ++patch, p.location});
+  for (const WheelPatch& p : outcome.wheel->patches)
+    add_contact(p.contact, *p.solution, {c.number, ++patch, p.location});
 }
 
 void RunFile::add_wheel(const Case& c, const WheelOutcome& wheel) {

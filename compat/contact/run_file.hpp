@@ -8,8 +8,8 @@
 
 namespace microslip::contact_program {
 
-/// The result file of `microslip run`, SI units. `cases/...` have a value for each contact: each case of the input file,
-/// and for wheels on rails each of their patches; those of a case that was not solved are NaN, and counts zero.
+/// The result file of `microslip run`, SI units. `cases/...` have a value for each contact: each case of the input
+/// file, and for wheels on rails each of their patches; those of a case that was not solved are NaN, and counts zero.
 /// `wheels/...` have what belongs to a wheel as a whole. `elements/...` have the elements that digit A asks for, of all
 /// cases one after the other: those of a case begin at cases/first_element. So do `interior/...` with the points inside
 /// the bodies that digit S asks for, from cases/first_point on.

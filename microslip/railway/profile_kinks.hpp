@@ -19,7 +19,8 @@ struct KinkRule {
 /// The angle [rad] by which the polygon turns at point k, in (-pi, pi], positive to the left; 0 at both ends.
 double turn_at(std::span<const ProfilePoint> points, std::size_t k);
 
-/// The points with every two in succession at which the polygon turns by more than `angle` [rad] replaced by their mean.
+/// The points with every two in succession at which the polygon turns by more than `angle` [rad] replaced by their
+/// mean.
 std::vector<ProfilePoint> without_zigzags(std::span<const ProfilePoint> points, double angle);
 
 /// Indices of the points that are kinks, ascending. (The rule of the program CONTACT, module m_profile.) Cost O(points)

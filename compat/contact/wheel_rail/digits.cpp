@@ -12,14 +12,16 @@ struct AllDigits : Digits, WheelRailDigits {
   using WheelRailDigits::varfrc;
 };
 
-constexpr Put<AllDigits> first_word[] = {
-    put<AllDigits, &WheelRailDigits::config>, put<AllDigits, &Digits::pvtime>, put<AllDigits, &Digits::bound>,
-    put<AllDigits, &Digits::tang>,            put<AllDigits, &Digits::norm>,   put<AllDigits, &WheelRailDigits::force>,
-    put<AllDigits, &Digits::stress>};
+constexpr Put<AllDigits> first_word[] = {put<AllDigits, &WheelRailDigits::config>,
+                                         put<AllDigits, &Digits::pvtime>,
+                                         put<AllDigits, &Digits::bound>,
+                                         put<AllDigits, &Digits::tang>,
+                                         put<AllDigits, &Digits::norm>,
+                                         put<AllDigits, &WheelRailDigits::force>,
+                                         put<AllDigits, &Digits::stress>};
 constexpr Put<AllDigits> second_word[] = {
-    put<AllDigits, &WheelRailDigits::varfrc>, put<AllDigits, &Digits::frclaw>,
-    put<AllDigits, &WheelRailDigits::discns>, put<AllDigits, &Digits::inflcf>,
-    put<AllDigits, &Digits::mater>,           put<AllDigits, &WheelRailDigits::ztrack>,
+    put<AllDigits, &WheelRailDigits::varfrc>, put<AllDigits, &Digits::frclaw>, put<AllDigits, &WheelRailDigits::discns>,
+    put<AllDigits, &Digits::inflcf>,          put<AllDigits, &Digits::mater>,  put<AllDigits, &WheelRailDigits::ztrack>,
     put<AllDigits, &WheelRailDigits::ewheel>};
 constexpr Put<AllDigits> third_word[] = {put<AllDigits, &Digits::xflow>,  put<AllDigits, &Digits::heat>,
                                          put<AllDigits, &Digits::gausei>, put<AllDigits, &Digits::iestim>,

@@ -13,7 +13,8 @@ double straightened(double force) {
 } // namespace
 
 void ForceSearch::add(double z, double force) {
-  const auto above = std::upper_bound(points_.begin(), points_.end(), z, [](double v, const Point& p) { return v < p.z; });
+  const auto above =
+      std::upper_bound(points_.begin(), points_.end(), z, [](double v, const Point& p) { return v < p.z; });
   points_.insert(above, {z, force});
 }
 

@@ -8,11 +8,11 @@ namespace microslip::contact_program {
 
 /// A region where wheel and rail overlap [mm], seen from above.
 struct GapRegion {
-  double x0 = 0, x1 = 0;        ///< its extent along the track,
-  double y0 = 0, y1 = 0;        ///< across it,
-  double z0 = 0, z1 = 0;        ///< and the rail's heights there
-  double x = 0, y = 0;          ///< its centre, weighted with the overlap,
-  double angle = 0;             ///< and the rail's inclination, weighted so
+  double x0 = 0, x1 = 0; ///< its extent along the track,
+  double y0 = 0, y1 = 0; ///< across it,
+  double z0 = 0, z1 = 0; ///< and the rail's heights there
+  double x = 0, y = 0;   ///< its centre, weighted with the overlap,
+  double angle = 0;      ///< and the rail's inclination, weighted so
   double weight = 0;
 };
 

@@ -89,9 +89,8 @@ std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
       found.emplace_back(i, j);
       mask[static_cast<std::size_t>(j) * nx_ + i] = 1;
     }
-  std::stable_sort(found.begin(), found.end(), [this](const auto& a, const auto& b) {
-    return gap(a.first, a.second) < gap(b.first, b.second);
-  });
+  std::stable_sort(found.begin(), found.end(),
+                   [this](const auto& a, const auto& b) { return gap(a.first, a.second) < gap(b.first, b.second); });
   return found;
 }
 

@@ -90,8 +90,8 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
   rolling.dq = c.wheel_rail->grid.dqrel * frame.dx;
   rolling.veloc = motion.velocity;
   p.rolling = rolling;
-  p.potential = PotentialContact{
-      Potential::corner_and_size, frame.mx, frame.my, {frame.x0, frame.s0, frame.dx, frame.ds}, 1};
+  p.potential =
+      PotentialContact{Potential::corner_and_size, frame.mx, frame.my, {frame.x0, frame.s0, frame.dx, frame.ds}, 1};
   p.geometry = {};
   p.geometry.base = Base::by_element;
   p.geometry.values = distance.values;

@@ -8,14 +8,14 @@ namespace microslip::contact_program {
 /// Where a patch lies and what its elements are [mm]. The frame's x runs along the track, its y (s) along the rail's
 /// surface, its z into the rail.
 struct PatchFrame {
-  Frame<double> reference;   ///< at the weighted centre on the rail, turned about x by the mean angle
-  Frame<double> grid;        ///< in whose coordinates the elements are given: the reference, or moved along its plane
-  double angle = 0;          ///< DELTCP [rad]
-  double s_rail = 0;         ///< of the reference along the rail's profile
+  Frame<double> reference; ///< at the weighted centre on the rail, turned about x by the mean angle
+  Frame<double> grid;      ///< in whose coordinates the elements are given: the reference, or moved along its plane
+  double angle = 0;        ///< DELTCP [rad]
+  double s_rail = 0;       ///< of the reference along the rail's profile
   int mx = 0, my = 0;
-  double x0 = 0, s0 = 0;     ///< the corner of the elements
+  double x0 = 0, s0 = 0; ///< the corner of the elements
   double dx = 0, ds = 0;
-  double y0 = 0, y1 = 0;     ///< the overlap's extent across the track, which the wheel's surface must cover
+  double y0 = 0, y1 = 0;          ///< the overlap's extent across the track, which the wheel's surface must cover
   std::vector<double> separators; ///< lines of s between the parts that are solved together, ascending
   std::vector<double> factors;    ///< of PatchRegion, for parts in ascending s
 

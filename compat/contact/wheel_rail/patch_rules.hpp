@@ -9,8 +9,8 @@ namespace microslip::contact_program {
 
 /// A contact patch: a region of overlap, or several that are solved together.
 struct PatchRegion {
-  GapRegion whole;               ///< the extent of all its parts, with their mean centre and angle
-  std::vector<GapRegion> parts;  ///< from the field side to the gauge side
+  GapRegion whole;              ///< the extent of all its parts, with their mean centre and angle
+  std::vector<GapRegion> parts; ///< from the field side to the gauge side
   /// How much parts i and j act on each other, 1 on themselves; index i count + j.
   std::vector<double> factors;
 };

@@ -12,7 +12,6 @@ namespace microslip::contact_program {
 /// wheels alike; CONTACT's wheels descend, so that their s is the negative of ours.
 class ProfileCurve {
 public:
-
   /// `kinks` as those of Profile.
   ProfileCurve(ProfileRole role, const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks);
 

@@ -25,26 +25,26 @@ struct ProfileRecord {
   std::string file; ///< with its path
   int mirror_y = 0;
   double scale = 1;
-  double smooth = 0;  ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
-  int mirror_z = 0;   ///< -1 no, 0 by the shape, 1 yes
-  int smoothing = 0;  ///< ISMOOTH: 0 without weights, 1 with, 2 by B-splines with weights
-  double zigzag = 5 * std::numbers::pi / 6;       ///< ZIGTHRS
-  double kink_high = std::numbers::pi / 6;        ///< KINKHIGH
-  double kink_low = std::numbers::pi / 30;        ///< KINKLOW
-  double kink_width = 2;                          ///< KINKWID
-  int error_handling = 0;                         ///< ERRHND
-  double most_omitted = 0.5;                      ///< MAXOMIT
+  double smooth = 0;                        ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
+  int mirror_z = 0;                         ///< -1 no, 0 by the shape, 1 yes
+  int smoothing = 0;                        ///< ISMOOTH: 0 without weights, 1 with, 2 by B-splines with weights
+  double zigzag = 5 * std::numbers::pi / 6; ///< ZIGTHRS
+  double kink_high = std::numbers::pi / 6;  ///< KINKHIGH
+  double kink_low = std::numbers::pi / 30;  ///< KINKLOW
+  double kink_width = 2;                    ///< KINKWID
+  int error_handling = 0;                   ///< ERRHND
+  double most_omitted = 0.5;                ///< MAXOMIT
 
   friend bool operator==(const ProfileRecord&, const ProfileRecord&) = default;
 };
 
 /// Where the rails lie, or the roller: GAUGHT > 0 by the gauge, else by RAILY0 and RAILZ0.
 struct TrackDimensions {
-  double gauge_height = 0;              ///< GAUGHT
-  double gauge_width = 0;               ///< GAUGWD
-  double rail_y0 = 0, rail_z0 = 0;      ///< RAILY0, RAILZ0
-  double cant = 0, curvature = 0;       ///< CANT, CURV; not of rollers
-  double roller_radius = 0;             ///< NOMRADR, < 0 for a raceway; of rollers
+  double gauge_height = 0;         ///< GAUGHT
+  double gauge_width = 0;          ///< GAUGWD
+  double rail_y0 = 0, rail_z0 = 0; ///< RAILY0, RAILZ0
+  double cant = 0, curvature = 0;  ///< CANT, CURV; not of rollers
+  double roller_radius = 0;        ///< NOMRADR, < 0 for a raceway; of rollers
 
   bool by_gauge() const { return gauge_height > 0; }
 };

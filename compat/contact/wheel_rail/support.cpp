@@ -37,8 +37,7 @@ constexpr Refusal refusals[] = {
      }},
     {".slcs", "a rail that varies along the track",
      [](const Case&, const WheelRailData& d) { return is_variable(d.rail); }},
-    {".slcw", "a wheel that is not round",
-     [](const Case&, const WheelRailData& d) { return is_variable(d.wheel); }},
+    {".slcw", "a wheel that is not round", [](const Case&, const WheelRailData& d) { return is_variable(d.wheel); }},
 };
 
 } // namespace

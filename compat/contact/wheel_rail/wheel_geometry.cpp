@@ -60,8 +60,7 @@ std::vector<PatchFrame> WheelGeometry::patches(double z) {
   const Placement placed = placement(z);
   std::vector<PatchFrame> frames;
   for (const PatchRegion& patch : make_patches(regions(z), data_.grid))
-    frames.push_back(
-        lay_out_patch(patch, placed, rail(), data_.grid, origin_, place_on_track(data_), most_elements_));
+    frames.push_back(lay_out_patch(patch, placed, rail(), data_.grid, origin_, place_on_track(data_), most_elements_));
   return frames;
 }
 

@@ -38,7 +38,7 @@ private:
   int most_elements_;
   RailDeflection deflection_;
   std::shared_ptr<const ProfileCurve> rail_in_track_;
-  std::optional<GapLine> at_zero_; ///< the gap with Z_WS = 0,
+  std::optional<GapLine> at_zero_;        ///< the gap with Z_WS = 0,
   std::optional<GapSurface> brute_force_; ///< or that over the whole surface
 };
 

@@ -55,8 +55,7 @@ double hertzian_depth(const Case& c, const LeastGap& gap, double force) {
   constexpr double per_mm = 1e3, least_curvature = 1e-4;
   const double a = 0.5 / c.wheel_rail->wheelset.nominal_radius;
   const double b = gap.curvature > least_curvature ? gap.curvature : least_curvature;
-  const double depth =
-      hertz_from_load({a * per_mm, b * per_mm}, combined_material(c), force).approach * per_mm;
+  const double depth = hertz_from_load({a * per_mm, b * per_mm}, combined_material(c), force).approach * per_mm;
   return depth / std::max(0.5, std::cos(gap.angle));
 }
 
@@ -273,8 +272,8 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   patch.location = locate(frame, placement);
   PatchMotion motion;
   if (right.digits.has_friction())
-    motion = patch_motion(*right.wheel_rail, placement, frame, distance.approach,
-                          right.digits.tang == Tangential::shift);
+    motion =
+        patch_motion(*right.wheel_rail, placement, frame, distance.approach, right.digits.tang == Tangential::shift);
   patch.contact = patch_case(right, frame, distance, motion, patch.location);
   Digits& digits = patch.contact.digits;
   if (!track.is_new) { // the same case once more, at another height

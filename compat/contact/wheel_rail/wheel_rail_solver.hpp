@@ -47,11 +47,11 @@ private:
   void follow(const std::vector<PatchFrame>& frames);
 
   std::vector<std::pair<ProfileRecord, std::shared_ptr<const ProfileCurve>>> profiles_;
-  std::vector<Track> tracks_;          ///< of the patches of the case before, or of the step before in this case
+  std::vector<Track> tracks_; ///< of the patches of the case before, or of the step before in this case
   WheelEffort effort_;
-  std::optional<double> last_z_;       ///< Z_WS of the case before
-  std::vector<PatchFrame> frames_;     ///< of the last solution
-  int lost_ = 0;                       ///< number of the case that could not be run after the last one that was solved
+  std::optional<double> last_z_;   ///< Z_WS of the case before
+  std::vector<PatchFrame> frames_; ///< of the last solution
+  int lost_ = 0;                   ///< number of the case that could not be run after the last one that was solved
 };
 
 } // namespace microslip::contact_program
