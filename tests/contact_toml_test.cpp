@@ -116,7 +116,7 @@ TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
   expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");
   expect_refused(with_corrected_coefficients(first_shift),
                  "C = 4 (half-space coefficients corrected for conformal contact)");
-  expect_refused(" 1 MODULE\n", "MODULE = 1 (wheel on rail)");
+  expect_refused(first_wheel, "MODULE = 1 (wheel on rail)");
   Case next = first_case(first_shift);
   next.digits.pvtime = Continuation::previous;
   EXPECT_THROW(to_toml(next, ""), Error);

@@ -151,6 +151,33 @@ TEST_F(WheelOnPlane, TractionsGoOnFromCaseToCase) {
   EXPECT_NEAR(twice / once, 1, 1e-4);
 }
 
+TEST_F(WheelOnPlane, PullsWithTheForceThatIsGiven) {
+  std::string text = with(with(first_wheel, " 1203000", " 1203110"), " 0 0 .16 ", " 0 0 50e3 ");
+  text = with(text, " 100. 0 0 0 0 -1.  ", " 100. 0 0 0 0 4e3 ");
+  const WheelOutcome& w = *run(text).at(0).wheel;
+  EXPECT_NEAR(w.wheelset.force.x, 4e3, 5e4 * 1e-6);
+  EXPECT_NEAR(w.track.force.z, 5e4, 0.1);
+  EXPECT_NEAR(w.vpitch, -1, 0.01);
+}
+
+/// A rail that the wheel pushes aside moves until its spring and the force on it bear that.
+TEST_F(WheelOnPlane, ARailOnASpringIsInBalance) {
+  std::string text = with(with(first_wheel, " 1203000", " 1203130"), " 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0");
+  text = with(text, "'rail.prr'", "'convex.prr'");
+  text = with(text, " 0 0 0 0 0 0           DY", " 0 0 0 0 0 0 DY\n 4e3 700. 0 0 .2 KY");
+  const WheelOutcome& w = *run(text).at(0).wheel;
+  EXPECT_GT(std::abs(w.track.force.y), 100);
+  EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
+}
+
+TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {
+  std::istringstream stream(with(first_wheel, " 0 0 .16 0", " 0 0 1e9 0"));
+  InputReader reader(stream, (folder_.path() / "a.inp").string());
+  contact_program::Run runs;
+  const Outcome outcome = runs.run(*reader.next());
+  EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
+}
+
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
   std::istringstream stream(with(first_wheel, " 0022033", " 0042033") +
                             with(with(first_wheel, "'rail.prr'", "'rail.slcs'"), "'wheel.prw'", "'none.prw'"));

@@ -1,8 +1,11 @@
 #include "compat/contact/wheel_rail/patch_frame.hpp"
 
+#include "microslip/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace microslip::contact_program {
 namespace {
@@ -27,8 +30,10 @@ struct Range {
   int first = 0, count = 0;
 
   Range(double low, double high, double size) {
-    first = static_cast<int>(std::floor(low / size)) - 1;
-    count = static_cast<int>(std::ceil(high / size)) + 1 - first + 1;
+    constexpr double farthest = 1e8; // elements from the origin
+    const auto element = [&](double steps) { return static_cast<int>(std::clamp(steps, -farthest, farthest)); };
+    first = element(std::floor(low / size)) - 1;
+    count = element(std::ceil(high / size)) + 1 - first + 1;
   }
 };
 
@@ -73,6 +78,10 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
     if (x.count > few) x = Range(x_low, x_high, f.dx *= 2);
     if (s.count > few) s = Range(std::min(s_low, s_high), std::max(s_low, s_high), f.ds *= 2);
   }
+  constexpr double most_elements = 2e7; // beyond that the bodies lie in one another
+  if (!(double(x.count) * s.count < most_elements))
+    throw Error("wheel and rail overlap over " + std::to_string(x_high - x_low) + " x " +
+                std::to_string(s_high - s_low) + " mm, more elements than there may be; is the wheel's height right?");
   f.mx = x.count;
   f.my = s.count;
   f.x0 = (x.first - 0.5) * f.dx;

@@ -150,8 +150,8 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
 /// With the rail deflected so far.
 Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress) {
   const WheelRailData& data = *right.wheel_rail;
-  WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
-                         origin_of(right.digits), right.solver.npot_max, deflection);
+  const auto rail = profile(data.rail, ProfileRole::rail), wheel = profile(data.wheel, ProfileRole::wheel);
+  WheelGeometry geometry(data, rail, wheel, origin_of(right.digits), right.solver.npot_max, deflection);
   if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
   return right.digits.norm == Normal::force ? find_height(right, geometry, progress)
                                             : solve_at(right, geometry, data.position.z, progress);
