@@ -67,8 +67,7 @@ TEST(RowNormal, IsHertzOnEllipses) {
   const double load = 80e3, radius = 0.46;
   for (const double lateral_radius : {0.02, 0.08, 0.3, 1.5, 20.0})
     for (const double shift : {0.0, 0.3}) {
-      const HertzContact hertz =
-          hertz_from_load({0.5 / radius, 0.5 / lateral_radius}, steel, load);
+      const HertzContact hertz = hertz_from_load({0.5 / radius, 0.5 / lateral_radius}, steel, load);
       const auto rows = rows_over(0.5 / radius, 0.5 / lateral_radius, hertz.b, hertz.approach, 16, shift);
       const RowNormal::Result found = normal.solve(steel, rows, load, false, 40);
       EXPECT_EQ(found.status, Status::ok);
@@ -142,7 +141,8 @@ TEST(RowNormal, IsTheHalfSpacesContactWhereCurvaturesVary) {
   for (int k = 0; k < 2 * few; ++k) {
     const double from = k < few ? inner * (few - k) / few : outer * (k - few) / few;
     const double to = k < few ? inner * (few - k - 1) / few : outer * (k - few + 1) / few;
-    rows.push_back({{0, (from + to) / 2, 0}, (from + to) / 2, 0, to - from, gap((from + to) / 2) - overlap, a_curvature, 0});
+    rows.push_back(
+        {{0, (from + to) / 2, 0}, (from + to) / 2, 0, to - from, gap((from + to) / 2) - overlap, a_curvature, 0});
   }
   RowNormal normal(40);
   const RowNormal::Result found = normal.solve(steel, rows, load, false, 40);

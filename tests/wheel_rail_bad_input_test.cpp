@@ -44,8 +44,11 @@ WheelState<double> running() {
 
 bool all_numbers(const WheelRailSolution& s) {
   double sum = s.force.x + s.force.y + s.force.z + s.moment.x + s.moment.y + s.moment.z + s.vertical + s.residual;
+  // Wear and fatigue have no value without the material's strength.
+  static const auto sound = WheelRail(pair()).solve(running(), 50e3).patches;
   for (const WheelRailPatch& patch : s.patches)
-    for (const PatchQuantity& quantity : patch_quantities()) sum += quantity.value(patch);
+    for (const PatchQuantity& quantity : patch_quantities())
+      if (quantity.is_given(sound)) sum += quantity.value(patch);
   return std::isfinite(sum);
 }
 
@@ -215,7 +218,8 @@ TEST(WheelRailBadInput, AtRestNothingIsTangential) {
     const auto s = contact.solve(state, 50e3);
     ASSERT_EQ(s.status, Status::ok);
     for (const WheelRailPatch& patch : s.patches) {
-      EXPECT_NEAR(std::hypot(patch.fx, patch.fs), 0, 1e-9);
+      // Rows of the fast level have planes of their own, whose normal forces do not quite add up along the frame's.
+      EXPECT_NEAR(std::hypot(patch.fx, patch.fs), 0, method.level == WheelRailLevel::exact ? 1e-9 : 2e-3 * 50e3);
       EXPECT_NEAR(patch.frictional_power, 0, 1e-9);
       EXPECT_EQ(patch.rolling_speed, 0);
     }

@@ -126,12 +126,14 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
         const WheelRailPatch& patch = s.patches[i];
         double normal = 0;
         for (std::size_t k = 0; k < f.elements.size(); ++k) normal += f.fields.pressure[k] * f.elements.area[k];
-        EXPECT_NEAR(normal / patch.normal_force, 1, 1e-6);
-        EXPECT_NEAR(f.totals.fx, patch.fx, 1e-6 * normal);
-        EXPECT_NEAR(f.totals.fy, patch.fs, 1e-6 * normal);
-        EXPECT_NEAR(f.totals.mz, patch.moment, 1e-8 * normal);
-        EXPECT_NEAR(f.totals.frictional_power / patch.frictional_power, 1, 1e-6);
-        EXPECT_NEAR(f.totals.slip_area, patch.slip_area, 1e-6 * patch.contact_area);
+        // At the fast level fields are on rows of equal width, forces on the rows of the patch, in planes of their own.
+        const bool exact = level == WheelRailLevel::exact;
+        EXPECT_NEAR(normal / patch.normal_force, 1, exact ? 1e-6 : 5e-3);
+        EXPECT_NEAR(f.totals.fx, patch.fx, (exact ? 1e-6 : 2e-3) * normal);
+        EXPECT_NEAR(f.totals.fy, patch.fs, (exact ? 1e-6 : 2e-2) * normal);
+        EXPECT_NEAR(f.totals.mz, patch.moment, (exact ? 1e-8 : 1e-5) * normal);
+        EXPECT_NEAR(f.totals.frictional_power / patch.frictional_power, 1, exact ? 1e-6 : 5e-3);
+        EXPECT_NEAR(f.totals.slip_area, patch.slip_area, (exact ? 1e-6 : 0.1) * patch.contact_area);
       }
     }
 }

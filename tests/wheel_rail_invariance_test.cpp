@@ -120,7 +120,7 @@ TEST(WheelRailInvariance, MovedAsAWholeItsForcesAreTheSame) {
 }
 
 TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
-  // Almost: where a patch has its frame depends on the overlap along the vertical, which does not turn.
+  // Almost: where a patch has its frame, and its rows, depends on the overlap along the vertical, which does not turn.
   for (const WheelRailMethod& method : methods) {
     WheelRail contact(pair(), method);
     for (WheelState<double> state : states(0)) {
@@ -129,7 +129,8 @@ TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
       const auto a = contact.solve(state), b = contact.solve(moved(state, angle, {}));
       ASSERT_EQ(b.status, Status::ok);
       ASSERT_EQ(b.patches.size(), a.patches.size());
-      EXPECT_LT(size(b.force - rotation_about_x(angle) * a.force), 5e-4 * size(a.force));
+      const double tolerance = method.level == WheelRailLevel::exact ? 5e-4 : 3e-3;
+      EXPECT_LT(size(b.force - rotation_about_x(angle) * a.force), tolerance * size(a.force));
       for (std::size_t k = 0; k < a.patches.size(); ++k)
         EXPECT_NEAR(b.patches[k].angle, a.patches[k].angle + angle, 2e-4);
     }
@@ -181,7 +182,9 @@ TEST(WheelRailInvariance, FrictionTakesWhatCreepagesPutIn) {
       for (const WheelRailPatch& p : s.patches) {
         const double put_in = -p.rolling_speed *
                               (p.creepage.longitudinal * p.fx + p.creepage.lateral * p.fs + p.creepage.spin * p.moment);
-        EXPECT_NEAR(p.frictional_power, put_in, 0.03 * friction * p.normal_force * 20 * 1e-3);
+        // Rows of the fast level have creepages of their own.
+        const double share = s.fields.empty() ? 0.06 : 0.03;
+        EXPECT_NEAR(p.frictional_power, put_in, share * friction * p.normal_force * 20 * 1e-3);
         EXPECT_GE(p.frictional_power, 0);
       }
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace microslip {
@@ -46,6 +47,7 @@ std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFra
   const auto first = std::find_if(rows.begin(), rows.end(), loaded);
   const auto last = std::find_if(rows.rbegin(), rows.rend(), loaded);
   const double low = first->y - first->width / 2, width = (last->y + last->width / 2 - low) / count;
+  double load = 0, given = 0; // the rows' widths are those of the surface, their places those of its parameter
   std::vector<LoadedRow> even;
   for (int k = 0; k < count; ++k) {
     LoadedRow sum{.y = low + (k + 0.5) * width - frame.rail_s, .width = width};
@@ -63,13 +65,16 @@ std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFra
     }
     sum.half_length = width;
     if (sum.load > 0) {
-      for (double* mean : {&sum.centre, &sum.friction, &sum.creepage.longitudinal, &sum.creepage.lateral,
-                           &sum.creepage.spin})
+      for (double* mean :
+           {&sum.centre, &sum.friction, &sum.creepage.longitudinal, &sum.creepage.lateral, &sum.creepage.spin})
         *mean /= sum.load;
       sum.half_length = std::sqrt(square / sum.load);
     }
+    load += sum.load;
     even.push_back(sum);
   }
+  for (const LoadedRow& row : rows) given += row.load;
+  for (LoadedRow& row : even) row.load *= given / load;
   return even;
 }
 
@@ -159,7 +164,14 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
     for (std::size_t k = 0; k < n; ++k) vertical += load_[k] * normal_rows_[k].vertical_weight();
     found.lowering = (*goal - vertical) / found.stiffness;
   }
-  return found;
+  const double numbers =
+      std::accumulate(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(n), found.lowering) +
+      std::accumulate(half_length_.begin(), half_length_.begin() + static_cast<std::ptrdiff_t>(n), found.stiffness);
+  if (std::isfinite(numbers) && found.stiffness > 0) return found;
+  // No solution, as for contacts larger than their bodies: less depth, from the beginning.
+  std::fill_n(load_.begin(), n, 0.0), std::fill_n(half_length_.begin(), n, 1e-6);
+  warm_ = false;
+  return {-0.3 * depth_, goal.value_or(1) / depth_, false};
 }
 
 /// Rows as FASTSIM2 takes them, with their creepages about x = 0 of the track axes.

@@ -12,10 +12,10 @@ namespace microslip {
 namespace {
 
 constexpr double rows_of_a_parabola = 14; // across the overlap
-constexpr double least_density = 2.5;    // of the scale, over the overlap's length
+constexpr double least_density = 2.5;     // of the scale, over the overlap's length
 // Of the scale across a parabola, sqrt(1/b^2 + (1.5/(2 b))^2) 2 b.
 constexpr double scale_of_a_parabola = 3.2;
-constexpr double nowhere = 1;               // gap beside the wheel [m]
+constexpr double nowhere = 1; // gap beside the wheel [m]
 
 /// How the rail's surface and the wheel's profile in its place lean.
 struct Slopes {
@@ -37,6 +37,16 @@ ArcPoint arc_point(const CurvePoint& p) {
           .sine = p.first.z / length,
           .speed = length,
           .turn = (p.first.y * p.second.z - p.first.z * p.second.y) / (length * length)};
+}
+
+/// Curvature [1/m] of the wheel's surface along the track's x, by Euler's theorem from that around the axle and that of
+/// the profile: with chi the angle between x and the way around, sin(chi) = e_x/cos(alpha), e the axle.
+double curvature_along_track(const WheelLocus<double>& locus, const ArcPoint& p) {
+  constexpr double steepest = 0.02, least = 1e-3; // cosine; [1/m]
+  const double cosine = std::max(std::abs(p.cosine), steepest),
+               turned = std::min(locus.lean() / (cosine * cosine), 1.0);
+  const double around = cosine / (locus.radius() - p.place.z), profile = p.turn / p.speed;
+  return std::max(around * (1 - turned) + profile * turned, least);
 }
 
 /// By how much a minimum of the gap lies below the lowest way to a deeper one, or to the end of the overlap [m]: where
@@ -88,8 +98,8 @@ double ContactRows::sample(const WheelPlacement<double>& placement, const Contac
   const double wheel_step = (region.outer.s_wheel - region.inner.s_wheel) / intervals;
   double sum = 0, depth = 0;
   for (int k = 0; k <= intervals; ++k) {
-    const auto [slope, level] = slopes(placement, rail_->at(samples.low + k * samples.step),
-                                       wheel_->at(region.inner.s_wheel + k * wheel_step));
+    const auto [slope, level] =
+        slopes(placement, rail_->at(samples.low + k * samples.step), wheel_->at(region.inner.s_wheel + k * wheel_step));
     samples.slope[k] = slope, samples.level[k] = level;
     if (k == 0) continue;
     const double before = depth;
@@ -99,12 +109,14 @@ double ContactRows::sample(const WheelPlacement<double>& placement, const Contac
   return sum;
 }
 
-/// Counts rows through all regions: their density at each place, `length` [m] that of the overlap if it were a parabola.
+/// Counts rows through all regions: their density at each place, `length` [m] that of the overlap if it were a
+/// parabola.
 void ContactRows::measure(double length, double depth) {
   const double least = least_density / length;
   double before = 0;
   for (Samples& s : samples_) {
-    s.measure[0] = before;
+    s.measure.fill(before);
+    if (!(s.step > 0)) continue; // the overlap is a point
     for (int k = 1; k <= intervals; ++k) {
       const double curvature = std::abs(s.slope[k] - s.slope[k - 1]) / s.step;
       const double along_normal = depth * std::max((s.level[k] + s.level[k - 1]) / 2, 0.05);
@@ -115,8 +127,8 @@ void ContactRows::measure(double length, double depth) {
   }
 }
 
-/// Where the edges lie in the count of rows, in [-1/2, 1/2]: at the deepest place, or where there are more of them at the
-/// mean over the circle of where they would have them, each with its prominence squared.
+/// Where the edges lie in the count of rows, in [-1/2, 1/2]: at the deepest place, or where there are more of them at
+/// the mean over the circle of where they would have them, each with its prominence squared.
 double ContactRows::find_phase(std::span<const ContactRegion> regions, std::span<const ContactPoint> points,
                                double lowering) const {
   double cosine = 0, sine = 0;
@@ -133,6 +145,7 @@ double ContactRows::find_phase(std::span<const ContactRegion> regions, std::span
 }
 
 double ContactRows::Samples::measure_at(double s) const {
+  if (!(step > 0)) return measure[0];
   const double place = std::clamp((s - low) / step, 0.0, static_cast<double>(intervals));
   const int k = std::min(static_cast<int>(place), intervals - 1);
   return measure[k] + (place - k) * (measure[k + 1] - measure[k]);
@@ -198,8 +211,7 @@ void ContactRows::add(const WheelPlacement<double>& placement, double low, doubl
   const bool on_wheel = wheel_s >= 0 && wheel_s <= wheel_->length();
   const double gap = above / along_normal;
   row.normal.gap = on_wheel && std::isfinite(gap) ? gap : nowhere;
-  constexpr double steepest = 0.02; // cosine
-  row.normal.curvature = std::max(std::abs(there.cosine), steepest) / (2 * (placement.radius - wheel_->at(wheel_s).value.z));
+  row.normal.curvature = curvature_along_track(locus, arc_point(wheel_->at(wheel_s))) / 2;
 }
 
 } // namespace microslip

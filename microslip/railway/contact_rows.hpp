@@ -20,18 +20,18 @@ struct ContactRow {
 
 /// Cuts the regions of overlap into rows. Along the rail's surface there are rows in proportion to sqrt(kappa/(2 zeta)
 /// + (1.5/L)^2) ds, with kappa the surfaces' relative curvature, zeta the greatest overlap along the normal and L the
-/// length of a parabola with as large an area of overlap: a contact with one curvature has 9 rows, of which some six bear
-/// loads, and where curvatures vary the rows follow them. Rows are counted through all regions; an edge lies where the
-/// overlap is deepest, and rows at a region's end are cut off there. As the ends of the overlap bear no load, all that
-/// follows is continuous while regions appear, merge and split.
+/// length of a parabola with as large an area of overlap: a contact with one curvature has 9 rows, of which some six
+/// bear loads, and where curvatures vary the rows follow them. Rows are counted through all regions; an edge lies where
+/// the overlap is deepest, and rows at a region's end are cut off there. As the ends of the overlap bear no load, all
+/// that follows is continuous while regions appear, merge and split.
 class ContactRows {
 public:
   /// The profiles must outlive it; takes the memory for its rows.
   ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows);
 
-  /// Rows of the wheel in its place, which is by `lowering` [m] lower than where it was searched; the regions and points
-  /// are those of the search, `depth` [m] is the greatest overlap. False if there are more than can be: those at the field
-  /// side are left out. Cost some 300 ns a row.
+  /// Rows of the wheel in its place, which is by `lowering` [m] lower than where it was searched; the regions and
+  /// points are those of the search, `depth` [m] is the greatest overlap. False if there are more than can be: those at
+  /// the field side are left out. Cost some 300 ns a row.
   bool place(const WheelPlacement<double>& placement, std::span<const ContactRegion> regions,
              std::span<const ContactPoint> points, double lowering, double depth);
 
@@ -42,10 +42,10 @@ private:
 
   /// A region at equal distances along the rail's profile.
   struct Samples {
-    double low = 0, step = 0;                      ///< parameter of the rail's profile [m]
-    std::array<double, intervals + 1> slope{};     ///< of the wheel's surface against the rail's, a sine
-    std::array<double, intervals + 1> level{};     ///< cosine of the rail's inclination
-    std::array<double, intervals + 1> measure{};   ///< rows so far, through all regions
+    double low = 0, step = 0;                    ///< parameter of the rail's profile [m]
+    std::array<double, intervals + 1> slope{};   ///< of the wheel's surface against the rail's, a sine
+    std::array<double, intervals + 1> level{};   ///< cosine of the rail's inclination
+    std::array<double, intervals + 1> measure{}; ///< rows so far, through all regions
     double measure_at(double s) const;
   };
 

@@ -95,6 +95,10 @@ double HertzianRows::fit(std::span<const ContactRow> rows) {
   if (!(square > 0) || !(across_ > flattest * along)) return 0;
   const double slope = gap1 / m2 - across_ * m3 / m2, t0 = -slope / (2 * across_);
   s0_ = mean + t0, skew_ = x1 / m2, x0_ = x_mean + skew_ * t0, along_ = along, cosine_ = cosine;
+  // A paraboloid that is all but a cylinder, for being skew or flat, is none of Hertz's.
+  constexpr double slenderest = 1e-8;
+  const double trace = along * (1 + skew_ * skew_) + across_;
+  if (!(along * across_ > slenderest * trace * trace)) return 0;
   overlap_ = -(gap_mean - across_ * m2 + slope * t0 + across_ * t0 * t0);
   if (!(overlap_ > 0)) return 0;
 
@@ -119,9 +123,9 @@ double HertzianRows::load(const CombinedMaterial& material, std::span<const Norm
     double vertical = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       const double t = place_[k] - s0_, half = rows[k].width / 2;
-      const double part = weight_[k] > 0
-                              ? parabola_between((t - half) / half_width, (t + half) / half_width) * half_width / (2 * half)
-                              : 0;
+      const double part =
+          weight_[k] > 0 ? parabola_between((t - half) / half_width, (t + half) / half_width) * half_width / (2 * half)
+                         : 0;
       load_[k] = pi / 2 * hertz.contact.peak_pressure * length * part;
       half_length_[k] = length * std::sqrt(part);
       centre_[k] = x0_ - e.e12 / e.e11 * t;
@@ -130,9 +134,8 @@ double HertzianRows::load(const CombinedMaterial& material, std::span<const Norm
     return vertical;
   };
   if (!vertical_force) {
-    const TurnedHertz hertz = turned_hertz(along_, across_, skew_, [&](const GapCurvatures& gap) {
-      return hertz_from_approach(gap, material, overlap_);
-    });
+    const TurnedHertz hertz = turned_hertz(
+        along_, across_, skew_, [&](const GapCurvatures& gap) { return hertz_from_approach(gap, material, overlap_); });
     put(hertz);
     stiffness_ = hertz.contact.stiffness * cosine_;
     return 0;

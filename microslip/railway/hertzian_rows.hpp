@@ -9,15 +9,16 @@
 
 namespace microslip {
 
-/// The loads of a contact's rows after Hertz, where the gap is a paraboloid: h = A (x - x0 - m (s - s0))^2 + B (s - s0)^2
+/// The loads of a contact's rows after Hertz, where the gap is a paraboloid: h = A (x - x0 - m (s - s0))^2 + B (s -
+/// s0)^2
 /// - delta in the rows' surface, fitted with the squared overlap as weight.
 class HertzianRows {
 public:
   explicit HertzianRows(std::size_t most_rows);
 
-  /// Fits the paraboloid to the rows of the deepest region. Returns how far Hertz's solution holds: 1 where the rows are
-  /// off by less than 1.5 % of the overlap (weighted rms), 0 beyond 3 %, where the fit is not about its middle, or where another
-  /// region overlaps by more than .3 of the deepest one, smooth in between. Cost some 10 ns a row.
+  /// Fits the paraboloid to the rows of the deepest region. Returns how far Hertz's solution holds: 1 where the rows
+  /// are off by less than 1.5 % of the overlap (weighted rms), 0 beyond 3 %, where the fit is not about its middle, or
+  /// where another region overlaps by more than .3 of the deepest one, smooth in between. Cost some 10 ns a row.
   double fit(std::span<const ContactRow> rows);
 
   /// Loads and half-lengths of the rows that were fitted; by how much the wheel is to be lowered [m] for a vertical

@@ -68,7 +68,8 @@ RowInfluence::Values RowInfluence::far(double delta) const {
   const double square = delta * delta;
   const double f = pi / 2 / std::sqrt(square + 0.25);
   // asinh(2 delta) = ln(4 delta) + 1/(16 delta^2) + ...
-  const double phi = phi_at_largest_ + pi / 2 * (std::log(std::abs(delta) / largest) + (1 / square - 1 / (largest * largest)) / 16);
+  const double phi =
+      phi_at_largest_ + pi / 2 * (std::log(std::abs(delta) / largest) + (1 / square - 1 / (largest * largest)) / 16);
   const auto rest = [](double x2) { return pi / (4 * x2) * (1 - 9 / (16 * x2)); };
   const double psi = psi_at_largest_ + rest(largest * largest) - rest(square);
   return {std::copysign(phi, delta), std::copysign(psi, delta), f, f / (1 + square)};

@@ -10,8 +10,8 @@ namespace microslip {
 
 /// The displacement of a half-space under strips on which the pressure is semi-elliptic along x, p = 2 q/(pi a)
 /// sqrt(1 - x^2/a^2), and uniform across, as functions of the distance from a strip's edge over its half-length, delta:
-/// at x = 0 the line of pressure at the distance delta gives u = C (2 q/pi) f(delta) for each unit of width over a, with
-/// C = (1 - nu)/(pi G) and
+/// at x = 0 the line of pressure at the distance delta gives u = C (2 q/pi) f(delta) for each unit of width over a,
+/// with C = (1 - nu)/(pi G) and
 ///   f(delta) = integral over [-1, 1] of sqrt((1 - t^2)/(t^2 + delta^2)) dt = 2 D/sqrt(1 + delta^2),
 /// D the elliptic integral of the complementary modulus delta/sqrt(1 + delta^2). As f is harmonic about the line,
 /// its curvature along x is d^2 f/dx^2 = -f/(1 + delta^2), in units of a.
@@ -20,7 +20,9 @@ public:
   RowInfluence();
 
   /// Integrals from 0 to delta: Phi of f, Psi of f/(1 + delta^2), both odd; and f and psi themselves.
-  struct Values { double phi, psi, f, curvature; };
+  struct Values {
+    double phi, psi, f, curvature;
+  };
   /// To 1e-6 relative. Cost some 4 ns.
   Values at(double delta) const {
     const double size = std::abs(delta);

@@ -42,8 +42,8 @@ RowNormal::RowNormal(std::size_t most_rows) {
   for (std::vector<double>* matrix :
        {&distance_, &cosine_, &influence_matrix_, &by_kappa_, &curvature_by_load_, &system_})
     matrix->resize(most_rows * most_rows);
-  for (std::vector<double>* row : {&load_, &log_kappa_, &half_length_, &width_, &s_, &level_, &weight_, &root_load_, &next_load_, &right_, &per_lowering_,
-                                   &displacement_, &residual_, &slope_})
+  for (std::vector<double>* row : {&load_, &log_kappa_, &half_length_, &width_, &s_, &level_, &weight_, &root_load_,
+                                   &next_load_, &right_, &per_lowering_, &displacement_, &residual_, &slope_})
     row->resize(most_rows);
   in_contact_.resize(most_rows);
   active_.reserve(most_rows), loaded_.reserve(most_rows);
@@ -80,7 +80,8 @@ void RowNormal::start(std::span<const NormalRow> rows) {
   }
 }
 
-/// Each row has the load and the kappa of the last solve's row that holds its centre. False if none of them bears a load.
+/// Each row has the load and the kappa of the last solve's row that holds its centre. False if none of them bears a
+/// load.
 bool RowNormal::start_from_last(std::span<const NormalRow> rows) {
   std::size_t old = 0;
   bool any = false;
@@ -98,7 +99,8 @@ bool RowNormal::start_from_last(std::span<const NormalRow> rows) {
 }
 
 void RowNormal::find_half_lengths() {
-  const double first = first_load * *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
+  const double first =
+      first_load * *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
   loaded_.clear();
   for (std::size_t j = 0; j < count_; ++j) {
     const bool loaded = load_[j] > 0;
@@ -220,7 +222,8 @@ void RowNormal::change_curvatures() {
   constexpr double most = 1;
   for (std::size_t j = 0; j < count_; ++j) {
     double rest = residual_[j];
-    for (std::size_t k = first_near_; k < end_near_; ++k) rest += at(curvature_by_load_, j, k) * (next_load_[k] - load_[k]);
+    for (std::size_t k = first_near_; k < end_near_; ++k)
+      rest += at(curvature_by_load_, j, k) * (next_load_[k] - load_[k]);
     log_kappa_[j] -= std::clamp(rest / slope_[j], -most, most);
   }
 }
@@ -245,7 +248,8 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
     const bool found = solve_active(vertical_force, result);
     // From the active rows to all of them, from behind: no place is overwritten before it is read.
     std::size_t i = active_.size();
-    for (std::size_t k = count_; k-- > 0;) next_load_[k] = i > 0 && active_[i - 1] == k ? std::max(next_load_[--i], 0.0) : 0.0;
+    for (std::size_t k = count_; k-- > 0;)
+      next_load_[k] = i > 0 && active_[i - 1] == k ? std::max(next_load_[--i], 0.0) : 0.0;
     double largest = 0;
     result.change = 0;
     for (std::size_t k = 0; k < count_; ++k) {

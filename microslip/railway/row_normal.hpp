@@ -31,8 +31,8 @@ struct NormalRow {
 ///   q >= 0, e = h - zeta cos(angle) + sum U_jk q_k >= 0, q e = 0,
 /// U the displacement under RowInfluence's strips, with the cosine of the angle between both planes and the distance
 /// between both centres; zeta [m] by how much the wheel is lowered further, given as 0 or such that the vertical
-/// force is given: sum of q width (cos(angle) + shear sin(angle)) = F. Neighbouring patches influence one another as rows
-/// do, whatever their distance.
+/// force is given: sum of q width (cos(angle) + shear sin(angle)) = F. Neighbouring patches influence one another as
+/// rows do, whatever their distance.
 ///
 /// The half-lengths follow from kappa = (2 q/(pi a))/a, the peak pressure over a. A row's kappa is the one with which
 /// the displacement's curvature along x at the row's centre is -2 A if all rows had that kappa: so on an ellipse
@@ -56,8 +56,8 @@ public:
     int steps = 0;
   };
   /// At most `most_steps` steps, fewer once the change is less than 1e-6, with which the next one's would be 1e-12.
-  /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads at the same
-  /// s if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
+  /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads at the
+  /// same s if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
   Result solve(const CombinedMaterial& material, std::span<const NormalRow> rows, std::optional<double> vertical_force,
                bool warm, int most_steps) noexcept;
 
@@ -91,7 +91,7 @@ private:
   std::vector<double> root_load_;      ///< sqrt(2 q/pi), a sqrt(kappa)
   std::vector<double> level_, weight_; ///< cos(angle), and the vertical force of q = 1 [m]
   std::vector<double> next_load_, right_, per_lowering_, displacement_;
-  std::vector<double> residual_, slope_; ///< of ln(kappa), and its derivative with respect to itself
+  std::vector<double> residual_, slope_;      ///< of ln(kappa), and its derivative with respect to itself
   std::vector<std::size_t> active_;           ///< in contact
   std::vector<std::size_t> loaded_;           ///< in the last step
   std::size_t first_near_ = 0, end_near_ = 0; ///< all of these, those between them, and a neighbour on both sides

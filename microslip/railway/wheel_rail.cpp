@@ -43,6 +43,13 @@ bool is_finite(WheelState<double> state) {
   return std::all_of(numbers.begin(), numbers.end(), [](const double* x) { return std::isfinite(*x); });
 }
 
+/// Contacts larger than their bodies have no solution.
+bool has_numbers(const WheelRailSolution& s) {
+  double sum = dot(s.force, s.force) + dot(s.moment, s.moment) + s.vertical + s.residual;
+  for (const WheelRailPatch& p : s.patches) sum += p.normal_force + p.peak_pressure + p.frictional_power + p.moment;
+  return std::isfinite(sum);
+}
+
 /// A left wheel's solution as that of a right one.
 void mirror(WheelRailSolution& out) {
   for (double* odd : {&out.force.y, &out.moment.x, &out.moment.z}) *odd = -*odd;
@@ -168,6 +175,11 @@ private:
       solve_exact(coarse, state, bodies, method, vertical_force, out);
     else if (method.fields || bodies.strength.hardness)
       coarse.add_fields(out);
+    if (!has_numbers(out)) {
+      out.patches.clear(), out.fields.clear();
+      out.force = out.moment = {};
+      out.vertical = state.vertical, out.residual = 1, out.status = Status::not_converged;
+    }
     assess(out);
     if (method.level != WheelRailLevel::exact && !method.fields) out.fields.clear();
   }
