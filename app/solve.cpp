@@ -182,7 +182,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.print();
 }
 
-// Input is a RollingCase or a WheelRailCase, Result what solve_case makes of it.
+// Input is a RollingCase, a WheelRailCase or a WheelsetCase, Result what solve_case makes of it.
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
   const InterruptGuard guard;
@@ -266,6 +266,7 @@ int solve(SolveArguments arguments) {
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
   const auto text = read_case_text(arguments.case_file);
   const auto name = arguments.case_file.string();
+  if (is_wheelset_case(text, name)) return solve(arguments, parse_wheelset_case(text, name), text);
   if (is_wheel_rail_case(text, name)) return solve(arguments, parse_wheel_rail_case(text, name), text);
   return solve(arguments, parse_case(text, name), text);
 }
@@ -288,7 +289,8 @@ void add_solve_command(CLI::App& program, int& exit_code) {
   command->footer(
       "Of a wheel on a rail ([track], [rail], [wheelset], [wheel]) finds the patches between the profiles and solves\n"
       "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
-      "[sweep]. Of two bodies with radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
+      "[sweep]; with side = \"both\" those of a wheelset with its height, roll and rolling speed. Of two bodies with\n"
+      "radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
       "asks for; the exact theory and FASTSIM2 stand side by side. Prints forces on body 1 [N], the moment [N m], "
       "areas\n"
       "[mm^2] and the frictional power [W]. Writes result.h5 (SI) and pictures. With --json the numbers of result.h5\n"

@@ -3,7 +3,7 @@
 #include "app/interior_table.hpp"
 #include "app/quantity_table.hpp"
 #include "io/option_words.hpp"
-#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +43,20 @@ constexpr PrintedQuantity printed_of_wheel[] = {
     {"residual", "residual of the vertical force", "-"},
 };
 
+constexpr PrintedQuantity printed_of_wheelset[] = {
+    {"force_x", "longitudinal force", "N"},
+    {"force_y", "lateral force, to the left", "N"},
+    {"force_z", "vertical force, upwards", "N"},
+    {"moment_x", "roll moment about the centre", "N m"},
+    {"moment_y", "moment about y", "N m"},
+    {"moment_z", "yaw moment, to the left", "N m"},
+    {"vertical", "height above the nominal radius", "mm", 1e3},
+    {"roll", "roll, raises the left wheel", "mrad", 1e3},
+    {"pitch_velocity", "pitch velocity, rolls forward", "rad/s"},
+    {"frictional_power", "frictional power", "W"},
+    {"residual", "largest residual", "-"},
+};
+
 constexpr PrintedQuantity printed_of_patch[] = {
     {"rail_y", "y on the rail", "mm", 1e3},
     {"wheel_y", "y on the wheel", "mm", 1e3},
@@ -79,11 +93,17 @@ template <class Table> const auto& find(const Table& table, std::string_view nam
   return *std::find_if(table.begin(), table.end(), [name](const auto& q) { return q.name == name; });
 }
 
-std::string description_of(const WheelRailCase& input) {
+std::string description_of(const WheelRailSetting& input, std::string_view what) {
   const bool is_exact = input.method.level == WheelRailLevel::exact;
   const std::string theory =
       is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements) : "fastsim2";
-  return fmt::format("{} wheel, {}, {} patches", to_word(input.side), theory, to_word(input.method.shape));
+  return fmt::format("{}, {}, {} patches", what, theory, to_word(input.method.shape));
+}
+std::string description_of(const WheelRailCase& input) {
+  return description_of(input, fmt::format("{} wheel", to_word(input.side)));
+}
+std::string description_of(const WheelsetCase& input) {
+  return description_of(input, "wheelset");
 }
 
 void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) {
@@ -96,13 +116,32 @@ void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) 
   table.print();
 }
 
-void print_patches(const std::vector<WheelRailPatch>& patches) {
-  if (patches.empty()) return;
-  std::vector<std::string> heads, status;
-  for (const WheelRailPatch& patch : patches) {
-    heads.push_back(fmt::format("patch {}", heads.size() + 1));
-    status.emplace_back(to_string(patch.status));
+void print_wheelset(const WheelsetCase& input, const WheelsetSolution& solution) {
+  QuantityTable table(description_of(input));
+  for (const auto& [name, label, unit, factor] : printed_of_wheelset)
+    table.add(std::string(label), factor * find(wheelset_quantities(), name).value(solution), std::string(unit));
+  table.add("status", {std::string(to_string(solution.status))});
+  table.print();
+}
+
+void print_both_wheels(const WheelsetSolution& solution) {
+  QuantityTable table("wheels", {"left", "right"});
+  for (const auto& [name, label, unit, factor] : printed_of_wheel) {
+    if (name == "vertical" || name == "residual") continue; // the wheelset's
+    const auto value = find(wheel_quantities(), name).value;
+    const double left = value(solution.left), right = value(solution.right);
+    if (std::isnan(left) && std::isnan(right)) continue;
+    table.add(std::string(label), {factor * left, factor * right}, std::string(unit));
   }
+  table.add("status", {std::string(to_string(solution.left.status)), std::string(to_string(solution.right.status))});
+  table.print();
+}
+
+/// `heads`: their names.
+void print_patches(const std::vector<WheelRailPatch>& patches, const std::vector<std::string>& heads) {
+  if (patches.empty()) return;
+  std::vector<std::string> status;
+  for (const WheelRailPatch& patch : patches) status.emplace_back(to_string(patch.status));
   QuantityTable table("patches", heads);
   for (const auto& [name, label, unit, factor] : printed_of_patch) {
     const PatchQuantity& quantity = find(patch_quantities(), name);
@@ -113,6 +152,10 @@ void print_patches(const std::vector<WheelRailPatch>& patches) {
   }
   table.add("status", status);
   table.print();
+}
+
+void add_heads(std::vector<std::string>& heads, const std::string& what, std::size_t count) {
+  for (std::size_t k = 1; k <= count; ++k) heads.push_back(fmt::format("{} {}", what, k));
 }
 
 /// A column of the table of a sweep.
@@ -132,25 +175,44 @@ PrintedQuantity printed_of_state(std::string_view name, std::string_view unit) {
   return unit == "m" ? PrintedQuantity{name, name, "mm", 1e3} : PrintedQuantity{name, name, unit, 1};
 }
 
+template <class Values> Column varied_column(std::string_view name, std::string_view unit, const Values& values) {
+  const auto [of, label, printed, factor] = printed_of_state(name, unit);
+  Column column{std::string(label), std::string(printed), {}};
+  for (const double value : values) column.cells.push_back(fmt::format("{:.6g}", factor * value));
+  return column;
+}
+
 std::vector<Column> varied_columns(const WheelRailCase& input) {
   std::vector<Column> columns;
   for (const auto name : input.varied) {
     const bool is_force = name == "vertical_force";
-    const auto unit = is_force ? "N" : find(state_quantities(), name).unit;
-    const auto [of, label, printed, factor] = printed_of_state(name, unit);
-    Column column{std::string(label), std::string(printed), {}};
+    std::vector<double> values;
     for (const auto& [state, force] : input.states)
-      column.cells.push_back(
-          fmt::format("{:.6g}", factor * (is_force ? *force : find(state_quantities(), name).value(state))));
-    columns.push_back(std::move(column));
+      values.push_back(is_force ? *force : find(state_quantities(), name).value(state));
+    columns.push_back(varied_column(name, is_force ? "N" : find(state_quantities(), name).unit, values));
   }
   return columns;
 }
 
-template <class Value>
-Column column_of(const WheelRailResult& result, const char* head, const char* unit, const Value& value) {
+std::vector<Column> varied_columns(const WheelsetCase& input) {
+  std::vector<Column> columns;
+  std::vector<double> values(input.states.size());
+  const auto add = [&](std::string_view name, std::string_view unit, const auto& value) {
+    if (std::find(input.varied.begin(), input.varied.end(), name) == input.varied.end()) return;
+    std::transform(input.states.begin(), input.states.end(), values.begin(), value);
+    columns.push_back(varied_column(name, unit, values));
+  };
+  for (const WheelsetStateQuantity& q : wheelset_state_quantities())
+    add(q.name, q.of_wheel->unit, [&](const LoadedWheelsetState& s) { return q.value(s.state); });
+  for (const PrescribedForce& f : prescribed_forces())
+    add(f.name, f.unit, [&](const LoadedWheelsetState& s) { return (PrescribedForces(s.load).*f.of).value_or(0); });
+  return columns;
+}
+
+template <class Result, class Value>
+Column column_of(const Result& result, const char* head, const char* unit, const Value& value) {
   Column column{head, unit, {}};
-  for (const WheelRailSolution& solution : result.solutions) column.cells.push_back(value(solution));
+  for (const auto& solution : result.solutions) column.cells.push_back(value(solution));
   return column;
 }
 
@@ -180,7 +242,25 @@ std::vector<Column> result_columns(const WheelRailResult& result) {
           column_of(result, "status", "", [](Solution s) { return std::string(to_string(s.status)); })};
 }
 
-void print_sweep(const WheelRailCase& input, const WheelRailResult& result) {
+std::vector<Column> result_columns(const WheelsetResult& result) {
+  using Solution = const WheelsetSolution&;
+  const auto number = [&](const char* head, const char* unit, int digits, const auto& value) {
+    return column_of(result, head, unit, [&](Solution s) { return fmt::format("{:.{}f}", value(s), digits); });
+  };
+  const auto power = find(wheelset_quantities(), "frictional_power").value;
+  return {number("Fy left", "N", 1, [](Solution s) { return s.left.force.y; }),
+          number("Fy right", "N", 1, [](Solution s) { return s.right.force.y; }),
+          number("Fz left", "N", 1, [](Solution s) { return s.left.force.z; }),
+          number("Fz right", "N", 1, [](Solution s) { return s.right.force.z; }),
+          number("Mz", "N m", 1, [](Solution s) { return s.moment.z; }),
+          number("height", "mm", 4, [](Solution s) { return 1e3 * s.vertical; }),
+          number("roll", "mrad", 4, [](Solution s) { return 1e3 * s.roll; }),
+          number("pitch velocity", "rad/s", 4, [](Solution s) { return s.pitch_velocity; }),
+          number("power", "W", 2, power),
+          column_of(result, "status", "", [](Solution s) { return std::string(to_string(s.status)); })};
+}
+
+template <class Input, class Result> void print_sweep(const Input& input, const Result& result) {
   auto columns = varied_columns(input);
   for (auto& column : result_columns(result)) columns.push_back(std::move(column));
   fmt::print("{}\n", description_of(input));
@@ -204,9 +284,31 @@ void print_tables(const WheelRailCase& input, const WheelRailResult& result) {
   } else {
     print_wheel(input, result.solutions.front());
     fmt::print("\n");
-    print_patches(result.solutions.front().patches);
+    const auto& patches = result.solutions.front().patches;
+    std::vector<std::string> heads;
+    add_heads(heads, "patch", patches.size());
+    print_patches(patches, heads);
     for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
       print_interior(fmt::format("below patch {}", patch + 1), input.interior, result.interior[patch]);
+  }
+  fmt::print("\n");
+}
+
+void print_tables(const WheelsetCase& input, const WheelsetResult& result) {
+  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
+  if (result.solutions.size() > 1) {
+    print_sweep(input, result);
+  } else {
+    const WheelsetSolution& solution = result.solutions.front();
+    print_wheelset(input, solution);
+    fmt::print("\n");
+    print_both_wheels(solution);
+    fmt::print("\n");
+    std::vector<WheelRailPatch> patches = solution.left.patches;
+    patches.insert(patches.end(), solution.right.patches.begin(), solution.right.patches.end());
+    std::vector<std::string> heads;
+    add_heads(heads, "left", solution.left.patches.size()), add_heads(heads, "right", solution.right.patches.size());
+    print_patches(patches, heads);
   }
   fmt::print("\n");
 }

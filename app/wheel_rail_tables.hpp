@@ -6,5 +6,7 @@ namespace microslip {
 
 /// Prints the wheel's forces and a column for each patch or, of a sweep, a row for each state.
 void print_tables(const WheelRailCase& input, const WheelRailResult& result);
+/// The same of a wheelset: what was found of it, a column for each wheel and each patch.
+void print_tables(const WheelsetCase& input, const WheelsetResult& result);
 
 } // namespace microslip

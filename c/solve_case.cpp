@@ -7,7 +7,7 @@ using namespace microslip::c;
 
 namespace {
 
-/// Input is a RollingCase or a WheelRailCase.
+/// Input is a RollingCase, a WheelRailCase or a WheelsetCase.
 template <class Input>
 microslip_code solve(const Input& input, const std::string& text, const std::string& file, char** json,
                      microslip_error* error) {
@@ -24,6 +24,8 @@ microslip_code microslip_solve_case(const char* text, const char* name, char** j
   return guarded(error, [&] {
     require_pointer("json", json);
     const std::string case_text = require_pointer("text", text), file = require_pointer("name", name);
+    if (is_wheelset_case(case_text, file))
+      return solve(parse_wheelset_case(case_text, file), case_text, file, json, error);
     if (is_wheel_rail_case(case_text, file))
       return solve(parse_wheel_rail_case(case_text, file), case_text, file, json, error);
     return solve(parse_case(case_text, file), case_text, file, json, error);

@@ -25,4 +25,9 @@ void write_result(const WheelRailCase& input, const WheelRailResult& result, con
   write_file(input, result, provenance, path);
 }
 
+void write_result(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
+                  const std::filesystem::path& path) {
+  write_file(input, result, provenance, path);
+}
+
 } // namespace microslip

@@ -5,22 +5,38 @@
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/railway/wheel_locus.hpp"
-#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <ranges>
+#include <span>
 
 namespace microslip {
 namespace {
 
-std::string of_states(std::size_t some, const WheelRailCase& input) {
-  if (input.states.size() == 1) return "";
-  return " (" + std::to_string(some) + " of " + std::to_string(input.states.size()) + " states)";
+/// One solution of each state.
+using Solutions = std::vector<const WheelRailSolution*>;
+
+Solutions solutions_of(const WheelRailResult& result) {
+  Solutions all;
+  for (const WheelRailSolution& solution : result.solutions) all.push_back(&solution);
+  return all;
+}
+Solutions solutions_of(const WheelsetResult& result, WheelRailSolution WheelsetSolution::*wheel) {
+  Solutions all;
+  for (const WheelsetSolution& solution : result.solutions) all.push_back(&(solution.*wheel));
+  return all;
 }
 
-std::string reason_of(Status status) {
+std::string of_states(std::size_t some, std::size_t all) {
+  if (all == 1) return "";
+  return " (" + std::to_string(some) + " of " + std::to_string(all) + " states)";
+}
+
+std::string reason_of(const WheelRailCase&, Status status) {
   switch (status) {
   case Status::no_contact:
     return "wheel and rail do not touch";
@@ -33,42 +49,60 @@ std::string reason_of(Status status) {
   }
 }
 
-void add_status(const WheelRailCase& input, WheelRailResult& result) {
+std::string reason_of(const WheelsetCase&, Status status) {
+  switch (status) {
+  case Status::no_contact:
+    return "a wheel is not above its rail";
+  case Status::invalid_input:
+    return "the state is out of range";
+  case Status::no_solution:
+    return "no height, roll and rolling speed give the load and the torque";
+  default:
+    return "not converged: see the residual";
+  }
+}
+
+template <class Input, class Result> void add_status(const Input& input, Result& result) {
   const auto& all = result.solutions;
   const auto first = std::find_if(all.begin(), all.end(), [](const auto& s) { return s.status != Status::ok; });
   if (first == all.end()) return;
   result.status = first->status;
   const auto alike = std::count_if(all.begin(), all.end(), [&](const auto& s) { return s.status == first->status; });
-  result.reason = reason_of(first->status) + of_states(static_cast<std::size_t>(alike), input);
+  result.reason = reason_of(input, first->status) + of_states(static_cast<std::size_t>(alike), all.size());
 }
 
-void add_warnings(const WheelRailCase& input, WheelRailResult& result) {
+void add_profile_warnings(const WheelRailSetting& input, std::vector<std::string>& warnings) {
   for (const auto* profile : {&input.rail, &input.wheel})
-    for (const auto& warning : profile->report.warnings)
-      result.warnings.push_back(profile->report.source + ": " + warning);
+    for (const auto& warning : profile->report.warnings) warnings.push_back(profile->report.source + ": " + warning);
+}
+
+/// About results that are not to be trusted; `which` wheel, if there are two.
+void add_warnings(const WheelRailSetting& input, const Solutions& solutions, const std::string& which,
+                  std::vector<std::string>& warnings) {
   std::size_t at_end = 0, turned = 0;
   double largest = 0;
-  for (const WheelRailSolution& solution : result.solutions) {
-    at_end += solution.at_profile_end;
+  for (const WheelRailSolution* solution : solutions) {
+    at_end += solution->at_profile_end;
     double turn = 0;
-    for (const WheelRailPatch& patch : solution.patches) turn = std::max(turn, std::abs(patch.turn));
+    for (const WheelRailPatch& patch : solution->patches) turn = std::max(turn, std::abs(patch.turn));
     turned += turn > largest_flat_turn;
     largest = std::max(largest, turn);
   }
   if (at_end > 0)
-    result.warnings.push_back("a patch reaches the end of a profile: its forces are too small" +
-                              of_states(at_end, input));
+    warnings.push_back(which + "a patch reaches the end of a profile: its forces are too small" +
+                       of_states(at_end, solutions.size()));
   if (turned > 0 && input.method.shape == PatchShape::flat)
-    result.warnings.push_back(
-        "the rail's surface turns by " + std::to_string(std::lround(largest * 180 / std::numbers::pi)) +
-        " degrees within a flat patch, more than 14; shape = \"curved\" follows it" + of_states(turned, input));
+    warnings.push_back(which + "the rail's surface turns by " +
+                       std::to_string(std::lround(largest * 180 / std::numbers::pi)) +
+                       " degrees within a flat patch, more than 14; shape = \"curved\" follows it" +
+                       of_states(turned, solutions.size()));
 }
 
-void write_inputs(ResultWriter& file, const WheelRailCase& input) {
+void write_inputs(ResultWriter& file, const WheelRailSetting& input, std::string_view side) {
   const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("inputs/") + name, value, unit, what);
   };
-  file.text("inputs/side", std::string(to_word(input.side)), "of the track, looking along x");
+  file.text("inputs/side", std::string(side), "of the track, looking along x");
   file.text("inputs/theory", std::string(to_word(input.method.level)), "algorithm");
   file.text("inputs/shape", std::string(to_word(input.method.shape)), "of the patches");
   scalar("grid", input.method.elements, "-", "elements across a patch, of the exact theory");
@@ -98,6 +132,12 @@ void write_inputs(ResultWriter& file, const WheelRailCase& input) {
   file.array("inputs/friction_angle", angle, "rad", "inclination of the surface, > 0 rising to the field side");
 }
 
+void write_varied(ResultWriter& file, const WheelRailSetting& input) {
+  std::string varied;
+  for (const auto name : input.varied) varied.append(varied.empty() ? "" : ", ").append(name);
+  if (!varied.empty()) file.attribute("states", "varied", varied);
+}
+
 /// The numbers of the state that are not zero throughout, or that a sweep varies.
 void write_states(ResultWriter& file, const WheelRailCase& input) {
   for (const StateQuantity& q : state_quantities()) {
@@ -113,9 +153,29 @@ void write_states(ResultWriter& file, const WheelRailCase& input) {
     for (const auto& [state, force] : input.states) values.push_back(force.value_or(0));
     file.array("states/vertical_force", values, "N", "prescribed vertical force on the wheel");
   }
-  std::string varied;
-  for (const auto name : input.varied) varied.append(varied.empty() ? "" : ", ").append(name);
-  if (!varied.empty()) file.attribute("states", "varied", varied);
+  write_varied(file, input);
+}
+
+/// The same of a wheelset, with the forces that are prescribed.
+void write_states(ResultWriter& file, const WheelsetCase& input) {
+  const auto varies = [&](std::string_view name) {
+    return std::find(input.varied.begin(), input.varied.end(), name) != input.varied.end();
+  };
+  std::vector<double> values(input.states.size());
+  for (const WheelsetStateQuantity& q : wheelset_state_quantities()) {
+    std::transform(input.states.begin(), input.states.end(), values.begin(),
+                   [&](const LoadedWheelsetState& s) { return q.value(s.state); });
+    if (varies(q.name) || std::any_of(values.begin(), values.end(), [](double v) { return v != 0; }))
+      file.array("states/" + q.name, values, std::string(q.of_wheel->unit), std::string(q.of_wheel->description));
+  }
+  for (const PrescribedForce& f : prescribed_forces()) {
+    if (!(PrescribedForces(input.states.front().load).*f.of)) continue;
+    std::transform(input.states.begin(), input.states.end(), values.begin(),
+                   [&](const LoadedWheelsetState& s) { return (PrescribedForces(s.load).*f.of).value_or(0); });
+    file.array("states/" + std::string(f.name), values, std::string(f.unit),
+               "prescribed, " + std::string(f.description));
+  }
+  write_varied(file, input);
 }
 
 std::uint8_t code_of(Status status) {
@@ -123,39 +183,44 @@ std::uint8_t code_of(Status status) {
 }
 constexpr const char* status_codes = "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution";
 
+template <class Of> void write_status(ResultWriter& file, const std::string& name, const std::vector<Of>& all) {
+  std::vector<std::uint8_t> status;
+  for (const auto& one : all) status.push_back(code_of(one->status));
+  file.array(name, status, "-", status_codes);
+}
+
+/// An array of each quantity that one of them has.
 template <class Of>
 void write_quantities(ResultWriter& file, const std::string& group, std::span<const RailwayQuantity<Of>> quantities,
-                      const std::vector<Of>& of) {
-  std::vector<double> values(of.size());
+                      const std::vector<const Of*>& all) {
+  const auto of = all | std::views::transform([](const Of* one) -> const Of& { return *one; });
+  std::vector<double> values(all.size());
   for (const auto& q : quantities) {
     if (!q.is_given(of)) continue;
-    std::transform(of.begin(), of.end(), values.begin(), q.value);
+    std::ranges::transform(of, values.begin(), q.value);
     file.array(group + std::string(q.name), values, std::string(q.unit), std::string(q.description));
   }
 }
 
-void write_wheel(ResultWriter& file, const WheelRailResult& result) {
-  write_quantities(file, "wheel/", wheel_quantities(), result.solutions);
-  std::vector<std::uint8_t> status, at_end;
-  for (const WheelRailSolution& s : result.solutions)
-    status.push_back(code_of(s.status)), at_end.push_back(s.at_profile_end ? 1 : 0);
-  file.array("wheel/status", status, "-", status_codes);
-  file.array("wheel/at_profile_end", at_end, "-", "1: a patch ends where a profile ends");
+/// `group`: what stands before wheel/ and patches/.
+void write_wheel(ResultWriter& file, const std::string& group, const Solutions& solutions) {
+  write_quantities(file, group + "wheel/", wheel_quantities(), solutions);
+  write_status(file, group + "wheel/status", solutions);
+  std::vector<std::uint8_t> at_end;
+  for (const WheelRailSolution* s : solutions) at_end.push_back(s->at_profile_end ? 1 : 0);
+  file.array(group + "wheel/at_profile_end", at_end, "-", "1: a patch ends where a profile ends");
 }
 
-void write_patches(ResultWriter& file, const WheelRailResult& result) {
-  std::vector<WheelRailPatch> patches;
+void write_patches(ResultWriter& file, const std::string& group, const Solutions& solutions) {
+  std::vector<const WheelRailPatch*> patches;
   std::vector<int> of_state;
-  std::vector<std::uint8_t> status;
-  for (std::size_t k = 0; k < result.solutions.size(); ++k)
-    for (const WheelRailPatch& patch : result.solutions[k].patches) {
-      patches.push_back(patch), of_state.push_back(static_cast<int>(k));
-      status.push_back(code_of(patch.status));
-    }
+  for (std::size_t k = 0; k < solutions.size(); ++k)
+    for (const WheelRailPatch& patch : solutions[k]->patches)
+      patches.push_back(&patch), of_state.push_back(static_cast<int>(k));
   if (patches.empty()) return;
-  file.array("patches/state", of_state, "-", "index of the state that the patch belongs to, from 0");
-  write_quantities(file, "patches/", patch_quantities(), patches);
-  file.array("patches/status", status, "-", status_codes);
+  file.array(group + "patches/state", of_state, "-", "index of the state that the patch belongs to, from 0");
+  write_quantities(file, group + "patches/", patch_quantities(), patches);
+  write_status(file, group + "patches/status", patches);
 }
 
 /// Stations of each piece of a profile, its ends included.
@@ -201,10 +266,9 @@ void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelR
   write_curve(file, "outlines/wheel", y, z, "track axes: to the left, up");
 }
 
-/// Of the patch with this index, in its frame.
-void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& solution, const WheelRailPatch& patch,
-                  const SurfaceStrength& strength) {
-  const std::string group = "fields/" + std::to_string(index) + "/";
+/// Of a patch in its frame.
+void write_fields(ResultWriter& file, const std::string& group, const ContactSolution& solution,
+                  const WheelRailPatch& patch, const SurfaceStrength& strength) {
   const ResultWriter::Shape shape = {static_cast<std::size_t>(solution.elements.my()),
                                      static_cast<std::size_t>(solution.elements.mx())};
   for (const FieldQuantity& f : field_quantities())
@@ -219,63 +283,125 @@ void write_fields(ResultWriter& file, std::size_t index, const ContactSolution& 
   file.array(group + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
-} // namespace
-
-WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
-  WheelRailResult result;
-  WheelRailMethod method = input.method;
-  const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
-  method.fields = has_points || is_single;
-  WheelRail solver(bodies_of(input), method);
-  for (const auto& [state, force] : input.states) {
-    go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
-    WheelRailSolution& solution = result.solutions.emplace_back(solver.solve(state, force));
-    for (const ContactSolution& fields : solution.fields)
-      if (has_points)
-        result.interior.push_back(interior_states(input.material, input.material, fields, input.interior));
-    // Of a sweep at the level fastsim2 they were needed for stresses only.
-    if (!is_single && method.level == WheelRailLevel::fastsim2) solution.fields.clear();
+/// Of all patches, one after another.
+void write_fields(ResultWriter& file, const std::string& group, const Solutions& solutions,
+                  const SurfaceStrength& strength) {
+  std::size_t index = 0;
+  for (const WheelRailSolution* solution : solutions) {
+    for (std::size_t i = 0; i < solution->fields.size(); ++i)
+      write_fields(file, group + "fields/" + std::to_string(index + i) + "/", solution->fields[i], solution->patches[i],
+                   strength);
+    index += solution->patches.size();
   }
-  go_on(progress, 1);
-  add_status(input, result);
-  add_warnings(input, result);
-  return result;
 }
 
-std::vector<std::size_t> first_patches(const WheelRailResult& result) {
-  std::vector<std::size_t> first = {0};
-  for (const WheelRailSolution& solution : result.solutions) first.push_back(first.back() + solution.patches.size());
-  return first;
-}
-
-void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file) {
-  write_inputs(file, input);
-  write_states(file, input);
-  write_wheel(file, result);
-  write_patches(file, result);
+void write_profiles(ResultWriter& file, const WheelRailSetting& input) {
   write_profile(file, "rail", input.rail);
   write_profile(file, "wheel", input.wheel);
-  if (input.states.size() == 1) write_outlines(file, input, result.solutions.front());
-  const auto first = first_patches(result);
-  for (std::size_t k = 0; k < result.solutions.size(); ++k)
-    for (std::size_t i = 0; i < result.solutions[k].fields.size(); ++i)
-      write_fields(file, first[k] + i, result.solutions[k].fields[i], result.solutions[k].patches[i], input.strength);
-  for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
-    write_interior(file, "interior/" + std::to_string(patch) + "/", input.interior, result.interior[patch]);
+}
+
+void write_warnings(ResultWriter& file, const std::vector<std::string>& all) {
   std::string warnings;
-  for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
+  for (const auto& warning : all) warnings.append(warnings.empty() ? "" : "\n").append(warning);
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);
 }
 
-Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance) {
+template <class Input, class Result>
+Json document_of(const Input& input, const Result& result, const Provenance& provenance) {
   JsonResult written(provenance);
   write_result(input, result, written);
   Json document = written.document();
   document["status"] = to_string(result.status);
-  for (const auto& states : result.interior)
-    document["interior_extremes"].push_back(extremes_json(input.interior, states));
   document["warnings"] = result.warnings;
   return document;
+}
+
+/// Solves all states; `solve` makes a solution of each.
+template <class Result, class Input, class Solve>
+Result solve_states(const Input& input, const Progress& progress, const Solve& solve) {
+  Result result;
+  for (const auto& state : input.states) {
+    go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
+    result.solutions.push_back(solve(state));
+  }
+  go_on(progress, 1);
+  add_status(input, result);
+  add_profile_warnings(input, result.warnings);
+  return result;
+}
+
+} // namespace
+
+WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
+  WheelRailMethod method = input.method;
+  const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
+  method.fields = has_points || is_single;
+  WheelRail solver(bodies_of(input), method);
+  std::vector<std::vector<InteriorState>> interior;
+  auto result = solve_states<WheelRailResult>(input, progress, [&](const LoadedWheelState& s) {
+    WheelRailSolution solution = solver.solve(s.state, s.vertical_force);
+    for (const ContactSolution& fields : solution.fields)
+      if (has_points) interior.push_back(interior_states(input.material, input.material, fields, input.interior));
+    // Of a sweep at the level fastsim2 they were needed for stresses only.
+    if (!is_single && method.level == WheelRailLevel::fastsim2) solution.fields.clear();
+    return solution;
+  });
+  result.interior = std::move(interior);
+  add_warnings(input, solutions_of(result), "", result.warnings);
+  return result;
+}
+
+WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
+  WheelRailMethod method = input.method;
+  method.fields = input.states.size() == 1;
+  WheelsetOnTrack solver(bodies_of(input), method);
+  auto result = solve_states<WheelsetResult>(
+      input, progress, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
+  add_warnings(input, solutions_of(result, &WheelsetSolution::left), "left wheel: ", result.warnings);
+  add_warnings(input, solutions_of(result, &WheelsetSolution::right), "right wheel: ", result.warnings);
+  return result;
+}
+
+void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file) {
+  write_inputs(file, input, to_word(input.side));
+  write_states(file, input);
+  const Solutions solutions = solutions_of(result);
+  write_wheel(file, "", solutions);
+  write_patches(file, "", solutions);
+  write_profiles(file, input);
+  if (input.states.size() == 1) write_outlines(file, input, result.solutions.front());
+  write_fields(file, "", solutions, input.strength);
+  for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
+    write_interior(file, "interior/" + std::to_string(patch) + "/", input.interior, result.interior[patch]);
+  write_warnings(file, result.warnings);
+}
+
+void write_result(const WheelsetCase& input, const WheelsetResult& result, ResultWriter& file) {
+  write_inputs(file, input, "both");
+  write_states(file, input);
+  std::vector<const WheelsetSolution*> all;
+  for (const WheelsetSolution& solution : result.solutions) all.push_back(&solution);
+  write_quantities(file, "wheelset/", wheelset_quantities(), all);
+  write_status(file, "wheelset/status", all);
+  for (const bool right : {false, true}) {
+    const std::string group = right ? "right/" : "left/";
+    const Solutions solutions = solutions_of(result, right ? &WheelsetSolution::right : &WheelsetSolution::left);
+    write_wheel(file, group, solutions);
+    write_patches(file, group, solutions);
+    write_fields(file, group, solutions, input.strength);
+  }
+  write_profiles(file, input);
+  write_warnings(file, result.warnings);
+}
+
+Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance) {
+  Json document = document_of(input, result, provenance);
+  for (const auto& states : result.interior)
+    document["interior_extremes"].push_back(extremes_json(input.interior, states));
+  return document;
+}
+Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance) {
+  return document_of(input, result, provenance);
 }
 
 } // namespace microslip

@@ -28,8 +28,17 @@ constexpr const char* kind_of(const WheelRailCase&) {
 /// Solves all states. `progress` is told after each. Throws Stopped if it returns false.
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress = {});
 
-/// The patches of all states one after another; the first of state k has the index that is the k-th number.
-std::vector<std::size_t> first_patches(const WheelRailResult& result);
+/// The same of a wheelset.
+struct WheelsetResult {
+  std::vector<WheelsetSolution> solutions;
+  Status status = Status::ok;
+  std::string reason;
+  std::vector<std::string> warnings;
+};
+constexpr const char* kind_of(const WheelsetCase&) {
+  return "wheelset";
+}
+WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress = {});
 
 /// Writes inputs, states, what is found of the wheel and of each patch, profiles, fields, stresses inside.
 void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file);
@@ -37,8 +46,14 @@ void write_result(const WheelRailCase& input, const WheelRailResult& result, Res
 void write_result(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
                   const std::filesystem::path& path);
 
-/// The same as a JSON object: what JsonResult makes of it, then `status`, `interior_extremes` of each patch where there
-/// are points inside the bodies, and `warnings`.
+/// The same of a wheelset: `wheelset/`, and `left/` and `right/` with what there is of a wheel.
+void write_result(const WheelsetCase& input, const WheelsetResult& result, ResultWriter& file);
+void write_result(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
+                  const std::filesystem::path& path);
+
+/// The same as a JSON object: what JsonResult makes of it, then `status`, `warnings`, and `interior_extremes` of each
+/// patch where there are points inside the bodies.
 Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance);
+Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance);
 
 } // namespace microslip

@@ -7,6 +7,7 @@
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,17 +17,41 @@ namespace {
 
 constexpr double largest_force = 1e9; // N
 constexpr int most_states = 10000;
-constexpr std::string_view force_key = "vertical_force", height_key = "vertical";
+constexpr std::string_view force_key = "vertical_force", height_key = "vertical", roll_key = "roll";
 
-/// The names of a section's numbers of the state.
-void add_state_keys(TomlSection::Words& keys, std::string_view section) {
-  for (const StateQuantity& q : state_quantities())
-    if (q.section == section) keys.push_back(q.name);
+/// A number of the state or of the load.
+struct Variable {
+  std::string_view name, unit, section;
+  double low, high;
+};
+using Variables = std::vector<Variable>;
+
+/// Of a wheel on a rail.
+Variables wheel_variables_by_name() {
+  Variables all;
+  for (const StateQuantity& q : state_quantities()) all.push_back({q.name, q.unit, q.section, -q.limit, q.limit});
+  all.push_back({force_key, "N", "wheel", 1e-6, largest_force});
+  return all;
 }
 
-Track read_track(const TomlSection& section) {
+/// Of a wheelset: height and roll are found.
+Variables wheelset_variables_by_name() {
+  Variables all;
+  for (const WheelsetStateQuantity& q : wheelset_state_quantities())
+    if (q.name != height_key && q.name != roll_key)
+      all.push_back({q.name, q.of_wheel->unit, q.of_wheel->section, -q.of_wheel->limit, q.of_wheel->limit});
+  for (const PrescribedForce& f : prescribed_forces()) all.push_back({f.name, f.unit, "wheel", f.low, f.high});
+  return all;
+}
+
+void add_keys(TomlSection::Words& keys, const Variables& variables, std::string_view section) {
+  for (const Variable& v : variables)
+    if (v.section == section) keys.push_back(v.name);
+}
+
+Track read_track(const TomlSection& section, const Variables& variables) {
   TomlSection::Words keys = {"gauge", "gauge_height", "rail_y", "rail_z", "cant"};
-  add_state_keys(keys, "track");
+  add_keys(keys, variables, "track");
   section.allow(keys);
   Track track;
   track.cant = section.between("cant", "rad", -0.5, 0.5, track.cant);
@@ -145,10 +170,6 @@ WheelRailMethod read_method(const TomlSection& section) {
   return method;
 }
 
-double number_of_state(const TomlSection& section, const StateQuantity& quantity, std::optional<double> missing = 0) {
-  return section.between(quantity.name, quantity.unit, -quantity.limit, quantity.limit, missing);
-}
-
 /// The numbers of a sweep: a list, or `count` ones from `from` to `to`.
 std::vector<double> read_values(const TomlSection& sweep, std::string_view key, std::string_view unit, double low,
                                 double high) {
@@ -171,19 +192,16 @@ std::vector<double> read_values(const TomlSection& sweep, std::string_view key, 
 
 struct Sweep {
   std::string_view name;
-  const StateQuantity* quantity; ///< none for the vertical force
   std::vector<double> values;
 };
 
-std::vector<Sweep> read_sweeps(const TomlSection& section) {
-  TomlSection::Words keys = {force_key};
-  for (const StateQuantity& q : state_quantities()) keys.push_back(q.name);
+std::vector<Sweep> read_sweeps(const TomlSection& section, const Variables& variables) {
+  TomlSection::Words keys;
+  for (const Variable& v : variables) keys.push_back(v.name);
   section.allow(keys);
   std::vector<Sweep> sweeps;
-  for (const StateQuantity& q : state_quantities())
-    if (section.has(q.name)) sweeps.push_back({q.name, &q, read_values(section, q.name, q.unit, -q.limit, q.limit)});
-  if (section.has(force_key))
-    sweeps.push_back({force_key, nullptr, read_values(section, force_key, "N", 1e-6, largest_force)});
+  for (const Variable& v : variables)
+    if (section.has(v.name)) sweeps.push_back({v.name, read_values(section, v.name, v.unit, v.low, v.high)});
   for (const Sweep& sweep : sweeps)
     section.at(sweep.name, [&] {
       const std::size_t count = sweep.values.size(), first = sweeps.front().values.size();
@@ -199,17 +217,21 @@ bool varies(const std::vector<Sweep>& sweeps, std::string_view name) {
   return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; });
 }
 
-/// The state before any sweep. What a sweep varies may be left out.
-LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, const std::vector<Sweep>& sweeps) {
-  TomlSection::Words keys = {"side", force_key};
-  add_state_keys(keys, "wheel");
+/// A number of the state before any sweep. What a sweep varies may be left out.
+double number_of_state(const TomlSection& root, const StateQuantity& quantity, std::string_view name,
+                       const std::vector<Sweep>& sweeps) {
+  const bool needed = name == "forward_velocity" && !varies(sweeps, name);
+  return root.required_section(quantity.section)
+      .between(name, quantity.unit, -quantity.limit, quantity.limit, needed ? std::nullopt : std::optional(0.0));
+}
+
+LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, const Variables& variables,
+                            const std::vector<Sweep>& sweeps) {
+  TomlSection::Words keys = {"side"};
+  add_keys(keys, variables, "wheel");
   wheel.allow(keys);
   LoadedWheelState loaded;
-  for (const StateQuantity& q : state_quantities()) {
-    const bool needed = q.name == "forward_velocity" && !varies(sweeps, q.name);
-    q.of(loaded.state) = number_of_state(q.section == "wheel" ? wheel : root.required_section(q.section), q,
-                                         needed ? std::nullopt : std::optional(0.0));
-  }
+  for (const StateQuantity& q : state_quantities()) q.of(loaded.state) = number_of_state(root, q, q.name, sweeps);
   const bool force_varies = varies(sweeps, force_key), height_varies = varies(sweeps, height_key);
   if (force_varies || height_varies) {
     wheel.at(force_varies ? height_key : force_key, [&] {
@@ -228,14 +250,104 @@ std::vector<LoadedWheelState> states_of(const LoadedWheelState& given, const std
   for (std::size_t k = 0; k < states.size(); ++k) {
     auto& [state, force] = states[k];
     for (const Sweep& sweep : sweeps) {
-      if (sweep.quantity != nullptr)
-        sweep.quantity->of(state) = sweep.values[k];
-      else
-        force = sweep.values[k];
+      if (sweep.name == force_key) force = sweep.values[k];
+      for (const StateQuantity& q : state_quantities())
+        if (q.name == sweep.name) q.of(state) = sweep.values[k];
     }
     if (!pitch_is_given) state.pitch_velocity = state.forward_velocity / nominal_radius;
   }
   return states;
+}
+
+/// A wheelset's state and prescribed forces before they are known to go together.
+struct GivenWheelset {
+  WheelsetState state;
+  PrescribedForces forces;
+};
+
+GivenWheelset read_wheelset_state(const TomlSection& root, const TomlSection& wheel, const Variables& variables,
+                                  const std::vector<Sweep>& sweeps) {
+  for (const auto key : {height_key, roll_key})
+    if (wheel.has(key))
+      wheel.at(key, [&] { throw Error("wheel." + std::string(key) + ": is found from the load of both wheels"); });
+  TomlSection::Words keys = {"side"};
+  add_keys(keys, variables, "wheel");
+  wheel.allow(keys);
+  GivenWheelset given;
+  for (const WheelsetStateQuantity& q : wheelset_state_quantities())
+    if (q.name != height_key && q.name != roll_key)
+      q.set(given.state, number_of_state(root, *q.of_wheel, q.name, sweeps));
+  for (const PrescribedForce& f : prescribed_forces())
+    if (wheel.has(f.name)) given.forces.*f.of = wheel.between(f.name, f.unit, f.low, f.high);
+  return given;
+}
+
+std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const GivenWheelset& given,
+                                           const std::vector<Sweep>& sweeps, bool pitch_is_given) {
+  std::vector<LoadedWheelsetState> states;
+  for (std::size_t k = 0; k < (sweeps.empty() ? 1 : sweeps.front().values.size()); ++k) {
+    auto [state, forces] = given;
+    for (const Sweep& sweep : sweeps) {
+      for (const WheelsetStateQuantity& q : wheelset_state_quantities())
+        if (q.name == sweep.name) q.set(state, sweep.values[k]);
+      for (const PrescribedForce& f : prescribed_forces())
+        if (f.name == sweep.name) forces.*f.of = sweep.values[k];
+    }
+    wheel.at(force_key, [&] {
+      if (pitch_is_given == forces.axle_torque.has_value()) {
+        if (pitch_is_given) throw Error("[wheel] takes either pitch_velocity or axle_torque");
+        forces.axle_torque = 0;
+      }
+      states.push_back({state, forces.load()});
+      if (!states.back().load.vertical)
+        throw Error("[wheel] needs vertical_force, or vertical_force_left and vertical_force_right");
+    });
+  }
+  return states;
+}
+
+/// All sections but [wheel] and [sweep].
+WheelRailSetting read_setting(const TomlSection& root, const std::string& name, const Variables& variables) {
+  root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "interior", "sweep"});
+  const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
+                    wheelset = root.required_section("wheelset");
+  TomlSection::Words rail_keys(std::begin(profile_keys), std::end(profile_keys)), wheelset_keys = rail_keys;
+  add_keys(rail_keys, variables, "rail");
+  rail.allow(rail_keys);
+  for (const auto* key : {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"})
+    wheelset_keys.emplace_back(key);
+  wheelset.allow(wheelset_keys);
+  return {.title = root.text("title", ""),
+          .track = read_track(track, variables),
+          .wheelset = read_wheelset(wheelset),
+          .rail = read_profile(rail, name, ProfileRole::rail),
+          .wheel = read_profile(wheelset, name, ProfileRole::wheel),
+          .material = read_material(root.required_section("material")),
+          .strength = read_strength(root.required_section("material")),
+          .friction = read_friction(root.required_section("friction")),
+          .method = read_method(root.optional_section("solution")),
+          .varied = {}};
+}
+
+void add_varied(WheelRailSetting& input, const std::vector<Sweep>& sweeps) {
+  for (const Sweep& sweep : sweeps) input.varied.push_back(sweep.name);
+}
+
+/// Whether the profiles fit the track and the wheelset.
+void check_places(const TomlSection& root, const WheelRailSetting& input) {
+  root.required_section("track").at("gauge", [&] { place_rail(input.track, input.rail.profile); });
+  root.required_section("wheelset").at("nominal_radius", [&] { place_wheel(input.wheelset, input.wheel.profile); });
+}
+
+WheelRailBodies bodies_of(const WheelRailSetting& input, TrackSide side) {
+  return {.rail = input.rail.profile,
+          .wheel = input.wheel.profile,
+          .track = input.track,
+          .wheelset = input.wheelset,
+          .side = side,
+          .material = combine(input.material, input.material),
+          .friction = input.friction,
+          .strength = input.strength};
 }
 
 } // namespace
@@ -246,52 +358,49 @@ bool is_wheel_rail_case(std::string_view text, const std::string& name) {
   return root.has("track") || root.has("rail") || root.has("wheelset") || root.has("wheel");
 }
 
+bool is_wheelset_case(std::string_view text, const std::string& name) {
+  const auto table = parse_toml(text, name);
+  const TomlSection root(table, name), wheel = root.optional_section("wheel");
+  return wheel.has("side") && wheel.text("side", "") == "both";
+}
+
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
-  const TomlSection root(table, name);
-  root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "interior", "sweep"});
-  const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
-                    wheelset = root.required_section("wheelset"), wheel = root.required_section("wheel");
-  TomlSection::Words rail_keys(std::begin(profile_keys), std::end(profile_keys)), wheelset_keys = rail_keys;
-  add_state_keys(rail_keys, "rail");
-  rail.allow(rail_keys);
-  for (const auto* key : {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"})
-    wheelset_keys.emplace_back(key);
-  wheelset.allow(wheelset_keys);
-  const auto sweeps = read_sweeps(root.optional_section("sweep"));
-
-  WheelRailCase input{.title = root.text("title", ""),
-                      .track = read_track(track),
-                      .wheelset = read_wheelset(wheelset),
-                      .rail = read_profile(rail, name, ProfileRole::rail),
-                      .wheel = read_profile(wheelset, name, ProfileRole::wheel),
-                      .side = wheel.option("side", TrackSide::left),
-                      .material = read_material(root.required_section("material")),
-                      .strength = read_strength(root.required_section("material")),
-                      .friction = read_friction(root.required_section("friction")),
-                      .method = read_method(root.optional_section("solution")),
-                      .interior = {},
-                      .varied = {},
-                      .states = {}};
+  const TomlSection root(table, name), wheel = root.required_section("wheel");
+  const Variables variables = wheel_variables_by_name();
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
+  wheel.word("side", "left", TomlSection::Words{"left", "right", "both"});
+  WheelRailCase input{read_setting(root, name, variables), wheel.option("side", TrackSide::left), {}, {}};
   const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  input.states = states_of(read_state(root, wheel, sweeps), sweeps, pitch_is_given, input.wheelset.nominal_radius);
-  for (const Sweep& sweep : sweeps) input.varied.push_back(sweep.name);
+  input.states =
+      states_of(read_state(root, wheel, variables, sweeps), sweeps, pitch_is_given, input.wheelset.nominal_radius);
+  add_varied(input, sweeps);
   if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
-  // Whether the profiles fit the track and the wheelset.
-  track.at("gauge", [&] { place_rail(input.track, input.rail.profile); });
-  wheelset.at("nominal_radius", [&] { place_wheel(input.wheelset, input.wheel.profile); });
+  check_places(root, input);
+  return input;
+}
+
+WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name) {
+  const auto table = parse_toml(text, name);
+  const TomlSection root(table, name), wheel = root.required_section("wheel");
+  if (root.has("interior"))
+    root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
+  const Variables variables = wheelset_variables_by_name();
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
+  WheelsetCase input{read_setting(root, name, variables), {}};
+  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
+  input.states = states_of(wheel, read_wheelset_state(root, wheel, variables, sweeps), sweeps, pitch_is_given);
+  add_varied(input, sweeps);
+  check_places(root, input);
   return input;
 }
 
 WheelRailBodies bodies_of(const WheelRailCase& input) {
-  return {.rail = input.rail.profile,
-          .wheel = input.wheel.profile,
-          .track = input.track,
-          .wheelset = input.wheelset,
-          .side = input.side,
-          .material = combine(input.material, input.material),
-          .friction = input.friction,
-          .strength = input.strength};
+  return bodies_of(input, input.side);
+}
+
+WheelRailBodies bodies_of(const WheelsetCase& input) {
+  return bodies_of(input, TrackSide::left);
 }
 
 } // namespace microslip

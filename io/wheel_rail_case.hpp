@@ -4,6 +4,7 @@
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/railway/profile_preparation.hpp"
 #include "microslip/railway/wheel_rail.hpp"
+#include "microslip/railway/wheelset_on_track.hpp"
 
 #include <optional>
 #include <string>
@@ -18,31 +19,52 @@ struct LoadedWheelState {
   std::optional<double> vertical_force; ///< [N] on the wheel
 };
 
-/// What a case file says of a wheel on a rail, in SI units; examples/wheel_on_rail.toml shows every key.
-struct WheelRailCase {
+/// The same of a wheelset.
+struct LoadedWheelsetState {
+  WheelsetState state; ///< what the load leaves open
+  WheelsetLoad load;
+};
+
+/// What a case file says of wheels, rails and track, in SI units; examples/wheel_on_rail.toml shows every key.
+struct WheelRailSetting {
   std::string title;
   Track track;
   Wheelset wheelset;
   PreparedProfile rail, wheel;
-  TrackSide side = TrackSide::left;
   Material material; ///< of both
   SurfaceStrength strength;
   std::vector<InclinedFriction> friction;
   WheelRailMethod method;
-  InteriorGrid interior;                ///< points below each patch, in its frame; empty: none
   std::vector<std::string_view> varied; ///< names of what the sweep varies, in the order of the table of quantities
+};
+
+/// A wheel on a rail.
+struct WheelRailCase : WheelRailSetting {
+  TrackSide side = TrackSide::left;
+  InteriorGrid interior;                ///< points below each patch, in its frame; empty: none
   std::vector<LoadedWheelState> states; ///< one without a sweep
+};
+
+/// Both wheels of a wheelset: `side = "both"`.
+struct WheelsetCase : WheelRailSetting {
+  std::vector<LoadedWheelsetState> states; ///< one without a sweep
 };
 
 /// Whether the text of a case file is about a wheel on a rail: it has one of the sections that only such files have.
 /// Error as parse_wheel_rail_case for text that is not TOML.
 bool is_wheel_rail_case(std::string_view text, const std::string& name);
 
+/// Whether it is about both wheels of a wheelset.
+bool is_wheelset_case(std::string_view text, const std::string& name);
+
 /// Reads a case from TOML text, and the profiles it names; `name` is the file's name for messages and where the paths
 /// of profiles start. Errors as of parse_case; those about a profile begin with the line that names it.
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name);
+WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name);
 
 /// What the solver needs of it.
 WheelRailBodies bodies_of(const WheelRailCase& input);
+/// The side does not count.
+WheelRailBodies bodies_of(const WheelsetCase& input);
 
 } // namespace microslip

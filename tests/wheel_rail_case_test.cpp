@@ -157,7 +157,7 @@ TEST(WheelRailCase, MessagesNameLineKeyValueAndRange) {
       {{"[wheelset]", "[wheelsets]"}, "w.toml:7: wheelsets: unknown key; did you mean wheelset?"},
       {{"nominal_radius = 0.46", "nominal_radius = 460"}, "w.toml:9: wheelset.nominal_radius = 460 [m]: must be in"},
       {{"nominal_radius", "unit = \"cm\"\nnominal_radius"}, "w.toml:9: wheelset.unit = \"cm\": must be mm, m or in"},
-      {{"\"left\"", "\"lefft\""}, "w.toml:12: wheel.side = \"lefft\": must be left or right; did you mean left?"},
+      {{"\"left\"", "\"lefft\""}, "w.toml:12: wheel.side = \"lefft\": must be left, right or both; did you mean left?"},
       {{"lateral = 0.0061", "lateral = 6.1"}, "w.toml:13: wheel.lateral = 6.1 [m]: must be in [-1, 1]"},
       {{"lateral = 0.0061", "lateral = nan"}, "w.toml:13: wheel.lateral = nan [m]: must be in [-1, 1]"},
       {{"vertical_force = 80e3", "vertical_force = -80e3"}, "w.toml:14: wheel.vertical_force = -80000 [N]: must be"},

@@ -117,7 +117,6 @@ TEST(WheelRailResult, DocumentHasAnArrayForEachStateAndPatch) {
   EXPECT_EQ(document["units"]["wheel/force_z"], "N");
   EXPECT_EQ(document["patches"]["state"], Json({0, 1, 1}));
   EXPECT_EQ(document["patches"]["fx"].size(), 3u);
-  EXPECT_EQ(first_patches(result), (std::vector<std::size_t>{0, 1, 3}));
   EXPECT_FALSE(document.contains("profiles"));
 }
 
@@ -130,7 +129,7 @@ TEST(WheelRailResult, HasStressesInsideBelowEachPatchAtBothLevels) {
       const WheelRailCase input = parse(text);
       const WheelRailResult result = solve_case(input);
       const Json document = case_document(input, result, {.kind = kind_of(input)});
-      const std::size_t patches = first_patches(result).back();
+      const std::size_t patches = document["patches"]["state"].size();
       ASSERT_EQ(result.interior.size(), patches);
       ASSERT_EQ(document["interior_extremes"].size(), patches);
       for (const auto& states : result.interior) {
