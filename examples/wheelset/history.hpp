@@ -10,10 +10,10 @@
 template <std::size_t N> struct History {
   double step = 0; ///< [s]
   std::vector<Vector<N>> states = {};
-  long newton_iterations = 0, jacobians = 0, halvings = 0; ///< of the integrator
-  double seconds = 0;                                      ///< of computing time
-  double contact_seconds = 0;                              ///< what of it the contact law took
-  long contacts = 0;                                       ///< solved, with derivatives or without
+  long newton_iterations = 0, jacobians = 0, halvings = 0, jumps = 0; ///< of the integrator
+  double seconds = 0;                                                 ///< of computing time
+  double contact_seconds = 0;                                         ///< what of it the contact law took
+  long contacts = 0;                                                  ///< solved, with derivatives or without
 
   double duration() const { return step * static_cast<double>(states.size() - 1); }
 

@@ -15,7 +15,8 @@ History<N> integrate(Model& model, Radau<N>& integrator, const Vector<N>& start,
   out.states.reserve(static_cast<std::size_t>(steps) + 1);
   const double contact_before = model.contact_seconds();
   const long contacts_before = model.contacts(), iterations_before = integrator.iterations(),
-             jacobians_before = integrator.jacobians(), halvings_before = integrator.halvings();
+             jacobians_before = integrator.jacobians(), halvings_before = integrator.halvings(),
+             jumps_before = integrator.jumps();
   const auto before = std::chrono::steady_clock::now();
   for (long k = 0; k < steps; ++k) {
     each(static_cast<double>(k) * step);
@@ -28,5 +29,6 @@ History<N> integrate(Model& model, Radau<N>& integrator, const Vector<N>& start,
   out.newton_iterations = integrator.iterations() - iterations_before;
   out.jacobians = integrator.jacobians() - jacobians_before;
   out.halvings = integrator.halvings() - halvings_before;
+  out.jumps = integrator.jumps() - jumps_before;
   return out;
 }

@@ -39,11 +39,11 @@ void print_cost(const char* name, const ProfiledHistory& history) {
   const double steps = history.duration() / history.step;
   std::printf(
       "%s: %.2f s per simulated second, %.1f %% of it the contacts (%.0f us a wheel); a step of 1 ms takes %.2f "
-      "Newton steps and %.3f Jacobians; %ld steps halved\n",
+      "Newton steps and %.3f Jacobians; %ld steps halved, %ld on jumps of the forces\n",
       name, history.seconds / history.duration(), 100 * history.contact_seconds / history.seconds,
       history.contact_seconds / static_cast<double>(history.contacts) * 1e6,
       static_cast<double>(history.newton_iterations) / steps, static_cast<double>(history.jacobians) / steps,
-      history.halvings);
+      history.halvings, history.jumps);
 }
 
 double largest_angle(const microslip::WheelRailSolution& wheel) {
