@@ -1,6 +1,7 @@
 #include "microslip/railway/wheelset_on_track.hpp"
 
 #include "microslip/railway/wheelset_contact.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
 
 #include "wheel_rail_pairs.hpp"
 
@@ -154,9 +155,9 @@ TEST(WheelsetOnTrack, IsTheRigidOneAsLoadsGoToZero) {
 }
 
 TEST(WheelsetOnTrack, RollsFreelyAtTheSpeedOfItsRadii) {
-  // The longitudinal forces of two cones are opposite, and so are their creepages: V = omega (rL + rR)/2, but for the
-  // overlap over the radius: the wheel's undeformed rows roll by radii of their own.
-  for (const double conicity : {0.02, 0.05, 0.08}) {
+  // The longitudinal forces of two cones are opposite, and so are their creepages: V = omega (rL + rR)/2, but for some
+  // tenths of the overlap over the radius.
+  for (const double conicity : {0.02, 0.05, 0.1}) {
     const WheelRailBodies bodies = cones(conicity);
     WheelsetOnTrack wheelset(bodies, accurate);
     WheelsetSearch rigid(bodies.track, bodies.wheelset, {bodies.rail, bodies.wheel}, {bodies.rail, bodies.wheel});
@@ -166,7 +167,7 @@ TEST(WheelsetOnTrack, RollsFreelyAtTheSpeedOfItsRadii) {
       const WheelRailPatch &left = s.left.patches.at(0), &right = s.right.patches.at(0);
       EXPECT_NEAR(left.rolling_radius - right.rolling_radius, rigid.solve(lateral).rolling_radius_difference(),
                   0.1 * conicity * lateral + 1e-12);
-      EXPECT_NEAR(s.pitch_velocity * (left.rolling_radius + right.rolling_radius) / 40, 1, left.approach / 0.46);
+      EXPECT_NEAR(s.pitch_velocity * (left.rolling_radius + right.rolling_radius) / 40, 1, 0.3 * left.approach / 0.46);
       EXPECT_NEAR(left.fx * left.rolling_radius + right.fx * right.rolling_radius, 0, 1e-4 * 0.3 * 50e3);
       EXPECT_NEAR(left.fx / (0.3 * 50e3), lateral > 0 ? 3 * conicity : 0, conicity); // the larger radius drives
     }
@@ -186,74 +187,64 @@ TEST(WheelsetOnTrack, IsDrivenAndBrakedByATorque) {
   EXPECT_EQ(wheelset.solve(running(1e-3, 0), axle_load(100e3, 0, 20e3)).status, Status::no_solution);
 }
 
+/// The derivatives beside central differences.
+void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, const PrescribedForces& forces) {
+  WheelsetSolution found;
+  WheelsetDerivatives d;
+  wheelset.differentiate(state, forces.load(), found, d);
+  ASSERT_EQ(found.status, Status::ok);
+  const std::size_t states = static_cast<std::size_t>(WheelsetVariable::vertical_force);
+  for (std::size_t k = 0; k < wheelset_variables; ++k) {
+    WheelsetState low = state, high = state;
+    PrescribedForces less = forces, more = forces;
+    double step = k >= states ? 10 : k >= 4 ? 1e-4 : 1e-8; // [N], [N m]; [m/s], [rad/s]; [m], [rad]
+    const auto which = static_cast<WheelsetVariable>(k);
+    const bool is_found = which == WheelsetVariable::pitch_velocity
+                              ? forces.axle_torque.has_value()
+                              : (k == 1 || k == 2) && forces.load().vertical.has_value();
+    if (k < states) {
+      const auto& q = wheelset_state_quantities()[k];
+      q.set(low, q.value(low) - step), q.set(high, q.value(high) + step);
+    } else if (const auto of = prescribed_forces()[k - states].of; forces.*of) {
+      *(less.*of) -= step, *(more.*of) += step;
+    }
+    const WheelsetSolution a = wheelset.solve(low, less.load()), b = wheelset.solve(high, more.load());
+    ASSERT_EQ(a.status, Status::ok);
+    ASSERT_EQ(b.status, Status::ok);
+    const auto slope = [&](double above, double below) { return is_found ? 0 : (above - below) / (2 * step); };
+    const auto expect_near = [&](double got, double expected, double size) {
+      EXPECT_NEAR(got, expected, 2e-4 * size + 1e-4 * std::abs(expected)) << "by variable " << k;
+    };
+    const Vec3<double> force = {slope(b.force.x, a.force.x), slope(b.force.y, a.force.y), slope(b.force.z, a.force.z)},
+                       moment = {slope(b.moment.x, a.moment.x), slope(b.moment.y, a.moment.y),
+                                 slope(b.moment.z, a.moment.z)};
+    const double size = std::sqrt(dot(force, force)) + std::sqrt(dot(moment, moment)) + 1e-3 / step;
+    expect_near(d.force[k].x, force.x, size), expect_near(d.force[k].y, force.y, size);
+    expect_near(d.force[k].z, force.z, size), expect_near(d.moment[k].x, moment.x, size);
+    expect_near(d.moment[k].y, moment.y, size), expect_near(d.moment[k].z, moment.z, size);
+    if (forces.load().vertical) {
+      const double z = slope(b.vertical, a.vertical), roll = slope(b.roll, a.roll);
+      const double change = std::abs(z) + std::abs(roll) + 1e-12 / step;
+      expect_near(d.vertical[k], z, change), expect_near(d.roll[k], roll, change);
+    } else {
+      EXPECT_EQ(d.vertical[k], 0);
+    }
+    if (forces.axle_torque) {
+      const double pitch = slope(b.pitch_velocity, a.pitch_velocity);
+      expect_near(d.pitch_velocity[k], pitch, std::abs(pitch) + 1e-8 / step);
+    }
+  }
+}
+
 TEST(WheelsetOnTrack, HasTheDerivativesOfItsForces) {
   WheelsetOnTrack wheelset(pair(), accurate);
-  const std::vector<double WheelState<double>::*> variables = {&WheelState<double>::lateral,
-                                                               &WheelState<double>::vertical,
-                                                               &WheelState<double>::roll,
-                                                               &WheelState<double>::yaw,
-                                                               &WheelState<double>::forward_velocity,
-                                                               &WheelState<double>::lateral_velocity,
-                                                               &WheelState<double>::vertical_velocity,
-                                                               &WheelState<double>::roll_velocity,
-                                                               &WheelState<double>::pitch_velocity,
-                                                               &WheelState<double>::yaw_velocity};
-  const WheelsetLoad loads[] = {axle_load(100e3, 2e3), axle_load(100e3, 0, {}), {WheelLoads{60e3, 40e3}, 500.0}, {}};
-  for (const WheelsetLoad& load : loads) {
-    WheelsetState state = running(1.5e-3, 2e-3);
-    if (!load.vertical) state = at(state, wheelset.solve(state, axle_load(100e3)));
-    WheelsetSolution found;
-    WheelsetDerivatives d;
-    wheelset.differentiate(state, load, found, d);
-    ASSERT_EQ(found.status, Status::ok);
-    int off = 0;
-    const auto expect_near = [&off](double got, double expected, double size) {
-      off += std::abs(got - expected) > 2e-4 * size + 1e-4 * std::abs(expected);
-    };
-    for (std::size_t k = 0; k < variables.size(); ++k) {
-      WheelsetState low = state, high = state;
-      WheelsetLoad less = load, more = load;
-      double step = k >= 4 ? 1e-4 : 1e-8; // [m/s], [rad/s]; [m], [rad]
-      const bool of_load = (k == 1 || k == 2) && load.vertical, of_torque = k == 8 && load.axle_torque;
-      if (of_load || of_torque) {
-        step = 10; // [N], [N m]
-        const auto change = [&](WheelsetLoad& changed, double by) {
-          if (of_torque)
-            *changed.axle_torque += by;
-          else if (auto* both = std::get_if<AxleLoad>(&*changed.vertical))
-            (k == 1 ? both->vertical_force : both->roll_moment) += by;
-          else
-            (k == 1 ? std::get<WheelLoads>(*changed.vertical).left : std::get<WheelLoads>(*changed.vertical).right) +=
-                by;
-        };
-        change(less, -step), change(more, step);
-      } else {
-        low.left.*variables[k] -= step, high.left.*variables[k] += step;
-      }
-      const WheelsetSolution a = wheelset.solve(low, less), b = wheelset.solve(high, more);
-      ASSERT_EQ(a.status, Status::ok);
-      ASSERT_EQ(b.status, Status::ok);
-      const auto slope = [&](double above, double below) { return (above - below) / (2 * step); };
-      const Vec3<double> force = 0.5 / step * (b.force - a.force), moment = 0.5 / step * (b.moment - a.moment);
-      const double size = std::sqrt(dot(force, force)) + std::sqrt(dot(moment, moment)) + 1e-3 / step;
-      expect_near(d.force[k].x, force.x, size), expect_near(d.force[k].y, force.y, size);
-      expect_near(d.force[k].z, force.z, size), expect_near(d.moment[k].x, moment.x, size);
-      expect_near(d.moment[k].y, moment.y, size), expect_near(d.moment[k].z, moment.z, size);
-      if (load.vertical) {
-        const double z = slope(b.vertical, a.vertical), roll = slope(b.roll, a.roll);
-        const double change = std::abs(z) + std::abs(roll) + 1e-12 / step;
-        expect_near(d.vertical[k], z, change);
-        expect_near(d.roll[k], roll, change);
-      } else {
-        EXPECT_EQ(d.vertical[k], 0);
-      }
-      if (load.axle_torque) {
-        const double pitch = slope(b.pitch_velocity, a.pitch_velocity);
-        expect_near(d.pitch_velocity[k], pitch, std::abs(pitch) + 1e-8 / step);
-      }
-    }
-    EXPECT_LE(off, 4); // of some 80: forces have kinks, where a row comes into contact or a cell begins to slide
-  }
+  PrescribedForces axle, turning, wheels;
+  axle.vertical_force = 100e3, axle.roll_moment = 2e3, axle.axle_torque = 0;
+  turning.vertical_force = 100e3, turning.roll_moment = 0;
+  wheels.vertical_force_left = 60e3, wheels.vertical_force_right = 40e3, wheels.axle_torque = 500;
+  const WheelsetState state = running(2e-3, 2e-3);
+  for (const PrescribedForces& forces : {axle, turning, wheels}) expect_derivatives(wheelset, state, forces);
+  expect_derivatives(wheelset, at(state, wheelset.solve(state, axle.load())), {});
 }
 
 TEST(WheelsetOnTrack, FindsItsWayThroughContactJumps) {
@@ -289,8 +280,7 @@ TEST(WheelsetOnTrack, AgreesAtBothLevels) {
   ASSERT_EQ(b.status, Status::ok);
   EXPECT_LE(b.residual, 1e-5);
   EXPECT_NEAR(a.roll, b.roll, 2e-6);
-  // The rows of the fast level roll by radii of their own, each at its own overlap, some 70 um here.
-  EXPECT_NEAR(a.pitch_velocity / b.pitch_velocity, 1, 5e-5);
+  EXPECT_NEAR(a.pitch_velocity / b.pitch_velocity, 1, 2e-5);
   EXPECT_NEAR(a.force.y, b.force.y, 0.02 * 0.3 * 100e3);
   EXPECT_EQ(b.left.fields.size(), b.left.patches.size());
 }

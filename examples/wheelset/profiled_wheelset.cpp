@@ -14,16 +14,16 @@ namespace {
 
 constexpr double rail_distance = 1.5; // between the contacts, that cant deficiency is measured over [m]
 
-constexpr std::array<std::pair<std::size_t, microslip::WheelVariable>, ProfiledWheelset::states> variables = {
-    {{ProfiledWheelset::lateral, microslip::WheelVariable::lateral},
-     {ProfiledWheelset::height, microslip::WheelVariable::vertical},
-     {ProfiledWheelset::roll, microslip::WheelVariable::roll},
-     {ProfiledWheelset::yaw, microslip::WheelVariable::yaw},
-     {ProfiledWheelset::lateral_rate, microslip::WheelVariable::lateral_velocity},
-     {ProfiledWheelset::height_rate, microslip::WheelVariable::vertical_velocity},
-     {ProfiledWheelset::roll_rate, microslip::WheelVariable::roll_velocity},
-     {ProfiledWheelset::yaw_rate, microslip::WheelVariable::yaw_velocity},
-     {ProfiledWheelset::rotation, microslip::WheelVariable::pitch_velocity}}};
+constexpr std::array<std::pair<std::size_t, microslip::WheelsetVariable>, ProfiledWheelset::states> variables = {
+    {{ProfiledWheelset::lateral, microslip::WheelsetVariable::lateral},
+     {ProfiledWheelset::height, microslip::WheelsetVariable::vertical},
+     {ProfiledWheelset::roll, microslip::WheelsetVariable::roll},
+     {ProfiledWheelset::yaw, microslip::WheelsetVariable::yaw},
+     {ProfiledWheelset::lateral_rate, microslip::WheelsetVariable::lateral_velocity},
+     {ProfiledWheelset::height_rate, microslip::WheelsetVariable::vertical_velocity},
+     {ProfiledWheelset::roll_rate, microslip::WheelsetVariable::roll_velocity},
+     {ProfiledWheelset::yaw_rate, microslip::WheelsetVariable::yaw_velocity},
+     {ProfiledWheelset::rotation, microslip::WheelsetVariable::pitch_velocity}}};
 
 /// e of the axle of a wheelset turned by yaw and then by roll, times v.
 double along_axle(double roll, double yaw, const microslip::Vec3<double>& v) {

@@ -13,12 +13,15 @@ namespace {
 using Three = std::array<double, 3>;
 using Matrix3 = std::array<Three, 3>;
 
-constexpr std::size_t column(WheelVariable which) {
+constexpr std::size_t column(WheelsetVariable which) {
   return static_cast<std::size_t>(which);
 }
+/// The numbers of the state come first, in the same order as for a wheel.
+constexpr std::size_t state_variables = column(WheelsetVariable::vertical_force);
+static_assert(static_cast<std::size_t>(WheelVariable::yaw_velocity) == column(WheelsetVariable::yaw_velocity));
 /// What may be found: height, roll, pitch velocity.
-constexpr std::array<std::size_t, 3> unknown_columns = {column(WheelVariable::vertical), column(WheelVariable::roll),
-                                                        column(WheelVariable::pitch_velocity)};
+constexpr std::array<std::size_t, 3> unknown_columns = {
+    column(WheelsetVariable::vertical), column(WheelsetVariable::roll), column(WheelsetVariable::pitch_velocity)};
 
 Three unknowns_of(const WheelsetState& state) {
   return {state.left.vertical, state.left.roll, state.left.pitch_velocity};
@@ -123,8 +126,8 @@ Vec3<double> axle(const WheelState<double>& s) {
 
 /// The axes about which roll and yaw turn the wheelset.
 Vec3<double> turning_axis(const WheelState<double>& s, std::size_t variable) {
-  if (variable == column(WheelVariable::roll)) return {1, 0, 0};
-  if (variable == column(WheelVariable::yaw)) return rotation_about_x(s.roll) * Vec3<double>{0, 0, 1};
+  if (variable == column(WheelsetVariable::roll)) return {1, 0, 0};
+  if (variable == column(WheelsetVariable::yaw)) return rotation_about_x(s.roll) * Vec3<double>{0, 0, 1};
   return {};
 }
 
@@ -192,7 +195,7 @@ struct WheelsetOnTrack::Workspace {
     sum(state, out);
     slopes = {};
     const Vec3<double> left = left_lever(state), right = right_lever(state);
-    for (std::size_t k = 0; k < wheel_variables; ++k) {
+    for (std::size_t k = 0; k < state_variables; ++k) {
       const Vec3<double> axis = turning_axis(state.left, k);
       slopes.force[k] = by_left.force[k] + by_right.force[k];
       slopes.moment[k] = by_left.moment[k] + by_right.moment[k] + cross(left, by_left.force[k]) +
@@ -436,32 +439,36 @@ struct WheelsetOnTrack::Workspace {
   }
 
   /// From derivatives with nothing held to those with the prescribed forces held: du/dx = -R_u^-1 R_x.
-  void hold(const Target& target, const WheelsetState& state, const WheelsetSolution& out, WheelsetDerivatives& d) {
+  void hold(const Target& target, const WheelsetState& state, const WheelsetSolution& out,
+            WheelsetDerivatives& d) const {
     const Matrix3 matrix = jacobian(target, state, out);
-    for (std::size_t k = 0; k < wheel_variables; ++k) {
-      const auto at = std::ranges::find(unknown_columns, k) - unknown_columns.begin();
-      const bool is_found = at < 3 && target.finds(static_cast<std::size_t>(at));
-      const Three wanted =
-          is_found ? prescribed(target, static_cast<std::size_t>(at)) : residual_slope(target, state, out, k);
+    // Adds what the unknowns do when the residual would change by `by`.
+    const auto add = [&](std::size_t k, const Three& by) {
       Three change{};
-      if (!solve_linear(matrix, wanted, change)) continue;
-      if (!is_found) d.force[k] = slopes.force[k], d.moment[k] = slopes.moment[k];
-      std::array<double*, 3> found = {&d.vertical[k], &d.roll[k], &d.pitch_velocity[k]};
+      if (!solve_linear(matrix, by, change)) return;
+      const std::array<double*, 3> found = {&d.vertical[k], &d.roll[k], &d.pitch_velocity[k]};
       for (std::size_t j = 0; j < 3; ++j) {
         if (!target.finds(j)) continue;
-        *found[j] = (is_found ? 1 : -1) * change[j] * target.unknown_size[j];
+        *found[j] = -change[j] * target.unknown_size[j];
         d.force[k] = d.force[k] + *found[j] * slopes.force[unknown_columns[j]];
         d.moment[k] = d.moment[k] + *found[j] * slopes.moment[unknown_columns[j]];
       }
+    };
+    for (std::size_t k = 0; k < state_variables; ++k) {
+      const auto at = std::ranges::find(unknown_columns, k) - unknown_columns.begin();
+      if (at < 3 && target.finds(static_cast<std::size_t>(at))) continue;
+      d.force[k] = slopes.force[k], d.moment[k] = slopes.moment[k];
+      add(k, residual_slope(target, state, out, k));
     }
-  }
-
-  /// Derivative of the prescribed numbers by the k-th prescribed force.
-  static Three prescribed(const Target& target, std::size_t k) {
-    Three r{};
-    r[k] = (k == 2 ? -1 : 1) / target.size[k];
-    if (target.of_wheels && k < 2) r[0] = 1 / target.size[0], r[1] = (k == 0 ? 1 : -1) / target.size[1];
-    return r;
+    const double by_force = -1 / target.size[0], by_second = -1 / target.size[1];
+    if (target.load && !target.of_wheels) {
+      add(column(WheelsetVariable::vertical_force), {by_force, 0, 0});
+      add(column(WheelsetVariable::roll_moment), {0, by_second, 0});
+    } else if (target.load) {
+      add(column(WheelsetVariable::vertical_force_left), {by_force, by_second, 0});
+      add(column(WheelsetVariable::vertical_force_right), {by_force, -by_second, 0});
+    }
+    if (target.torque) add(column(WheelsetVariable::axle_torque), {0, 0, 1 / target.size[2]});
   }
 };
 

@@ -42,13 +42,31 @@ struct WheelsetSolution {
   Status status = Status::ok;
 };
 
-/// Derivatives of a wheelset's forces in SI units, by a variable of the state in the order of WheelVariable. What is
-/// prescribed is held in all columns but those of what is found: with an axle load, the column of the height holds the
-/// derivatives by the vertical force and that of roll those by the roll moment; with wheel loads those by the left and
-/// the right one; with an axle torque the column of the pitch velocity holds those by the torque.
+/// What a wheelset's forces are differentiated by: numbers of its state, and the prescribed forces.
+enum class WheelsetVariable {
+  lateral,
+  vertical,
+  roll,
+  yaw,
+  forward_velocity,
+  lateral_velocity,
+  vertical_velocity,
+  roll_velocity,
+  pitch_velocity,
+  yaw_velocity,
+  vertical_force,
+  roll_moment,
+  vertical_force_left,
+  vertical_force_right,
+  axle_torque,
+};
+inline constexpr std::size_t wheelset_variables = 15;
+
+/// Derivatives in SI units by each WheelsetVariable, with all that is prescribed held. Those by what was not given are
+/// zero: by height, roll and pitch velocity where they are found, by forces that are not prescribed.
 struct WheelsetDerivatives {
-  std::array<Vec3<double>, wheel_variables> force, moment;
-  std::array<double, wheel_variables> vertical{}, roll{}, pitch_velocity{}; ///< of what is found
+  std::array<Vec3<double>, wheelset_variables> force, moment;
+  std::array<double, wheelset_variables> vertical{}, roll{}, pitch_velocity{}; ///< of what is found
 };
 
 /// Solves both wheels of a wheelset on their rails, state after state, with all tables made once.
