@@ -1,4 +1,4 @@
-"""Draws what `wheelset` wrote: plot.py FOLDER [PICTURE], by default FOLDER/wheelset.png."""
+"""Draws what `wheelset` or `wheelset_on_profiles` wrote: plot.py FOLDER [PICTURE], by default FOLDER/wheelset.png."""
 
 import os
 import sys
@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#777777"
+BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"
 CLEARANCE = 7.0  # mm, flange_clearance in wheelset.hpp
 
 
@@ -51,15 +51,87 @@ def draw_amplitudes(axes, ratio, small, large):
     axes.legend(loc="center right", frameon=False, fontsize=8)
 
 
-def main():
-    folder = sys.argv[1] if len(sys.argv) > 1 else "."
-    picture = sys.argv[2] if len(sys.argv) > 2 else os.path.join(folder, "wheelset.png")
+def draw_motion(axes, folder):
+    time, below, _, above, _ = read(os.path.join(folder, "motion.csv"))
+    axes.plot(time, 1e3 * below, color=BLUE, linewidth=1, label="55 m/s, from 5 mm")
+    axes.plot(time, 1e3 * above, color=ORANGE, linewidth=0.8, label="66 m/s, from 1 mm")
+    axes.set_title("Below and above the critical speed", fontsize=10, loc="left")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("lateral displacement [mm]")
+    axes.set_xlim(0, time[-1])
+    axes.set_ylim(-8, 10)
+    axes.legend(loc="upper left", frameon=False, fontsize=8, ncols=2)
+
+
+def draw_wheel_forces(axes, folder):
+    time, y, _, left, _, right, _ = read(os.path.join(folder, "cycle.csv"))
+    axes.plot(time, 1e-3 * left, color=BLUE, linewidth=1, label="left wheel")
+    axes.plot(time, 1e-3 * right, color=ORANGE, linewidth=1, label="right wheel")
+    axes.set_title("Hunting at 66 m/s: force on the rail, outwards", fontsize=10, loc="left")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("Y [kN]")
+    axes.set_xlim(time[0], time[-1])
+    shift = axes.twinx()
+    shift.plot(time, 1e3 * y, color=GREY, linewidth=1, linestyle="--")
+    shift.set_ylabel("lateral displacement [mm], dashed", color=GREY)
+    shift.set_ylim(-20, 20)
+    axes.legend(loc="upper right", frameon=False, fontsize=8)
+
+
+def draw_bifurcation(axes, folder):
+    speed, up, down = read(os.path.join(folder, "bifurcation.csv"))
+    axes.plot(speed, 1e3 * down, "s-", color=BLUE, markersize=5, fillstyle="none", linewidth=0.8, label="speed decreasing")
+    axes.plot(speed, 1e3 * up, "o-", color=ORANGE, markersize=3.5, linewidth=0.8, label="speed increasing")
+    axes.set_title("Amplitude after 8 s at each speed", fontsize=10, loc="left")
+    axes.set_xlabel("speed [m/s]")
+    axes.set_ylabel("amplitude [mm]")
+    axes.set_ylim(0, 8)
+    axes.legend(loc="lower right", frameon=False, fontsize=8)
+
+
+def draw_curves(axes, folder):
+    radius, deficiency, y, _, _, outer, _ = read(os.path.join(folder, "curves.csv"))
+    ratio = axes.twinx()
+    colours = dict(zip(np.unique(deficiency), (GREY, GREEN, BLUE, ORANGE)))
+    for one, colour in colours.items():
+        chosen = deficiency == one
+        axes.plot(radius[chosen], 1e3 * y[chosen], "o-", color=colour, markersize=3, linewidth=1, label=f"{1e3 * one:.0f} mm")
+        ratio.plot(radius[chosen], outer[chosen], "s--", color=colour, markersize=3, fillstyle="none", linewidth=0.8)
+    axes.set_xscale("log")
+    axes.set_xticks([200, 300, 500, 1000, 1500], ["200", "300", "500", "1000", "1500"])
+    axes.minorticks_off()
+    axes.set_title("Curves to the left, by cant deficiency", fontsize=10, loc="left")
+    axes.set_xlabel("radius [m]")
+    axes.set_ylabel("lateral displacement [mm], full")
+    ratio.set_ylabel("Y/Q of the outer wheel, dashed")
+    axes.set_ylim(-7, 3)
+    ratio.set_ylim(-0.45, 0.3)
+    axes.legend(loc="upper center", frameon=False, fontsize=8, ncols=4)
+
+
+def draw_on_profiles(folder):
+    figure, axes = plt.subplots(2, 2, figsize=(10, 6.4), layout="constrained")
+    draw_motion(axes[0, 0], folder)
+    draw_bifurcation(axes[0, 1], folder)
+    draw_wheel_forces(axes[1, 0], folder)
+    draw_curves(axes[1, 1], folder)
+    return figure
+
+
+def draw_conical(folder):
     time, y_below, _, y_above, psi_above = read(os.path.join(folder, "runs.csv"))
     figure, axes = plt.subplots(2, 2, figsize=(10, 6.4), layout="constrained")
     draw_run(axes[0, 0], time, y_below, BLUE, "0.9 of the critical speed, from 4 mm")
     draw_run(axes[1, 0], time, y_above, ORANGE, "1.1 of the critical speed, from 0.1 mm")
     draw_amplitudes(axes[0, 1], *read(os.path.join(folder, "amplitudes.csv")))
     draw_cycle(axes[1, 1], y_above, psi_above)
+    return figure
+
+
+def main():
+    folder = sys.argv[1] if len(sys.argv) > 1 else "."
+    picture = sys.argv[2] if len(sys.argv) > 2 else os.path.join(folder, "wheelset.png")
+    figure = draw_conical(folder) if os.path.exists(os.path.join(folder, "runs.csv")) else draw_on_profiles(folder)
     part = picture + ".part.png"
     figure.savefig(part, dpi=130)
     os.replace(part, picture)

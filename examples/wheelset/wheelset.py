@@ -11,7 +11,9 @@ import sys
 import time
 
 import numpy as np
-from numpy.linalg import eigvals, norm, solve
+from numpy.linalg import eigvals
+
+from radau import Radau
 
 LATERAL, YAW, LATERAL_RATE, YAW_RATE, ROTATION = range(5)
 
@@ -110,6 +112,13 @@ class Wheelset:
         return creepages, by, rolling
 
     def rates(self, z):
+        """f(z)."""
+        return self.differentiated(z)[0]
+
+    def jacobian(self, z):
+        return self.differentiated(z)[1]
+
+    def differentiated(self, z):
         """f(z) and its Jacobian."""
         wheels = [self.creepages(side, z) for side in (1, -1)]
         for contact, (creepages, _, _) in zip(self.contacts, wheels):
@@ -143,7 +152,7 @@ class Wheelset:
 
 def growth_rate(law, speed):
     """The largest real part of the eigenvalues of f's Jacobian in the middle of the track [1/s]."""
-    return eigvals(Wheelset(law, speed).rates(np.zeros(5))[1]).real.max()
+    return eigvals(Wheelset(law, speed).jacobian(np.zeros(5))).real.max()
 
 
 def critical_speed(law, low=5.0, high=200.0):
@@ -155,27 +164,11 @@ def critical_speed(law, low=5.0, high=200.0):
 
 
 def run(wheelset, displacement, duration, step=1e-3):
-    """States at equal steps, by the two-stage Radau IIA method with Newton's method, as in radau.hpp."""
-    a = np.array([[5 / 12, -1 / 12], [3 / 4, 1 / 4]])
-    scale = np.array([1e-3, 1e-3, 1e-2, 1e-2, 1e-2])
-    z, slope = np.array([displacement, 0, 0, 0, 0.0]), np.zeros(5)
-    states = [z]
+    """States at equal steps."""
+    integrator = Radau((1e-3, 1e-3, 1e-2, 1e-2, 1e-2))
+    states = [np.array([displacement, 0, 0, 0, 0.0])]
     for _ in range(round(duration / step)):
-        stages = step * np.outer((1 / 3, 1), slope)
-        for _ in range(50):
-            (rate0, jacobian0), (rate1, jacobian1) = (wheelset.rates(z + stage) for stage in stages)
-            residual = (stages - step * a @ np.array([rate0, rate1])).ravel()
-            matrix = np.eye(10) - step * np.block([[a[0, 0] * jacobian0, a[0, 1] * jacobian1],
-                                                   [a[1, 0] * jacobian0, a[1, 1] * jacobian1]])
-            change = solve(matrix, residual).reshape(2, 5)
-            stages = stages - change
-            if norm((change / scale).ravel(), np.inf) < 1e-7:
-                break
-        else:
-            raise RuntimeError("Newton's method does not converge")
-        slope = stages[1] / step
-        z = z + stages[1]
-        states.append(z)
+        states.append(integrator.advance(states[-1], step, wheelset.rates, wheelset.jacobian))
     return np.array(states)
 
 

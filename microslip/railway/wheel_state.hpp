@@ -58,6 +58,7 @@ struct WheelsetState {
     return state;
   }
 };
+
 template <class T> std::array<T*, state_numbers> WheelState<T>::numbers() {
   WheelDeflection<T>& d = deflection;
   RailDeviation<T>& r = rail;

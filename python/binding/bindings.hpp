@@ -19,6 +19,7 @@ void bind_case_files(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);
 void bind_profile(pybind11::module_& module);
 void bind_wheel_rail(pybind11::module_& module);
+void bind_wheelset_on_track(pybind11::module_& module);
 void bind_wheelset_geometry(pybind11::module_& module);
 
 } // namespace microslip::python

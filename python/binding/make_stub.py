@@ -44,6 +44,7 @@ TYPES_OF_ARGUMENTS = {
     "body": "Literal[1, 2]",
     "friction": "FrictionLaw | float",
     "WheelRail.friction": "float | tuple[ArrayLike, ArrayLike]",
+    "WheelsetOnTrack.friction": "float | tuple[ArrayLike, ArrayLike]",
     "creepage": "Creepage | tuple[float, float, float]",
     "bodies": "Bodies | CombinedMaterial",
     "path": "str | os.PathLike[str]",

@@ -55,6 +55,7 @@ PYBIND11_MODULE(_core, module) {
   bind_contact_input(module);
   bind_profile(module);
   bind_wheel_rail(module);
+  bind_wheelset_on_track(module);
   bind_wheelset_geometry(module);
   module.attr("__name__") = name;
 }

@@ -65,9 +65,7 @@ void PythonWheelRail::for_batch(const StateArrays& states, int threads,
   });
 }
 
-namespace {
-
-std::vector<InclinedFriction> friction_from(const py::object& friction) {
+std::vector<InclinedFriction> inclined_friction_from(const py::object& friction) {
   if (py::isinstance<py::tuple>(friction)) {
     const auto pair = py::reinterpret_borrow<py::tuple>(friction);
     if (pair.size() != 2) throw Error("friction: must be a number or a pair of arrays, angles and coefficients");
@@ -82,6 +80,17 @@ std::vector<InclinedFriction> friction_from(const py::object& friction) {
   return {{0, *number.data()}};
 }
 
+WheelRailMethod method_from(const std::string& theory, const std::string& shape, int grid, double tolerance,
+                            bool fields) {
+  return {.level = from_word<WheelRailLevel>("theory", theory),
+          .shape = from_word<PatchShape>("shape", shape),
+          .elements = grid,
+          .tolerance = tolerance,
+          .fields = fields};
+}
+
+namespace {
+
 std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                                                  const ProfileValue& wheel, const std::string& side,
                                                  const Material& material, const py::object& friction,
@@ -93,14 +102,9 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                          .wheelset = wheelset,
                          .side = from_word<TrackSide>("side", side),
                          .material = combine(material, material),
-                         .friction = friction_from(friction),
+                         .friction = inclined_friction_from(friction),
                          .strength = strength};
-  const WheelRailMethod method{.level = from_word<WheelRailLevel>("theory", theory),
-                               .shape = from_word<PatchShape>("shape", shape),
-                               .elements = grid,
-                               .tolerance = tolerance,
-                               .fields = fields};
-  return std::make_unique<PythonWheelRail>(std::move(bodies), method);
+  return std::make_unique<PythonWheelRail>(std::move(bodies), method_from(theory, shape, grid, tolerance, fields));
 }
 
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {

@@ -20,6 +20,11 @@ inline constexpr std::string_view force_name = "vertical_force";
 /// A description as a sentence with the shape of arrays and the unit.
 std::string text_of(std::string_view description, std::string_view unit, const std::string& shape = "");
 
+/// A number, or a pair of arrays: angles and coefficients.
+std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
+WheelRailMethod method_from(const std::string& theory, const std::string& shape, int grid, double tolerance,
+                            bool fields);
+
 /// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
 class StateArrays {
 public:

@@ -23,6 +23,7 @@ from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
 from microslip.subsurface_pictures import subsurface_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
+from microslip.wheelset_pictures import wheelset_pictures
 
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
@@ -34,6 +35,7 @@ PICTURES_OF_KIND = {
     "refinement": refinement_pictures,
     "subsurface": subsurface_pictures,
     "wheel_rail": wheel_rail_pictures,
+    "wheelset": wheelset_pictures,
 }
 
 

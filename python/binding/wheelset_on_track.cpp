@@ -1,0 +1,239 @@
+#include "binding/bindings.hpp"
+#include "binding/codes.hpp"
+#include "binding/profile.hpp"
+#include "binding/value.hpp"
+#include "binding/wheel_rail.hpp"
+#include "binding/wheel_rail_fields.hpp"
+#include "io/nearest_word.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
+
+namespace microslip::python {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+template <>
+inline constexpr auto fields<WheelsetSolution> = std::tuple{Field{"left", &WheelsetSolution::left},
+                                                            Field{"right", &WheelsetSolution::right},
+                                                            Field{"force", &WheelsetSolution::force},
+                                                            Field{"moment", &WheelsetSolution::moment},
+                                                            Field{"vertical", &WheelsetSolution::vertical},
+                                                            Field{"roll", &WheelsetSolution::roll},
+                                                            Field{"pitch_velocity", &WheelsetSolution::pitch_velocity},
+                                                            Field{"residual", &WheelsetSolution::residual},
+                                                            Field{"iterations", &WheelsetSolution::iterations},
+                                                            Field{"status", &WheelsetSolution::status}};
+
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+constexpr std::string_view found_names[] = {"vertical", "roll"};
+constexpr std::string_view rows[] = {"force_x",  "force_y",  "force_z", "moment_x",      "moment_y",
+                                     "moment_z", "vertical", "roll",    "pitch_velocity"};
+constexpr std::size_t row_count = std::size(rows);
+
+/// Of WheelsetVariable.
+Names columns() {
+  Names names;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(WheelsetVariable::vertical_force); ++k)
+    names.push_back(wheelset_state_quantities()[k].name);
+  for (const PrescribedForce& f : prescribed_forces()) names.push_back(f.name);
+  return names;
+}
+
+/// A state with what is prescribed, from keywords.
+struct GivenWheelset {
+  WheelsetState state;
+  WheelsetLoad load;
+};
+
+GivenWheelset given_wheelset(const py::kwargs& given) {
+  GivenWheelset out;
+  PrescribedForces forces;
+  Names names, seen;
+  for (const WheelsetStateQuantity& q : wheelset_state_quantities()) names.push_back(q.name);
+  for (const PrescribedForce& f : prescribed_forces()) names.push_back(f.name);
+  for (const auto& [key, value] : given) {
+    const auto name = key.cast<std::string>();
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) throw Error(name + ": no number of the state" + suggestion(name, names));
+    const RealArray number = real_array(name.c_str(), py::reinterpret_borrow<py::object>(value));
+    if (number.ndim() != 0) throw Error(name + ": must be a number");
+    const auto index = static_cast<std::size_t>(at - names.begin());
+    if (index < wheelset_state_quantities().size())
+      wheelset_state_quantities()[index].set(out.state, *number.data());
+    else
+      forces.*prescribed_forces()[index - wheelset_state_quantities().size()].of = *number.data();
+    seen.push_back(*at);
+  }
+  const auto has = [&](std::string_view name) { return std::find(seen.begin(), seen.end(), name) != seen.end(); };
+  if (has("pitch_velocity") && forces.axle_torque)
+    throw Error("pitch_velocity, axle_torque: only either of them can be given");
+  if (!has("pitch_velocity") && !forces.axle_torque) forces.axle_torque = 0;
+  out.load = forces.load();
+  for (const std::string_view name : found_names)
+    if (out.load.vertical && has(name)) throw Error(std::string(name) + ": is found from the load");
+  if (!out.load.vertical && !has("vertical")) throw Error("vertical_force or vertical: either of them must be given");
+  return out;
+}
+
+using PythonWheelset = OneAtATime<WheelsetOnTrack>;
+
+std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
+                                              const ProfileValue& wheel, const Material& material,
+                                              const py::object& friction, const std::string& theory,
+                                              const std::string& shape, int grid, double tolerance,
+                                              const SurfaceStrength& strength, bool fields) {
+  const WheelRailBodies bodies{.rail = rail.profile(),
+                               .wheel = wheel.profile(),
+                               .track = track,
+                               .wheelset = wheelset,
+                               .material = combine(material, material),
+                               .friction = inclined_friction_from(friction),
+                               .strength = strength};
+  return std::make_unique<PythonWheelset>(bodies, method_from(theory, shape, grid, tolerance, fields));
+}
+
+std::string table(const WheelsetSolution& self) {
+  std::vector<TableRow> lines;
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    lines.push_back({std::string(q.name), q.value(self), std::string(q.unit), std::string(q.description)});
+  for (const auto& [name, wheel] : {std::pair("left: ", &self.left), std::pair("right: ", &self.right)})
+    for (const WheelQuantity& q : wheel_quantities())
+      lines.push_back({name + std::string(q.name), q.value(*wheel), std::string(q.unit), std::string(q.description)});
+  return html_table("Wheelset on its track, " + std::string(to_string(self.status)), lines);
+}
+
+void bind_wheelset_solution(py::module_& module) {
+  auto solution = py::class_<WheelsetSolution>(
+      module, "WheelsetSolution",
+      "Forces on a wheelset in track axes: x forward, y to the left, z up; and its wheels.");
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    solution.def_property_readonly(
+        std::string(q.name).c_str(), [value = q.value](const WheelsetSolution& self) { return value(self); },
+        text_of(q.description, q.unit).c_str());
+  solution.def_readonly("left", &WheelsetSolution::left, "The left wheel's WheelRailSolution.")
+      .def_readonly("right", &WheelsetSolution::right, "The right wheel's WheelRailSolution.")
+      .def_readonly("status", &WheelsetSolution::status, "How the calculation ended.")
+      .def("_repr_html_", &table, "For notebooks, in SI units [-].");
+  add_value(solution, {"force_x", "force_y", "force_z", "vertical", "roll", "pitch_velocity", "status"});
+}
+
+std::size_t index_of(const std::string& name, const Names& names, const char* what) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw Error(name + ": no " + what + suggestion(name, names));
+  return static_cast<std::size_t>(at - names.begin());
+}
+
+} // namespace
+
+/// Forces in a state with their derivatives, row by row.
+struct DifferentiatedWheelset {
+  WheelsetSolution solution;
+  std::vector<double> jacobian;
+};
+template <>
+inline constexpr auto fields<DifferentiatedWheelset> = std::tuple{Field{"solution", &DifferentiatedWheelset::solution},
+                                                                  Field{"jacobian", &DifferentiatedWheelset::jacobian}};
+
+namespace {
+
+DifferentiatedWheelset differentiate(PythonWheelset& self, const py::kwargs& given) {
+  const auto [state, load] = given_wheelset(given);
+  DifferentiatedWheelset out;
+  WheelsetDerivatives d;
+  self.run(
+      [&, state = state, load = load](WheelsetOnTrack& solver) { solver.differentiate(state, load, out.solution, d); });
+  out.jacobian.resize(row_count * wheelset_variables);
+  for (std::size_t k = 0; k < wheelset_variables; ++k) {
+    const Vec3<double>&f = d.force[k], &m = d.moment[k];
+    const std::array<double, row_count> column = {
+        f.x, f.y, f.z, m.x, m.y, m.z, d.vertical[k], d.roll[k], d.pitch_velocity[k]};
+    for (std::size_t row = 0; row < row_count; ++row) out.jacobian[row * wheelset_variables + k] = column[row];
+  }
+  return out;
+}
+
+py::tuple tuple_of(const Names& names) {
+  py::list list;
+  for (const std::string_view name : names) list.append(std::string(name));
+  return py::tuple(list);
+}
+
+void bind_wheelset_derivatives(py::module_& module) {
+  using Self = DifferentiatedWheelset;
+  auto of = py::class_<Self>(module, "WheelsetDerivatives", "Forces on a wheelset and their derivatives.");
+  of.def_readonly("solution", &Self::solution, "The WheelsetSolution.")
+      .def_property_readonly(
+          "jacobian",
+          [](const py::object& self) {
+            return view(self.cast<const Self&>().jacobian,
+                        {static_cast<py::ssize_t>(row_count), static_cast<py::ssize_t>(wheelset_variables)}, self);
+          },
+          "All derivatives of [N], [N m], [m], [rad] and [rad/s] by SI units, shape (9, 15),\n"
+          "as `results` and `variables` say; zero by what was not given.")
+      .def_property_readonly(
+          "results",
+          [](const Self&) {
+            return tuple_of({std::begin(rows), std::end(rows)});
+          },
+          "Names of the Jacobian's rows: forces [N], moments [N m], and height [m], roll [rad] and\n"
+          "pitch velocity [rad/s] where they are found.")
+      .def_property_readonly(
+          "variables", [](const Self&) { return tuple_of(columns()); },
+          "Names of its columns: numbers of the state and prescribed forces [SI units].")
+      .def(
+          "derivative",
+          [](const Self& self, const std::string& row, const std::string& by) {
+            return self.jacobian[index_of(row, {std::begin(rows), std::end(rows)}, "number that is differentiated") *
+                                     wheelset_variables +
+                                 index_of(by, columns(), "number of the state")];
+          },
+          "of"_a, "by"_a, "One column of one row by their names [SI units]: derivative(\"force_y\", \"lateral\").");
+  add_value(of, {"solution"});
+}
+
+/// The names of the state and the forces, for the text of solve.
+std::string state_text() {
+  std::string text = "The WheelsetSolution in a state, given by keywords, 0 where they are left out:\n";
+  for (const WheelsetStateQuantity& q : wheelset_state_quantities())
+    text +=
+        "    " + q.name + " [" + std::string(q.of_wheel->unit) + "]: " + std::string(q.of_wheel->description) + "\n";
+  text += "and the forces that are prescribed:\n";
+  for (const PrescribedForce& f : prescribed_forces())
+    text += "    " + std::string(f.name) + " [" + std::string(f.unit) + "]: " + std::string(f.description) + "\n";
+  return text +
+         "Height and roll are found for vertical_force with roll_moment, or for both wheels' forces; without any,\n"
+         "vertical must be given. The wheelset rolls freely unless pitch_velocity or axle_torque is given. No\n"
+         "contact, forces that nothing gives and not converging are statuses. Error for unknown names.";
+}
+
+} // namespace
+
+void bind_wheelset_on_track(py::module_& module) {
+  bind_wheelset_solution(module);
+  bind_wheelset_derivatives(module);
+  py::class_<PythonWheelset>(module, "WheelsetOnTrack",
+                             "Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling "
+                             "speed for a torque. May be used from many threads, one call at a time.")
+      .def(py::init(&make_wheelset), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a,
+           "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
+           "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
+           "fields"_a = false,
+           "The arguments of WheelRail, of both sides alike; tolerance [-] of forces and moments over the load. Error\n"
+           "for values out of range and profiles that do not fit the track or the wheelset.")
+      .def(
+          "solve",
+          [](PythonWheelset& self, const py::kwargs& given) {
+            const auto [state, load] = given_wheelset(given);
+            return self.run(
+                [&, state = state, load = load](WheelsetOnTrack& solver) { return solver.solve(state, load); });
+          },
+          state_text().c_str())
+      .def("differentiate", &differentiate,
+           "The WheelsetDerivatives in a state given as for solve [SI units], with what is prescribed held. They hold\n"
+           "where no patch comes or goes; those of a state that is not ok are zero.");
+}
+
+} // namespace microslip::python
