@@ -2059,6 +2059,27 @@ class WheelsetContacts:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class WheelsetDerivatives:
+    """Forces on a wheelset and their derivatives."""
+    @property
+    def solution(self) -> WheelsetSolution:
+        """The WheelsetSolution."""
+    @property
+    def jacobian(self) -> NDArray[numpy.float64]:
+        """All derivatives of [N], [N m], [m], [rad] and [rad/s] by SI units, shape (9, 15),
+        as `results` and `variables` say; zero by what was not given."""
+    @property
+    def results(self) -> tuple[str, ...]:
+        """Names of the Jacobian's rows: forces [N], moments [N m], and height [m], roll [rad] and
+        pitch velocity [rad/s] where they are found."""
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """Names of its columns: numbers of the state and prescribed forces [SI units]."""
+    def derivative(self, of: str, by: str) -> Any:
+        """One column of one row by their names [SI units]: derivative("force_y", "lateral")."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class WheelsetGeometry:
     """A rigid wheelset on a track by their profiles: where both wheels touch, and its conicity."""
     def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, contact_distance: float = 1.5) -> None:
@@ -2082,6 +2103,121 @@ class WheelsetGeometry:
     def radial_steering_index(self, lateral: ArrayLike, curve_radius: float, *, gauge: ArrayLike | None = None, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> Any:
         """The rolling radius difference at lateral displacements [m] over the one that rolls without slip through a
         curve of that radius [m], shape (...) [-]."""
+
+class WheelsetOnTrack:
+    """Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling speed for a torque. May be used from many threads, one call at a time."""
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved"] = 'flat', grid: int = 24, tolerance: float = 1e-06) -> None:
+        """The arguments of WheelRail, of both sides alike; tolerance [-] of forces and moments over the load. Error
+        for values out of range and profiles that do not fit the track or the wheelset."""
+    def solve(self, **kwargs) -> WheelsetSolution:
+        """The WheelsetSolution in a state, given by keywords, 0 where they are left out:
+            lateral [m]: position of the wheelset's centre, to the left positive
+            vertical [m]: height of the wheelset's centre above the nominal radius, upwards positive
+            roll [rad]: roll of the wheelset; positive raises the left wheel
+            yaw [rad]: yaw of the wheelset; positive turns to the left
+            forward_velocity [m/s]: velocity of the wheelset's centre along the track
+            lateral_velocity [m/s]: velocity of the wheelset's centre to the left
+            vertical_velocity [m/s]: velocity of the wheelset's centre upwards
+            roll_velocity [rad/s]: angular velocity of the wheelset about its x
+            pitch_velocity [rad/s]: angular velocity of the wheelset about its axle; positive rolls forward
+            yaw_velocity [rad/s]: angular velocity of the wheelset about its z
+            curvature [1/m]: curvature of the track; positive in a curve to the left
+            left_deflection_longitudinal [m]: motion of the wheel's centre against the axle, forward
+            left_deflection_lateral [m]: the same to the left
+            left_deflection_vertical [m]: the same upwards
+            left_deflection_roll [rad]: rotation of the wheel against the axle about x
+            left_deflection_yaw [rad]: the same about z
+            left_deflection_longitudinal_velocity [m/s]: velocity of that motion, forward
+            left_deflection_lateral_velocity [m/s]: the same to the left
+            left_deflection_vertical_velocity [m/s]: the same upwards
+            left_deflection_roll_velocity [rad/s]: angular velocity of that rotation about x
+            left_deflection_pitch_velocity [rad/s]: the same about the axle
+            left_deflection_yaw_velocity [rad/s]: the same about z
+            left_deviation_lateral [m]: of the rail from its nominal place, to the left positive
+            left_deviation_vertical [m]: the same upwards
+            left_deviation_roll [rad]: rotation of the rail about x, right-handed
+            left_deviation_lateral_velocity [m/s]: velocity of that deviation to the left
+            left_deviation_vertical_velocity [m/s]: the same upwards
+            left_deviation_roll_velocity [rad/s]: angular velocity of that rotation
+            right_deflection_longitudinal [m]: motion of the wheel's centre against the axle, forward
+            right_deflection_lateral [m]: the same to the left
+            right_deflection_vertical [m]: the same upwards
+            right_deflection_roll [rad]: rotation of the wheel against the axle about x
+            right_deflection_yaw [rad]: the same about z
+            right_deflection_longitudinal_velocity [m/s]: velocity of that motion, forward
+            right_deflection_lateral_velocity [m/s]: the same to the left
+            right_deflection_vertical_velocity [m/s]: the same upwards
+            right_deflection_roll_velocity [rad/s]: angular velocity of that rotation about x
+            right_deflection_pitch_velocity [rad/s]: the same about the axle
+            right_deflection_yaw_velocity [rad/s]: the same about z
+            right_deviation_lateral [m]: of the rail from its nominal place, to the left positive
+            right_deviation_vertical [m]: the same upwards
+            right_deviation_roll [rad]: rotation of the rail about x, right-handed
+            right_deviation_lateral_velocity [m/s]: velocity of that deviation to the left
+            right_deviation_vertical_velocity [m/s]: the same upwards
+            right_deviation_roll_velocity [rad/s]: angular velocity of that rotation
+        and the forces that are prescribed:
+            vertical_force [N]: on both wheels together, upwards
+            roll_moment [N m]: of the rails' forces on the wheelset about its centre, about the track's x
+            vertical_force_left [N]: on the left wheel, upwards
+            vertical_force_right [N]: on the right wheel, upwards
+            axle_torque [N m]: that drives the wheelset forward; 0: it rolls freely
+        Height and roll are found for vertical_force with roll_moment, or for both wheels' forces; without any,
+        vertical must be given. The wheelset rolls freely unless pitch_velocity or axle_torque is given. No
+        contact, forces that nothing gives and not converging are statuses. Error for unknown names."""
+    def differentiate(self, **kwargs) -> WheelsetDerivatives:
+        """The WheelsetDerivatives in a state given as for solve [SI units], with what is prescribed held. They hold
+        where no patch comes or goes; those of a state that is not ok are zero."""
+
+class WheelsetSolution:
+    """Forces on a wheelset in track axes: x forward, y to the left, z up; and its wheels."""
+    @property
+    def force_x(self) -> float:
+        """Force on the wheelset along the track [N]."""
+    @property
+    def force_y(self) -> float:
+        """Force on the wheelset to the left [N]."""
+    @property
+    def force_z(self) -> float:
+        """Force on the wheelset upwards [N]."""
+    @property
+    def moment_x(self) -> float:
+        """Moment on the wheelset about its centre, about the track's x [N m]."""
+    @property
+    def moment_y(self) -> float:
+        """The same about y [N m]."""
+    @property
+    def moment_z(self) -> float:
+        """The same about z: positive turns it to the left [N m]."""
+    @property
+    def vertical(self) -> float:
+        """Height of the wheelset's centre above the nominal radius: given, or found for the load [m]."""
+    @property
+    def roll(self) -> float:
+        """Roll of the wheelset: given, or found for the load [rad]."""
+    @property
+    def pitch_velocity(self) -> float:
+        """Angular velocity about the axle: given, or found for the torque [rad/s]."""
+    @property
+    def frictional_power(self) -> float:
+        """Power lost to friction at both wheels [W]."""
+    @property
+    def residual(self) -> float:
+        """Largest residual of load, roll moment and torque, relative [-]."""
+    @property
+    def iterations(self) -> float:
+        """Iterations over height, roll and pitch velocity [-]."""
+    @property
+    def left(self) -> WheelRailSolution:
+        """The left wheel's WheelRailSolution."""
+    @property
+    def right(self) -> WheelRailSolution:
+        """The right wheel's WheelRailSolution."""
+    @property
+    def status(self) -> Status:
+        """How the calculation ended."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 def build_info() -> dict[str, str]:
     """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
