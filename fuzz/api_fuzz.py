@@ -328,7 +328,29 @@ def wheelset_geometry(draw):
     return geometry.equivalent_conicity(draw.number(1e-4, 5e-3), **draw.some(gauge=lambda: draw.number(1.43, 1.44)), **roll)
 
 
-CALLS = (wheel_rail, wheel_rail, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
+def wheelset_on_track(draw):
+    """Both wheels of S1002 on 60E1, in equilibrium or in a place."""
+    rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
+    pair = microslip.WheelsetOnTrack(
+        track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,
+        wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel, **draw.some(
+            shape=lambda: draw.word("flat", "curved"), friction=lambda: draw.number(0, 0.6),
+            tolerance=lambda: draw.scale(1e-9, 1e-3)))
+    state = {"lateral": draw.number(-0.012, 0.012), "forward_velocity": draw.number(-80, 80)}
+    state.update(draw.some(yaw=lambda: draw.number(-0.03, 0.03), lateral_velocity=lambda: draw.number(-1, 1),
+                           curvature=lambda: draw.number(-0.01, 0.01), right_deviation_vertical=lambda: draw.number(-1e-3, 1e-3),
+                           axle_torque=lambda: draw.number(-2e4, 2e4)))
+    if draw.random() < 0.3:
+        return pair.solve(**state, vertical=draw.number(-1e-3, 1e-3), roll=draw.number(-1e-3, 1e-3))
+    state["vertical_force"] = draw.scale(1e3, 4e5)
+    state.update(draw.some(roll_moment=lambda: draw.number(-0.5, 0.5) * state["vertical_force"]))
+    found = pair.solve(**state) if draw.random() < 0.7 else pair.differentiate(**state).solution
+    if found.status == microslip.Status.ok:
+        assert abs(found.force_z / state["vertical_force"] - 1) < 2e-3, f"{found.force_z} N instead of {state['vertical_force']} N"
+    return found
+
+
+CALLS = (wheel_rail, wheel_rail, wheelset_on_track, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
          normal_problem, patch_rolling, tangential_problem, interior, hertz, profile)
 
 

@@ -82,7 +82,7 @@ def draw_bifurcation(axes, folder):
     speed, up, down = read(os.path.join(folder, "bifurcation.csv"))
     axes.plot(speed, 1e3 * down, "s-", color=BLUE, markersize=5, fillstyle="none", linewidth=0.8, label="speed decreasing")
     axes.plot(speed, 1e3 * up, "o-", color=ORANGE, markersize=3.5, linewidth=0.8, label="speed increasing")
-    axes.set_title("Amplitude after 6 s at each speed", fontsize=10, loc="left")
+    axes.set_title("Amplitude after 8 s at each speed", fontsize=10, loc="left")
     axes.set_xlabel("speed [m/s]")
     axes.set_ylabel("amplitude [mm]")
     axes.set_ylim(0, 8)
