@@ -71,11 +71,12 @@ def draw_wheel_forces(axes, folder):
     axes.set_xlabel("time [s]")
     axes.set_ylabel("Y [kN]")
     axes.set_xlim(time[0], time[-1])
+    axes.set_ylim(-30, 270)
     shift = axes.twinx()
     shift.plot(time, 1e3 * y, color=GREY, linewidth=1, linestyle="--")
     shift.set_ylabel("lateral displacement [mm], dashed", color=GREY)
     shift.set_ylim(-20, 20)
-    axes.legend(loc="upper right", frameon=False, fontsize=8)
+    axes.legend(loc="upper left", frameon=False, fontsize=8, ncols=2)
 
 
 def draw_bifurcation(axes, folder):
