@@ -218,13 +218,15 @@ void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, c
     const Vec3<double> force = {slope(b.force.x, a.force.x), slope(b.force.y, a.force.y), slope(b.force.z, a.force.z)},
                        moment = {slope(b.moment.x, a.moment.x), slope(b.moment.y, a.moment.y),
                                  slope(b.moment.z, a.moment.z)};
-    const double size = std::sqrt(dot(force, force)) + std::sqrt(dot(moment, moment)) + 1e-3 / step;
+    // By the forward velocity alone terms of 5e5 N/(m/s) cancel where the pitch velocity follows it.
+    const double cancelled = which == WheelsetVariable::forward_velocity ? 1e3 : 1e-3 / step;
+    const double size = std::sqrt(dot(force, force)) + std::sqrt(dot(moment, moment)) + cancelled;
     expect_near(d.force[k].x, force.x, size), expect_near(d.force[k].y, force.y, size);
     expect_near(d.force[k].z, force.z, size), expect_near(d.moment[k].x, moment.x, size);
     expect_near(d.moment[k].y, moment.y, size), expect_near(d.moment[k].z, moment.z, size);
     if (forces.load().vertical) {
       const double z = slope(b.vertical, a.vertical), roll = slope(b.roll, a.roll);
-      const double change = std::abs(z) + std::abs(roll) + 1e-12 / step;
+      const double change = std::abs(z) + std::abs(roll) + std::max(1e-12 / step, 1e-9 * cancelled);
       expect_near(d.vertical[k], z, change), expect_near(d.roll[k], roll, change);
     } else {
       EXPECT_EQ(d.vertical[k], 0);
