@@ -124,8 +124,9 @@ TEST(WheelsetResult, HasWearAndFieldsOfBothWheels) {
     const WheelsetCase input = parse_wheelset_case(text, "w.toml");
     return case_document(input, solve_case(input), {.kind = kind_of(input)});
   };
-  const Json without = document_of(wheelset_text),
-             with = document_of(with_part(wheelset_text, "[friction]", "hardness = 2.7e9\n[friction]"));
+  const std::string turned = with_part(wheelset_text, "lateral = 0.003", "lateral = 0.003\nyaw = 4e-3");
+  const Json without = document_of(turned),
+             with = document_of(with_part(turned, "[friction]", "hardness = 2.7e9\n[friction]"));
   for (const auto* side : {"left", "right"}) {
     EXPECT_FALSE(without[side]["wheel"].contains("worn_area"));
     EXPECT_FALSE(without[side]["patches"].contains("worn_area"));

@@ -30,7 +30,7 @@ WheelRailBodies pair() {
 /// Cones on round heads of .3 m whose tops are .75 m from the track's centre.
 WheelRailBodies cones(double conicity, double friction = 0.3) {
   const Profile cone(ProfileRole::wheel, std::vector<ProfilePoint>{{-0.06, -0.06 * conicity}, {0.06, 0.06 * conicity}});
-  WheelRailBodies bodies{round_head(0.3), cone, {}, {}, TrackSide::left, steel, {{0, friction}}};
+  WheelRailBodies bodies{round_head(0.3, 0.06), cone, {}, {}, TrackSide::left, steel, {{0, friction}}};
   bodies.track.rail_origin = ProfilePoint{0.75, 0};
   bodies.wheelset = {
       .flange_back_distance = 1.36, .flange_back_position = -0.07, .nominal_radius = 0.46, .tape_circle = {}};
@@ -197,7 +197,7 @@ void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, c
   for (std::size_t k = 0; k < wheelset_variables; ++k) {
     WheelsetState low = state, high = state;
     PrescribedForces less = forces, more = forces;
-    double step = k >= states ? 10 : k >= 4 ? 1e-4 : 1e-8; // [N], [N m]; [m/s], [rad/s]; [m], [rad]
+    double step = k >= states ? 10 : k >= 4 ? 2e-5 : 1e-8; // [N], [N m]; [m/s], [rad/s]; [m], [rad]
     const auto which = static_cast<WheelsetVariable>(k);
     const bool is_found = which == WheelsetVariable::pitch_velocity
                               ? forces.axle_torque.has_value()
@@ -282,7 +282,11 @@ TEST(WheelsetOnTrack, AgreesAtBothLevels) {
   ASSERT_EQ(b.status, Status::ok);
   EXPECT_LE(b.residual, 1e-5);
   EXPECT_NEAR(a.roll, b.roll, 2e-6);
-  EXPECT_NEAR(a.pitch_velocity / b.pitch_velocity, 1, 2e-5);
+  // By what a torque of 5 % of the friction does: so much the forces of a wheel may differ.
+  const double torque = 0.05 * 0.3 * 100e3 * 0.46;
+  const WheelsetSolution driven = fast.solve(running(-2e-3, 1e-3), axle_load(100e3, 0, torque));
+  ASSERT_EQ(driven.status, Status::ok);
+  EXPECT_NEAR(a.pitch_velocity, b.pitch_velocity, driven.pitch_velocity - a.pitch_velocity);
   EXPECT_NEAR(a.force.y, b.force.y, 0.02 * 0.3 * 100e3);
   EXPECT_EQ(b.left.fields.size(), b.left.patches.size());
 }

@@ -2106,7 +2106,7 @@ class WheelsetGeometry:
 
 class WheelsetOnTrack:
     """Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling speed for a torque. May be used from many threads, one call at a time."""
-    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved"] = 'flat', grid: int = 24, tolerance: float = 1e-06) -> None:
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved"] = 'flat', grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False) -> None:
         """The arguments of WheelRail, of both sides alike; tolerance [-] of forces and moments over the load. Error
         for values out of range and profiles that do not fit the track or the wheelset."""
     def solve(self, **kwargs) -> WheelsetSolution:

@@ -53,6 +53,18 @@ class WheelsetOnTrackTest(unittest.TestCase):
         alone = right.solve(**STATE, vertical=found.vertical, roll=found.roll, pitch_velocity=found.pitch_velocity)
         self.assertEqual(alone.force_y, found.right.force_y)
 
+    def test_wear_and_fields_are_those_of_the_wheels(self):
+        turned = {**STATE, "yaw": 0.004, "vertical_force": 120e3}
+        found = wheelset(strength=microslip.SurfaceStrength(hardness=2.7e9), fields=True).solve(**turned)
+        plain = self.pair.solve(**turned)
+        for wheel, without in ((found.left, plain.left), (found.right, plain.right)):
+            self.assertAlmostEqual(wheel.worn_area, sum(patch.worn_area for patch in wheel.patches), delta=1e-20)
+            self.assertGreater(wheel.worn_area, 0)
+            self.assertEqual(len(wheel.fields), len(wheel.patches))
+            self.assertIsNone(without.worn_area)
+            self.assertEqual(without.fields, [])
+            self.assertEqual(wheel.force_y, without.force_y)
+
     def test_derivatives_have_names(self):
         result = self.pair.differentiate(**STATE, vertical_force=120e3)
         self.assertEqual(result.jacobian.shape, (len(result.results), len(result.variables)))
