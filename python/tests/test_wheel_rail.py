@@ -77,9 +77,11 @@ class WheelRailTest(unittest.TestCase):
         self.assertEqual(solution.force_y, self.pair.solve(**STATE).force_y)
         steel = microslip.Material.from_young(210e9, 0.28)
         for patch, fields in zip(solution.patches, solution.fields):
-            self.assertAlmostEqual((fields.fields.area * fields.fields.pressure).sum() / patch.normal_force, 1, places=9)
+            # Rows of equal width in one plane, in place of rows that lean by the turn of the surface.
+            self.assertAlmostEqual((fields.fields.area * fields.fields.pressure).sum() / patch.normal_force, 1,
+                                   delta=2e-3 + 1 - np.cos(patch.turn))
             self.assertAlmostEqual((fields.fields.area * microslip.friction_work(fields)).sum() * patch.rolling_speed
-                                   / patch.frictional_power, 1, places=9)
+                                   / patch.frictional_power, 1, delta=2e-3)
             stress = fields.interior_states(steel, steel, 0.0, 0.0, [-0.1, 0.1])
             self.assertTrue((np.asarray(stress.zz) < 0).all())
 
