@@ -53,7 +53,7 @@ def draw_amplitudes(axes, ratio, small, large):
 
 def draw_motion(axes, folder):
     time, below, _, above, _ = read(os.path.join(folder, "motion.csv"))
-    axes.plot(time, 1e3 * below, color=BLUE, linewidth=1, label="55 m/s, from 5 mm")
+    axes.plot(time, 1e3 * below, color=BLUE, linewidth=1, label="50 m/s, from 5 mm")
     axes.plot(time, 1e3 * above, color=ORANGE, linewidth=0.8, label="66 m/s, from 1 mm")
     axes.set_title("Below and above the critical speed", fontsize=10, loc="left")
     axes.set_xlabel("time [s]")

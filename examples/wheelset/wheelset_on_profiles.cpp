@@ -144,7 +144,7 @@ int main(int count, char** arguments) {
     const double critical = critical_speed(bodies, {});
     std::printf("Critical speed: %.3f m/s by eigenvalues\n", critical);
     print_growth(bodies, critical);
-    const double slow = 55, fast = 66, duration = 4;
+    const double slow = 50, fast = 66, duration = 4;
     const ProfiledHistory below = run(bodies, at_speed(slow), 5e-3, duration),
                           above = run(bodies, at_speed(fast), 1e-3, duration);
     std::printf("\nFrom 5 mm at %.0f m/s after %.0f s: %.2g mm. From 1 mm at %.0f m/s after %.0f s: %.3f mm.\n", slow,
