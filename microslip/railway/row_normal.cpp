@@ -231,6 +231,7 @@ void RowNormal::change_curvatures() {
 RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<const NormalRow> rows,
                                    std::optional<double> vertical_force, bool warm, int most_steps) noexcept {
   constexpr double enough = 1e-6;
+  constexpr int settling_steps = 15;
   Result result;
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);
   if (warm) warm = start_from_last(rows);
@@ -257,6 +258,9 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
       result.change = std::max(result.change, std::abs(next_load_[k] - load_[k]));
     }
     result.change /= largest;
+    // Where the steps do not settle, as rows come and go, half of each.
+    if (result.steps >= settling_steps)
+      for (std::size_t k = 0; k < count_; ++k) next_load_[k] = (next_load_[k] + load_[k]) / 2;
     if (!alone) change_curvatures();
     std::copy_n(next_load_.begin(), count_, load_.begin());
     if (alone) {

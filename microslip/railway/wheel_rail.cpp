@@ -46,7 +46,12 @@ bool is_finite(WheelState<double> state) {
 /// Contacts larger than their bodies have no solution.
 bool has_numbers(const WheelRailSolution& s) {
   double sum = dot(s.force, s.force) + dot(s.moment, s.moment) + s.vertical + s.residual;
-  for (const WheelRailPatch& p : s.patches) sum += p.normal_force + p.peak_pressure + p.frictional_power + p.moment;
+  for (const WheelRailPatch& p : s.patches) {
+    if (p.normal_force == 0) return false;
+    sum += p.normal_force + p.fx + p.fs + p.moment + p.peak_pressure + p.frictional_power + p.contact_area +
+           p.approach + p.rolling_radius + p.angle + p.turn + p.place.x + p.creepage.longitudinal + p.creepage.lateral +
+           p.creepage.spin;
+  }
   return std::isfinite(sum);
 }
 

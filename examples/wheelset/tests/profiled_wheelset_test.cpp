@@ -107,7 +107,7 @@ TEST(ProfiledWheelset, HuntsBetweenTheFlanges) {
 }
 
 TEST(ProfiledWheelset, RunsIntoTheOuterFlangeInACurve) {
-  const ProfiledParameters parameters = in_curve(300, 0.1);
+  const ProfiledParameters parameters = in_curve(400, 0.1);
   const State z = enter_curve(bodies(), parameters, 3, 2e-3).states.back();
   EXPECT_LT(z[ProfiledWheelset::lateral], -4e-3); // a curve to the left: outwards is to the right
   ProfiledWheelset wheelset(bodies(), parameters);
