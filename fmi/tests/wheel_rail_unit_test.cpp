@@ -45,16 +45,22 @@ public:
       EXPECT_EQ(set("state." + std::string(q.name), q.value(state)), fmi2OK) << messages.last;
     EXPECT_EQ(set("state.vertical_force", force), fmi2OK);
   }
+  /// What is not given, as wear without a hardness, is not a number in both.
+  static void expect_same(double got, double wanted, std::string_view name) {
+    if (std::isnan(wanted))
+      EXPECT_TRUE(std::isnan(got)) << name;
+    else
+      EXPECT_EQ(got, wanted) << name;
+  }
   void expect(const WheelRailSolution& wanted) {
     EXPECT_EQ(get_integer("status"), static_cast<int>(wanted.status));
     EXPECT_EQ(get_integer("at_profile_end"), wanted.at_profile_end);
     for (const WheelQuantity& q : wheel_quantities())
-      EXPECT_EQ(get("wheel." + std::string(q.name)), q.value(wanted)) << q.name;
+      expect_same(get("wheel." + std::string(q.name)), q.value(wanted), q.name);
     for (std::size_t k = 0; k < 3; ++k)
       for (const PatchQuantity& q : patch_quantities())
-        EXPECT_EQ(get("patch[" + std::to_string(k + 1) + "]." + std::string(q.name)),
-                  k < wanted.patches.size() ? q.value(wanted.patches[k]) : 0)
-            << q.name;
+        expect_same(get("patch[" + std::to_string(k + 1) + "]." + std::string(q.name)),
+                    k < wanted.patches.size() ? q.value(wanted.patches[k]) : 0, q.name);
   }
   std::string failed_initialization() {
     EXPECT_EQ(FMI(fmi2EnterInitializationMode)(unit), fmi2OK);

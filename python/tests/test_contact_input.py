@@ -29,7 +29,7 @@ class ContactInputTest(unittest.TestCase):
         text = (EXAMPLES / "sphere_on_plane.inp").read_text()
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "odd.inp"
-            path.write_text("  1  MODULE\n" + text)
+            path.write_text(text.replace("200100", "250100", 1))  # KPEC with the force given
             first = next(iter(microslip.run_contact_input(path)))
         self.assertEqual((first.outcome, first.totals, first.normal), ("refused", None, None))
         self.assertTrue(first.reasons)
