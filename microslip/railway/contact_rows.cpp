@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rows_of_a_parabola = 14; // across the overlap
 constexpr double least_density = 2.5;     // of the scale, over the overlap's length
-// Of the scale across a parabola, sqrt(1/b^2 + (1.5/(2 b))^2) 2 b.
+// Of the scale across a parabola, sqrt(1/b^2 + (2.5/(2 b))^2) 2 b.
 constexpr double scale_of_a_parabola = 3.2;
 constexpr double nowhere = 1; // gap beside the wheel [m]
 

@@ -19,8 +19,8 @@ struct ContactRow {
 };
 
 /// Cuts the regions of overlap into rows. Along the rail's surface there are rows in proportion to sqrt(kappa/(2 zeta)
-/// + (1.5/L)^2) ds, with kappa the surfaces' relative curvature, zeta the greatest overlap along the normal and L the
-/// length of a parabola with as large an area of overlap: a contact with one curvature has 9 rows, of which some six
+/// + (2.5/L)^2) ds, with kappa the surfaces' relative curvature, zeta the greatest overlap along the normal and L the
+/// length of a parabola with as large an area of overlap: a contact with one curvature has 14 rows, of which some ten
 /// bear loads, and where curvatures vary the rows follow them. Rows are counted through all regions; an edge lies where
 /// the overlap is deepest, and rows at a region's end are cut off there. As the ends of the overlap bear no load, all
 /// that follows is continuous while regions appear, merge and split.
