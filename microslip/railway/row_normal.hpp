@@ -36,7 +36,7 @@ struct NormalRow {
 ///
 /// The half-lengths follow from kappa = (2 q/(pi a))/a, the peak pressure over a. A row's kappa is the one with which
 /// the displacement's curvature along x at the row's centre is -2 A if all rows had that kappa: so on an ellipse
-/// it is Hertz's, and where curvatures vary across the contact it is the row's own. Rows with less than a sixth
+/// it is Hertz's, and where curvatures vary across the contact it is the row's own. Rows with less than .06
 /// of the row's own load enter in proportion to that: the shortest rows would have the greatest curvature.
 ///
 /// Newton's method for q and ln(kappa), the latter eliminated, with active sets in each step. On ellipses with 12 rows
