@@ -29,16 +29,6 @@ Slopes slopes(const WheelPlacement<double>& placement, const CurvePoint& rail, c
   return {(r.y * w.z - r.z * w.y) / (length * std::sqrt(w.y * w.y + w.z * w.z)), r.y / length};
 }
 
-/// A point of a profile, with d(arc length)/ds.
-ArcPoint arc_point(const CurvePoint& p) {
-  const double length = std::hypot(p.first.y, p.first.z);
-  return {.place = p.value,
-          .cosine = p.first.y / length,
-          .sine = p.first.z / length,
-          .speed = length,
-          .turn = (p.first.y * p.second.z - p.first.z * p.second.y) / (length * length)};
-}
-
 /// Curvature [1/m] of the wheel's surface along the track's x, by Euler's theorem from that around the axle and that of
 /// the profile: with chi the angle between x and the way around, sin(chi) = e_x/cos(alpha), e the axle.
 double curvature_along_track(const WheelLocus<double>& locus, const ArcPoint& p) {

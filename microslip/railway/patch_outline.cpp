@@ -31,9 +31,7 @@ struct OverRail {
 OverRail over_rail(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, const CurvePoint& wheel,
                    const Profile& rail, double rail_s) {
   constexpr int steps = 4;
-  const double length = std::hypot(wheel.first.y, wheel.first.z);
-  const LocusPoint<double> point = locus.at(
-      {.place = wheel.value, .cosine = wheel.first.y / length, .sine = wheel.first.z / length, .speed = 0, .turn = 0});
+  const LocusPoint<double> point = locus.at(arc_point(wheel));
   OverRail out{point.place, rail_s};
   const Frame<double>& frame = placement.rail.frame;
   for (int k = 0; k < steps; ++k) {

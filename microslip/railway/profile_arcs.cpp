@@ -45,15 +45,18 @@ double angle_of(const ArcPoint& p) {
 
 } // namespace
 
+ArcPoint arc_point(const CurvePoint& p, double length) {
+  const double square = p.first.y * p.first.y + p.first.z * p.first.z, speed = std::sqrt(square);
+  return {p.value, p.first.y / speed, p.first.z / speed, speed * length,
+          (p.first.y * p.second.z - p.first.z * p.second.y) / square * length};
+}
+
 ArcPoint ProfileArcs::at(const ProfileArc& arc, double u) const {
   if (arc.length == 0) {
     const double alpha = arc.alpha[0] + u * (arc.alpha[1] - arc.alpha[0]);
     return {arc.ends[0].place, std::cos(alpha), std::sin(alpha), 0, arc.alpha[1] - arc.alpha[0]};
   }
-  const CurvePoint p = profile_.pieces()[arc.piece].at(arc.start + u * arc.length);
-  const double square = p.first.y * p.first.y + p.first.z * p.first.z, speed = std::sqrt(square);
-  return {p.value, p.first.y / speed, p.first.z / speed, speed * arc.length,
-          (p.first.y * p.second.z - p.first.z * p.second.y) / square * arc.length};
+  return arc_point(profile_.pieces()[arc.piece].at(arc.start + u * arc.length), arc.length);
 }
 
 void ProfileArcs::bound_derivatives(const ProfileArc& arc, double u0, double u1, Range& speed, Range& turn) const {

@@ -25,6 +25,9 @@ struct ArcPoint {
   double turn = 0;    ///< d(alpha)/du [rad]
 };
 
+/// A point of a profile's curve as a point of an arc with s = start + u length [m].
+ArcPoint arc_point(const CurvePoint& point, double length = 1);
+
 /// A stretch of a profile on which y, z and the angle alpha of its direction are monotone: part of a cubic; or a
 /// corner, where alpha changes while the point stays.
 struct ProfileArc {
