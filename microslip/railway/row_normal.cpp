@@ -1,7 +1,10 @@
 #include "microslip/railway/row_normal.hpp"
 
+#include "microslip/numerics/elimination.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace microslip {
@@ -12,29 +15,6 @@ constexpr double pi = std::numbers::pi;
 constexpr double first_load = 1e-2;
 /// Rows with less than this share of another row's load enter that row's curvature in proportion.
 constexpr double full_share = 0.06;
-
-/// Solves A x = b for two right-hand sides by Gauss's elimination with row pivots; A and b are overwritten.
-void eliminate(std::vector<double>& a, std::size_t n, std::vector<double>& b, std::vector<double>& c) {
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (std::abs(a[i * n + k]) > std::abs(a[pivot * n + k])) pivot = i;
-    if (pivot != k) {
-      std::swap_ranges(&a[k * n + k], &a[k * n] + n, &a[pivot * n + k]);
-      std::swap(b[k], b[pivot]), std::swap(c[k], c[pivot]);
-    }
-    const double inverse = 1 / a[k * n + k];
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i * n + k] * inverse;
-      for (std::size_t j = k + 1; j < n; ++j) a[i * n + j] -= factor * a[k * n + j];
-      b[i] -= factor * b[k], c[i] -= factor * c[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k * n + j] * b[j], c[k] -= a[k * n + j] * c[j];
-    b[k] /= a[k * n + k], c[k] /= a[k * n + k];
-  }
-}
 
 } // namespace
 
@@ -189,7 +169,10 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, Result& resul
       for (std::size_t j = 0; j < n; ++j) system_[i * n + j] = at(influence_matrix_, active_[i], active_[j]);
       next_load_[i] = right_[active_[i]], per_lowering_[i] = level_[active_[i]];
     }
-    eliminate(system_, n, next_load_, per_lowering_);
+    // Without a solution loads are no numbers, and the next step starts anew.
+    if (!eliminate(std::span(system_).first(n * n),
+                   {std::span(next_load_).first(n), std::span(per_lowering_).first(n)}))
+      std::fill_n(next_load_.begin(), n, std::numeric_limits<double>::quiet_NaN());
     double force = 0;
     result.stiffness = 0;
     for (std::size_t i = 0; i < n; ++i) {

@@ -1,5 +1,6 @@
 #include "microslip/railway/wheelset_on_track.hpp"
 
+#include "microslip/numerics/elimination.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
 
@@ -41,26 +42,12 @@ Vec3<double> mirrored(const Vec3<double>& v) {
   return {v.x, -v.y, v.z};
 }
 
-/// Solves m x = b, by elimination with row exchange; false for a matrix that is singular.
-bool solve_linear(Matrix3 m, Three b, Three& x) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < 3; ++i)
-      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
-    if (!(std::abs(m[pivot][k]) > 0)) return false;
-    std::swap(m[k], m[pivot]), std::swap(b[k], b[pivot]);
-    for (std::size_t i = k + 1; i < 3; ++i) {
-      const double factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j < 3; ++j) m[i][j] -= factor * m[k][j];
-      b[i] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = 3; k-- > 0;) {
-    x[k] = b[k];
-    for (std::size_t j = k + 1; j < 3; ++j) x[k] -= m[k][j] * x[j];
-    x[k] /= m[k][k];
-  }
-  return true;
+/// Solves m x = b; false for a matrix that is singular.
+bool solve_linear(const Matrix3& m, const Three& b, Three& x) {
+  std::array<double, 9> rows;
+  for (std::size_t i = 0; i < 3; ++i) std::copy(m[i].begin(), m[i].end(), rows.begin() + 3 * i);
+  x = b;
+  return eliminate(rows, {x});
 }
 
 /// Broyden's update: the matrix that differs least from m and has the difference `change` along `step`.
