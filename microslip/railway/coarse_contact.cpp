@@ -1,5 +1,7 @@
 #include "microslip/railway/coarse_contact.hpp"
 
+#include "microslip/elasticity/hertz.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,11 +28,16 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
 /// as the slope is about -1, and where these do not settle in the bracket that they leave.
 class Descent {
 public:
+  /// What the next step leaves of what is missing, if it leaves the share that the last one left.
+  double share_left(double missing) const { return known_ ? std::min(std::abs(missing / missing_before_), 1.0) : 1; }
+
   double next(double here, double missing, bool settles) {
+    // A bracket that is much narrower than what is missing dates from when loads or shear had not settled.
+    if (high_ - low_ < 0.01 * std::abs(missing)) low_ = 0, high_ = std::numeric_limits<double>::infinity();
     if (!settles) (missing > 0 ? low_ : high_) = here;
     const double slope = known_ ? (missing - missing_before_) / (here - before_) : -1;
     before_ = here, missing_before_ = missing, known_ = true;
-    const double there = std::max(here - missing / (slope < -0.25 && slope > -4 ? slope : -1), 0.1 * here);
+    const double there = std::max(here - missing / (slope < -0.05 && slope > -4 ? slope : -1), 0.1 * here);
     return settles || (there > low_ && there < high_) ? there : std::isfinite(high_) ? (low_ + high_) / 2 : 2 * low_;
   }
 
@@ -225,19 +232,18 @@ ContactPoint CoarseContact::lowest_point(double depth) {
   return lowest;
 }
 
-/// By how much the wheel is lowered from its first touch, after Hertz: the approach (9 F^2/(16 E*^2 R))^(1/3) of a
-/// sphere whose radius is the mean of those of the surfaces at the point, in its inclined plane.
+/// By how much the wheel is lowered from its first touch, after Hertz with the surfaces' curvatures at the point, in
+/// its inclined plane.
 double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertical_force) const {
   const double cosine = std::max(std::cos(point.inclination), 0.1),
-               curvature = point.curvature * cosine * cosine * cosine;
-  const double radius = std::sqrt(point.radius / std::clamp(curvature, 0.2, 1e3));
-  const double load = vertical_force / cosine;
-  return std::cbrt(9 * load * load / (16 * std::pow(bodies_.material.contact_modulus(), 2) * radius)) / cosine;
+               curvature = std::clamp(point.curvature * cosine * cosine * cosine, 0.2, 1e3);
+  const GapCurvatures gap{1 / (2 * point.radius), curvature / 2};
+  return hertz_from_load(gap, bodies_.material, vertical_force / cosine).approach / cosine;
 }
 
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
-  constexpr int most_iterations = 50, plain_iterations = 12, most_steps = 40;
+  constexpr int most_iterations = 40, plain_iterations = 12, most_steps = 40;
   put(state, state.vertical);
   double searched = 3e-4;
   ContactPoint lowest = lowest_point(searched);
@@ -266,12 +272,19 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
     const double change = roll();
     out.status = found.converged && all_rows ? Status::ok : Status::not_converged;
     if (!vertical_force) return;
-    out.residual = (std::abs(found.stiffness * found.lowering) + std::abs(change)) / *vertical_force;
-    if (out.residual <= method_.tolerance && (out.status == Status::ok || !all_rows)) break;
+    // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
+    const double missing = found.lowering - change / found.stiffness;
+    const double left = std::abs(found.stiffness * found.lowering) * descent.share_left(missing);
+    out.residual = (left + std::abs(change)) / *vertical_force;
+    if (out.residual <= method_.tolerance && (out.status == Status::ok || !all_rows)) {
+      depth_ = depth += found.lowering;
+      break;
+    }
     out.status = Status::not_converged;
-    depth = descent.next(depth, found.lowering - change / found.stiffness, settles);
+    depth = descent.next(depth, missing, settles);
   }
   out.vertical = state.vertical - clearance_ - depth;
+  put(state, out.vertical);
 }
 
 /// The rows of a region.

@@ -43,7 +43,7 @@ public:
 
 private:
   static constexpr int bits_dropped = 48; ///< leaves 16 segments in each octave
-  static constexpr double smallest = 0x1p-10, largest = 0x1p5;
+  static constexpr double smallest = 0x1p-10, largest = 0x1p8;
   static constexpr std::uint64_t first_segment = std::bit_cast<std::uint64_t>(smallest) >> bits_dropped;
 
   /// Cubics in delta - start.

@@ -26,7 +26,7 @@ RowNormal::RowNormal(std::size_t most_rows) {
                                    &next_load_, &right_, &per_lowering_, &displacement_, &residual_, &slope_})
     row->resize(most_rows);
   in_contact_.resize(most_rows);
-  active_.reserve(most_rows), loaded_.reserve(most_rows);
+  active_.reserve(most_rows), loaded_.reserve(most_rows), near_.reserve(most_rows);
 }
 
 void RowNormal::set_up(std::span<const NormalRow> rows) {
@@ -87,16 +87,25 @@ void RowNormal::find_half_lengths() {
     if (loaded) loaded_.push_back(j);
     half_length_[j] = std::sqrt(2 * (loaded ? load_[j] : first) / pi * std::exp(-log_kappa_[j]));
   }
-  first_near_ = loaded_.empty() || loaded_.front() == 0 ? 0 : loaded_.front() - 1;
-  end_near_ = loaded_.empty() ? 0 : std::min(loaded_.back() + 2, count_);
+  near_.clear();
+  const auto taken = [&](std::size_t k) { return in_contact_[k] || load_[k] > 0; };
+  for (std::size_t j = 0; j < count_; ++j)
+    if (taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1))) near_.push_back(j);
+}
+
+/// U of a pair of rows.
+double RowNormal::displacement_under(std::size_t j, std::size_t k) const {
+  const double inverse = 1 / half_length_[k], d = at(distance_, j, k), half = width_[k] / 2;
+  return unit_ * 2 / pi * at(cosine_, j, k) *
+         (influence_.at((d + half) * inverse).phi - influence_.at((d - half) * inverse).phi);
 }
 
 /// U and, unless it is to be linear in q, its derivatives with respect to q and ln(kappa), with a^2 = 2 q/(pi kappa):
 /// d(U q)/dq = C 2/pi (Phi - delta f/2), d(U q)/d ln(kappa) = C 2/pi q delta f/2, between both edges of the strip.
 void RowNormal::find_influences(bool linear) {
-  for (std::size_t j = 0; j < count_; ++j) {
+  for (std::size_t j : near_) {
     displacement_[j] = 0;
-    for (std::size_t k = 0; k < count_; ++k) {
+    for (std::size_t k : near_) {
       const double inverse = 1 / half_length_[k], d = at(distance_, j, k), half = width_[k] / 2;
       const double high = (d + half) * inverse, low = (d - half) * inverse;
       const RowInfluence::Values outer = influence_.at(high), inner = influence_.at(low);
@@ -113,11 +122,11 @@ void RowNormal::find_influences(bool linear) {
 /// Residuals ln(C kappa S/(2 A)), S = sum of tau Psi between the edges of each strip, tau = min(1, q_k/(.15 q_j)), with
 /// all kappa equal to the row's own, and their derivatives.
 void RowNormal::find_curvatures(std::span<const NormalRow> rows, bool alone) {
-  for (std::size_t k = first_near_; k < end_near_; ++k) root_load_[k] = half_length_[k] * std::exp(log_kappa_[k] / 2);
-  for (std::size_t j = 0; j < count_; ++j) {
+  for (std::size_t k : near_) root_load_[k] = half_length_[k] * std::exp(log_kappa_[k] / 2);
+  for (std::size_t j : near_) {
     const double root = std::exp(log_kappa_[j] / 2);
     double sum = 0, by_own = 0, by_load = 0;
-    for (std::size_t k = first_near_; k < end_near_; ++k) {
+    for (std::size_t k : near_) {
       const double inverse = root / root_load_[k], d = at(distance_, j, k), half = width_[k] / 2;
       const double high = (d + half) * inverse, low = (d - half) * inverse;
       const RowInfluence::Values outer = influence_.at(high), inner = influence_.at(low);
@@ -136,21 +145,21 @@ void RowNormal::find_curvatures(std::span<const NormalRow> rows, bool alone) {
     residual_[j] = log_kappa_[j] + std::log(unit_ * sum / (2 * rows[j].curvature));
     slope_[j] = 1 + by_own / sum;
     if (alone) continue;
-    for (std::size_t k = first_near_; k < end_near_; ++k) at(curvature_by_load_, j, k) /= sum;
+    for (std::size_t k : near_) at(curvature_by_load_, j, k) /= sum;
     if (load_[j] > 0) at(curvature_by_load_, j, j) -= by_load / (load_[j] * sum);
   }
 }
 
 /// The Newton matrix for q, and the right-hand side of M q = right + zeta cos(angle).
 void RowNormal::eliminate_curvatures(std::span<const NormalRow> rows, bool alone) {
-  for (std::size_t j = 0; j < count_; ++j) {
+  for (std::size_t j : near_) {
     double* const row = &at(influence_matrix_, j, 0);
     right_[j] = -rows[j].gap - displacement_[j];
     for (std::size_t l : loaded_) {
       if (alone) break;
       const double factor = at(by_kappa_, j, l) / slope_[l];
       const double* const curvature = &at(curvature_by_load_, l, 0);
-      for (std::size_t k = first_near_; k < end_near_; ++k) row[k] -= factor * curvature[k];
+      for (std::size_t k : near_) row[k] -= factor * curvature[k];
       right_[j] += factor * residual_[l];
     }
     for (std::size_t k : loaded_) right_[j] += row[k] * load_[k];
@@ -162,7 +171,7 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, Result& resul
   constexpr int most_sets = 30;
   for (int sets = 0; sets < most_sets; ++sets) {
     active_.clear();
-    for (std::size_t k = 0; k < count_; ++k)
+    for (std::size_t k : near_)
       if (in_contact_[k]) active_.push_back(k);
     const std::size_t n = active_.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -188,8 +197,8 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, Result& resul
       if (!(next_load_[i] > 0)) in_contact_[active_[i]] = 0, changed = true;
     }
     if (changed && largest > 0) continue;
-    const double tolerance = 1e-12 * largest * influence_matrix_[0];
-    for (std::size_t k = 0; k < count_; ++k) {
+    const double tolerance = 1e-12 * largest * at(influence_matrix_, near_.front(), near_.front());
+    for (std::size_t k : near_) {
       if (in_contact_[k]) continue;
       double e = -right_[k] - result.lowering * level_[k];
       for (std::size_t i = 0; i < n; ++i) e += at(influence_matrix_, k, active_[i]) * next_load_[i];
@@ -200,13 +209,31 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, Result& resul
   return false;
 }
 
+/// Takes the rows that are away from the loaded ones into the contact where they would overlap. Returns whether there
+/// are any.
+bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering) {
+  bool any = false;
+  auto near = near_.begin();
+  for (std::size_t j = 0; j < count_; ++j) {
+    if (near != near_.end() && *near == j) {
+      ++near;
+      continue;
+    }
+    double e = rows[j].gap - lowering * level_[j];
+    for (std::size_t k = 0; k < count_ && e < 0; ++k)
+      if (load_[k] > 0) e += displacement_under(j, k) * load_[k];
+    in_contact_[j] = e < 1e-7 * rows[j].gap;
+    any |= in_contact_[j] != 0;
+  }
+  return any;
+}
+
 /// Newton's step of ln(kappa) after that of q: slope change = -(residual + d(residual)/dq dq).
 void RowNormal::change_curvatures() {
   constexpr double most = 1;
-  for (std::size_t j = 0; j < count_; ++j) {
+  for (std::size_t j : near_) {
     double rest = residual_[j];
-    for (std::size_t k = first_near_; k < end_near_; ++k)
-      rest += at(curvature_by_load_, j, k) * (next_load_[k] - load_[k]);
+    for (std::size_t k : near_) rest += at(curvature_by_load_, j, k) * (next_load_[k] - load_[k]);
     log_kappa_[j] -= std::clamp(rest / slope_[j], -most, most);
   }
 }
@@ -222,10 +249,10 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
   set_up(rows);
   if (!warm) start(rows);
   result.status = Status::not_converged;
+  find_half_lengths();
   for (result.steps = 0; result.steps < most_steps && result.status != Status::ok;) {
     // The first two steps find loads and half-lengths in turn.
     const bool linear = !warm && result.steps == 0, alone = !warm && result.steps < 2;
-    find_half_lengths();
     find_influences(linear);
     if (!alone) find_curvatures(rows, alone);
     eliminate_curvatures(rows, alone);
@@ -249,13 +276,14 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
     if (alone) {
       find_half_lengths();
       find_curvatures(rows, alone);
-      for (std::size_t k = 0; k < count_; ++k) log_kappa_[k] -= std::clamp(residual_[k] / slope_[k], -1.0, 1.0);
+      for (std::size_t k : near_) log_kappa_[k] -= std::clamp(residual_[k] / slope_[k], -1.0, 1.0);
     }
     ++result.steps;
     if (!(largest > 0) || !std::isfinite(result.change)) start(rows), warm = false;
-    if (found && !alone && result.change < enough) result.status = Status::ok;
+    if (found && !alone && result.change < enough && !touch_elsewhere(rows, result.lowering))
+      result.status = Status::ok;
+    find_half_lengths();
   }
-  find_half_lengths();
   return result;
 }
 

@@ -75,7 +75,10 @@ private:
   void eliminate_curvatures(std::span<const NormalRow> rows, bool alone);
   bool solve_active(std::optional<double> vertical_force, Result& result);
   void change_curvatures();
+  bool touch_elsewhere(std::span<const NormalRow> rows, double lowering);
+  double displacement_under(std::size_t j, std::size_t k) const;
   double& at(std::vector<double>& matrix, std::size_t j, std::size_t k) const { return matrix[j * count_ + k]; }
+  double at(const std::vector<double>& matrix, std::size_t j, std::size_t k) const { return matrix[j * count_ + k]; }
 
   RowInfluence influence_;
   std::size_t count_ = 0;
@@ -91,10 +94,10 @@ private:
   std::vector<double> root_load_;      ///< sqrt(2 q/pi), a sqrt(kappa)
   std::vector<double> level_, weight_; ///< cos(angle), and the vertical force of q = 1 [m]
   std::vector<double> next_load_, right_, per_lowering_, displacement_;
-  std::vector<double> residual_, slope_;      ///< of ln(kappa), and its derivative with respect to itself
-  std::vector<std::size_t> active_;           ///< in contact
-  std::vector<std::size_t> loaded_;           ///< in the last step
-  std::size_t first_near_ = 0, end_near_ = 0; ///< all of these, those between them, and a neighbour on both sides
+  std::vector<double> residual_, slope_; ///< of ln(kappa), and its derivative with respect to itself
+  std::vector<std::size_t> active_;      ///< in contact
+  std::vector<std::size_t> loaded_;      ///< in the last step
+  std::vector<std::size_t> near_;        ///< all of these with their neighbours: the others have no part in a step
   std::vector<char> in_contact_;
 };
 
