@@ -286,7 +286,8 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
           const double errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
           off += size(d.force[k] - wanted.force) > 1e-4 * size(wanted.force) + errors ||
                  size(d.moment[k] - wanted.moment) > 1e-4 * size(wanted.moment) + errors;
-          EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 2e-7);
+          // A roll's is a sum over arms of .75 m, along which differences over 1e-10 m err by some 5e-7.
+          EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 4e-7);
         }
         EXPECT_LE(off, 1) << y; // forces have kinks, where a row comes into contact or a cell begins to slide
         if (held) {             // held by a force, the height changes with it as the stiffness says

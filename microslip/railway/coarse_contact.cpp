@@ -29,7 +29,9 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
 class Descent {
 public:
   /// What the next step leaves of what is missing, if it leaves the share that the last one left.
-  double share_left(double missing) const { return known_ ? std::min(std::abs(missing / missing_before_), 1.0) : 1; }
+  double share_left(double missing) const {
+    return known_ ? std::clamp(std::abs(missing / missing_before_), 0.01, 1.0) : 1;
+  }
 
   double next(double here, double missing, bool settles) {
     // A bracket that is much narrower than what is missing dates from when loads or shear had not settled.

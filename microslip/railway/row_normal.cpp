@@ -88,7 +88,9 @@ void RowNormal::find_half_lengths() {
     half_length_[j] = std::sqrt(2 * (loaded ? load_[j] : first) / pi * std::exp(-log_kappa_[j]));
   }
   near_.clear();
-  const auto taken = [&](std::size_t k) { return in_contact_[k] || load_[k] > 0; };
+  bool any = false;
+  for (std::size_t k = 0; k < count_; ++k) any |= in_contact_[k] || load_[k] > 0;
+  const auto taken = [&](std::size_t k) { return !any || in_contact_[k] || load_[k] > 0; };
   for (std::size_t j = 0; j < count_; ++j)
     if (taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1))) near_.push_back(j);
 }
