@@ -97,7 +97,7 @@ std::string description_of(const WheelRailSetting& input, std::string_view what)
   const bool is_exact = input.method.level == WheelRailLevel::exact;
   const std::string theory =
       is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements) : "fastsim2";
-  return fmt::format("{}, {}, {} patches", what, theory, to_word(input.method.shape));
+  return fmt::format("{}, {}, {} patches", what, theory, to_word(input.method.patch_shape()));
 }
 std::string description_of(const WheelRailCase& input) {
   return description_of(input, fmt::format("{} wheel", to_word(input.side)));

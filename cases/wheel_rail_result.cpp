@@ -91,7 +91,7 @@ void add_warnings(const WheelRailSetting& input, const Solutions& solutions, con
   if (at_end > 0)
     warnings.push_back(which + "a patch reaches the end of a profile: its forces are too small" +
                        of_states(at_end, solutions.size()));
-  if (turned > 0 && input.method.shape == PatchShape::flat)
+  if (turned > 0 && input.method.patch_shape() == PatchShape::flat)
     warnings.push_back(which + "the rail's surface turns by " +
                        std::to_string(std::lround(largest * 180 / std::numbers::pi)) +
                        " degrees within a flat patch, more than 14; shape = \"curved\" follows it" +
@@ -104,7 +104,7 @@ void write_inputs(ResultWriter& file, const WheelRailSetting& input, std::string
   };
   file.text("inputs/side", std::string(side), "of the track, looking along x");
   file.text("inputs/theory", std::string(to_word(input.method.level)), "algorithm");
-  file.text("inputs/shape", std::string(to_word(input.method.shape)), "of the patches");
+  file.text("inputs/shape", std::string(to_word(input.method.patch_shape())), "of the patches");
   scalar("grid", input.method.elements, "-", "elements across a patch, of the exact theory");
   scalar("tolerance", input.method.tolerance, "-", "of the vertical force, relative");
   if (const auto& origin = input.track.rail_origin) {

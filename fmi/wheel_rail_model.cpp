@@ -38,7 +38,7 @@ struct Parameters {
   Wheelset wheelset;
   std::string side{to_word(TrackSide::left)};
   double young_modulus = 210e9, poisson_ratio = 0.28, friction = 0.3;
-  std::string theory{to_word(WheelRailLevel::fastsim2)}, shape{to_word(PatchShape::flat)};
+  std::string theory{to_word(WheelRailLevel::fastsim2)}, shape;
   int grid = WheelRailMethod{}.elements;
   double tolerance = WheelRailMethod{}.tolerance;
 };
@@ -68,7 +68,7 @@ template <class Given, class Visit> void for_each_parameter(Given& p, const Visi
   visit("material.poisson_ratio", "-", "Of wheel and rail, 0 to 0.5", p.poisson_ratio);
   visit("friction.coefficient", "-", "Coefficient of friction", p.friction);
   visit("solution.theory", "", "fastsim2 or exact", p.theory);
-  visit("solution.shape", "", "Of the patches: flat or curved", p.shape);
+  visit("solution.shape", "", "Of the patches: flat (exact unless given) or curved (fastsim2, always)", p.shape);
   visit("solution.grid", "", "Elements of the exact theory across each patch, 6 to 1000", p.grid);
   visit("solution.tolerance", "-", "Of the vertical force, relative, 1e-12 to 0.01", p.tolerance);
 }
@@ -127,7 +127,9 @@ public:
                                     .material = combine(material, material),
                                     .friction = {{0, p.friction}}},
                     WheelRailMethod{.level = from_word<WheelRailLevel>("solution.theory", p.theory),
-                                    .shape = from_word<PatchShape>("solution.shape", p.shape),
+                                    .shape = p.shape.empty()
+                                                 ? std::nullopt
+                                                 : std::optional(from_word<PatchShape>("solution.shape", p.shape)),
                                     .elements = p.grid,
                                     .tolerance = p.tolerance});
     first_input_ = place;

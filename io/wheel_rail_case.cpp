@@ -164,7 +164,11 @@ WheelRailMethod read_method(const TomlSection& section) {
   section.allow({"theory", "shape", "grid", "tolerance"});
   WheelRailMethod method;
   method.level = section.option("theory", method.level);
-  method.shape = section.option("shape", method.shape);
+  if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
+  section.at("shape", [&] {
+    if (method.level == WheelRailLevel::fastsim2 && method.shape == PatchShape::flat)
+      throw Error("solution.shape = \"flat\": the rows of fastsim2 follow the surface: leave it out, or \"curved\"");
+  });
   section.count("grid", 6, 1000, method.elements);
   method.tolerance = section.between("tolerance", "-", 1e-12, 1e-2, method.tolerance);
   return method;

@@ -44,7 +44,7 @@ TEST(WheelRailCase, ReadsTheShortestCase) {
   ASSERT_EQ(input.friction.size(), 1u);
   EXPECT_EQ(input.friction[0].coefficient, 0.3);
   EXPECT_EQ(input.method.level, WheelRailLevel::fastsim2);
-  EXPECT_EQ(input.method.shape, PatchShape::flat);
+  EXPECT_EQ(input.method.patch_shape(), PatchShape::curved);
   ASSERT_EQ(input.states.size(), 1u);
   EXPECT_EQ(input.states[0].vertical_force, 80e3);
   EXPECT_EQ(input.states[0].state.lateral, 0.0061);
@@ -167,6 +167,8 @@ TEST(WheelRailCase, MessagesNameLineKeyValueAndRange) {
        "w.toml:21: friction.angle: must be ascending"},
       {{"coefficient = 0.3", "law = \"linear\""}, "w.toml:20: friction.law = \"linear\": must be coulomb"},
       {{"\"fastsim2\"", "\"fastsim\""}, "w.toml:22: solution.theory = \"fastsim\": must be fastsim2 or exact; did you"},
+      {{"\"fastsim2\"", "\"fastsim2\"\nshape = \"flat\""},
+       "w.toml:23: solution.shape = \"flat\": the rows of fastsim2"},
       {{"[material]", "[sweep]\nlatteral = [1, 2]\n[material]"},
        "w.toml:17: sweep.latteral: unknown key; did you mean"},
       {{"[material]", "[sweep]\nlateral = { from = 0, to = 1 }\n[material]"},

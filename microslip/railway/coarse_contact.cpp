@@ -172,6 +172,8 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
     double vertical = 0;
     for (std::size_t k = 0; k < n; ++k) vertical += load_[k] * normal_rows_[k].vertical_weight();
     found.lowering = (*goal - vertical) / found.stiffness;
+    if (vertical > 0)
+      for (std::size_t k = 0; k < n; ++k) load_[k] *= *goal / vertical;
   }
   const double numbers =
       std::accumulate(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(n), found.lowering) +
@@ -245,7 +247,7 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
 
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
-  constexpr int most_iterations = 40, plain_iterations = 12, most_steps = 40;
+  constexpr int most_iterations = 36, plain_iterations = 12, most_steps = 40;
   put(state, state.vertical);
   double searched = 3e-4;
   ContactPoint lowest = lowest_point(searched);

@@ -108,7 +108,7 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
         add_rows(patches[k], loads);
       }
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
-    ExactPatch exact(bodies.material, surface, group.outline, method.shape,
+    ExactPatch exact(bodies.material, surface, group.outline, method.patch_shape(),
                      element_of(*rows, group.outline, method.elements), motion);
     const double share = force > 0 ? vertical / force : std::cos(group.outline.frame.angle);
     loaded.push_back({std::move(group), *rows, std::move(loads), std::move(exact), force, share});

@@ -40,10 +40,15 @@ enum class WheelRailLevel {
 };
 struct WheelRailMethod {
   WheelRailLevel level = WheelRailLevel::fastsim2;
-  PatchShape shape = PatchShape::flat;
-  int elements = 24;       ///< exact: across each contact
+  std::optional<PatchShape> shape = {}; ///< exact: flat unless given; the rows of fastsim2 always follow the surface
+  int elements = 24;                    ///< exact: across each contact
   double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
   bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
+
+  /// The shape that is given, or the level's own.
+  PatchShape patch_shape() const {
+    return shape.value_or(level == WheelRailLevel::exact ? PatchShape::flat : PatchShape::curved);
+  }
 };
 
 /// What a patch does to the surfaces; empty where a number of their strength is not given.

@@ -80,10 +80,10 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
   return {{0, *number.data()}};
 }
 
-WheelRailMethod method_from(const std::string& theory, const std::string& shape, int grid, double tolerance,
-                            bool fields) {
+WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
+                            double tolerance, bool fields) {
   return {.level = from_word<WheelRailLevel>("theory", theory),
-          .shape = from_word<PatchShape>("shape", shape),
+          .shape = shape ? std::optional(from_word<PatchShape>("shape", *shape)) : std::nullopt,
           .elements = grid,
           .tolerance = tolerance,
           .fields = fields};
@@ -94,8 +94,9 @@ namespace {
 std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                                                  const ProfileValue& wheel, const std::string& side,
                                                  const Material& material, const py::object& friction,
-                                                 const std::string& theory, const std::string& shape, int grid,
-                                                 double tolerance, const SurfaceStrength& strength, bool fields) {
+                                                 const std::string& theory, const std::optional<std::string>& shape,
+                                                 int grid, double tolerance, const SurfaceStrength& strength,
+                                                 bool fields) {
   WheelRailBodies bodies{.rail = rail.profile(),
                          .wheel = wheel.profile(),
                          .track = track,
@@ -287,12 +288,13 @@ void bind_wheel_rail(py::module_& module) {
   wheel_rail
       .def(py::init(&make_wheel_rail), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a, "side"_a = "left",
            "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
-           "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
+           "shape"_a = py::none(), "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
            "fields"_a = false,
            "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
            "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
            "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
-           "elements across each patch [-]; flat or curved patches; tolerance [-] of the vertical force; the\n"
+           "elements across each patch [-]; its patches flat, or curved as fastsim2's always are; tolerance [-] of the "
+           "vertical force; the\n"
            "SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields. Error for values out of\n"
            "range and profiles that do not fit the track or the wheelset.")
       .def("solve", &solve, state_text().c_str())

@@ -22,8 +22,8 @@ std::string text_of(std::string_view description, std::string_view unit, const s
 
 /// A number, or a pair of arrays: angles and coefficients.
 std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
-WheelRailMethod method_from(const std::string& theory, const std::string& shape, int grid, double tolerance,
-                            bool fields);
+WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
+                            double tolerance, bool fields);
 
 /// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
 class StateArrays {

@@ -83,7 +83,7 @@ using PythonWheelset = OneAtATime<WheelsetOnTrack>;
 std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                                               const ProfileValue& wheel, const Material& material,
                                               const py::object& friction, const std::string& theory,
-                                              const std::string& shape, int grid, double tolerance,
+                                              const std::optional<std::string>& shape, int grid, double tolerance,
                                               const SurfaceStrength& strength, bool fields) {
   const WheelRailBodies bodies{.rail = rail.profile(),
                                .wheel = wheel.profile(),
@@ -219,7 +219,7 @@ void bind_wheelset_on_track(py::module_& module) {
                              "speed for a torque. May be used from many threads, one call at a time.")
       .def(py::init(&make_wheelset), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a,
            "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
-           "shape"_a = "flat", "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
+           "shape"_a = py::none(), "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
            "fields"_a = false,
            "The arguments of WheelRail, of both sides alike; tolerance [-] of forces and moments over the load. Error\n"
            "for values out of range and profiles that do not fit the track or the wheelset.")
