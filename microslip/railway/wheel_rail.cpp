@@ -88,22 +88,19 @@ struct Wrench {
   friend Wrench operator*(double f, const Wrench& a) { return {f * a.force, f * a.moment}; }
 };
 
-/// Forward difference by the state's number k.
+/// Of the force [N] and, with the wheel's radius, of the moment.
+double size(const Wrench& a) {
+  constexpr double radius = 0.5; // [m]
+  return std::sqrt(dot(a.force, a.force) + dot(a.moment, a.moment) / (radius * radius));
+}
+
+/// Difference by the state's number k, to the side of the step's sign.
 template <class Forces>
-Wrench forward_difference(const WheelState<double>& state, std::size_t k, double step, const Wrench& here,
-                          const Forces& forces) {
+Wrench difference(const WheelState<double>& state, std::size_t k, double step, const Wrench& here,
+                  const Forces& forces) {
   WheelState<double> there = state;
   *there.numbers()[k] += step;
   return 1 / step * (forces(there) - here);
-}
-
-/// Central difference likewise.
-template <class Forces>
-Wrench central_difference(const WheelState<double>& state, std::size_t k, double step, const Forces& forces) {
-  WheelState<double> low = state, high = state;
-  *low.numbers()[k] -= step, *high.numbers()[k] += step;
-  const Wrench above = forces(high);
-  return 0.5 / step * (above - forces(low));
 }
 
 bool is_velocity(std::size_t basic) {
@@ -230,11 +227,8 @@ private:
       solve_coarse(state, {}, trial);
       coarse_here = {trial.force, trial.moment};
     }
-    std::array<Wrench, basic_motions> basic;
-    for (std::size_t k = basic_motions; k-- > 0;) // velocities first, in the place of the last solve
-      if (const double step = difference_step(k, speed); step > 0)
-        basic[k] = exact ? exact_derivative(state, k, step, {found.force, found.moment}, coarse_here)
-                         : coarse_derivative(state, k, step, coarse_here);
+    std::array<Wrench, basic_motions> basic = coarse_derivatives(state, speed, coarse_here);
+    if (exact) basic = exact_derivatives(state, speed, basic);
     const auto motions = relative_motions(nominal, state);
     for (std::size_t k = 0; k < state_numbers; ++k) {
       Wrench sum = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
@@ -245,37 +239,46 @@ private:
     if (vertical_force) hold_vertical_force(d);
   }
 
-  /// Velocities alone need no new pressures.
-  Wrench coarse_derivative(const WheelState<double>& state, std::size_t k, double step, const Wrench& here) {
-    return forward_difference(state, k, step, here, [&](const WheelState<double>& there) -> Wrench {
-      if (is_velocity(k)) {
-        coarse.move(there);
-        coarse.sum(trial);
-      } else {
-        solve_coarse(there, {}, trial);
-      }
-      return {trial.force, trial.moment};
-    });
-  }
-
-  /// By places the forces scatter, as elements that nearly slip are taken for sliding ones or not. So what the exact
-  /// theory adds to the coarse level's derivative is a difference over a long step.
-  Wrench exact_derivative(const WheelState<double>& state, std::size_t k, double step, const Wrench& here,
-                          const Wrench& coarse_here) {
-    constexpr double longer = 20, // its rounding is larger
-        long_step = 30000;        // a tenth of the approach or so
-    if (is_velocity(k))
-      return forward_difference(state, k, longer * step, here, [&](const WheelState<double>& there) -> Wrench {
-        solve_left(there, {}, trial);
+  /// Forward differences. Velocities alone need no new pressures: they come first, in the place of the last solve.
+  std::array<Wrench, basic_motions> coarse_derivatives(const WheelState<double>& state, double speed,
+                                                       const Wrench& here) {
+    std::array<Wrench, basic_motions> derivatives;
+    for (std::size_t k = basic_motions; k-- > 0;) {
+      const double step = difference_step(k, speed);
+      if (!(step > 0)) continue;
+      derivatives[k] = difference(state, k, step, here, [&](const WheelState<double>& there) -> Wrench {
+        if (is_velocity(k)) {
+          coarse.move(there);
+          coarse.sum(trial);
+        } else {
+          solve_coarse(there, {}, trial);
+        }
         return {trial.force, trial.moment};
       });
-    const Wrench more = central_difference(state, k, long_step * step, [&](const WheelState<double>& there) -> Wrench {
-      if (!solve_coarse(there, {}, trial)) return {};
-      const Wrench before = {trial.force, trial.moment};
-      solve_exact(coarse, there, bodies, method, {}, trial);
-      return Wrench{trial.force, trial.moment} - before;
-    });
-    return more + coarse_derivative(state, k, step, coarse_here);
+    }
+    return derivatives;
+  }
+
+  /// Differences to both sides: now and then the forces jump within one of them, as an element is taken for a sliding
+  /// one or not. Then the other one counts, which is nearer to the coarse level's.
+  std::array<Wrench, basic_motions> exact_derivatives(const WheelState<double>& state, double speed,
+                                                      const std::array<Wrench, basic_motions>& coarse_level) {
+    constexpr double longer = 20; // than the coarse level's, since its rounding is larger
+    constexpr double alike = 1e-3;
+    const auto forces = [&](const WheelState<double>& there) -> Wrench {
+      solve_left(there, {}, trial);
+      return {trial.force, trial.moment};
+    };
+    const Wrench here = forces(state);
+    std::array<Wrench, basic_motions> derivatives;
+    for (std::size_t k = 0; k < basic_motions; ++k) {
+      const double step = longer * difference_step(k, speed);
+      if (!(step > 0)) continue;
+      const Wrench up = difference(state, k, step, here, forces), down = difference(state, k, -step, here, forces);
+      const double off_up = size(up - coarse_level[k]), off_down = size(down - coarse_level[k]);
+      derivatives[k] = size(up - down) <= alike * size(up + down) ? 0.5 * (up + down) : off_up < off_down ? up : down;
+    }
+    return derivatives;
   }
 };
 

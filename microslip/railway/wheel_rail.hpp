@@ -70,8 +70,9 @@ public:
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
   /// differences with the wheel held in its height, by the others they follow (relative_motion.hpp). At the level
   /// `fastsim2`, where they cost some two solves and allocate as little, their errors are 1e-5 of the largest of their
-  /// row. At `exact` they cost 14 solves; by velocities their errors are as small, by places 1e-2, since the forces of
-  /// states next to each other scatter by 1e-4 of mu Fn. Derivatives of a solution that is not ok are zero.
+  /// row. At `exact` they cost some 20 solves with the height given and are as accurate for the forces of a height;
+  /// those of a vertical force are found on elements of slightly other sizes, which makes 1e-3 of the largest of a row.
+  /// Derivatives of a solution that is not ok are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives);
 

@@ -165,7 +165,9 @@ public:
   /// `mean` pressures of the grid's elements.
   RunProfile(const ElementGrid& grid, std::span<const double> mean, const ContactRun& run)
       : grid_(grid), run_(run), first_(run.first) {
-    constexpr double good_depth = 1.5; // elements; nearer to the edge than that, an element's pressure is bad
+    // Elements; nearer to the edge than that, an element's pressure is bad. Edges that are limited (contact_runs) have
+    // centres just 1.5 elements inside: rounding must not decide on which side these are.
+    constexpr double good_depth = 1.5 - 1e-6;
     const double depth = good_depth * grid.dx;
     int last = run.last;
     while (first_ < last && grid.x(first_) < run.low + depth) ++first_;
