@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -71,6 +72,25 @@ Vec2 element_of(const Rows& rows, const PatchOutline& outline, int elements) {
           std::max(extent.y, (outline.s_high - outline.s_low) / 3) / elements};
 }
 
+/// Limits an outline to where rows bear load, a tenth of that further to each side: the contact is some two thirds of
+/// the overlap.
+void limit_to_load(PatchOutline& outline, std::span<const ContactPatch> patches, std::span<const double> shares) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), further = 0.1;
+  const PatchFrame& frame = outline.frame;
+  double x_low = infinity, x_high = -infinity, s_low = infinity, s_high = -infinity;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    for (const LoadedRow& row : patches[k].loaded) {
+      if (shares[k] != 1 || !(row.load > 0)) continue;
+      const double x = row.centre - frame.origin.x, s = row.y - frame.rail_s;
+      x_low = std::min(x_low, x - row.half_length), x_high = std::max(x_high, x + row.half_length);
+      s_low = std::min(s_low, s - row.width / 2), s_high = std::max(s_high, s + row.width / 2);
+    }
+  if (!(x_low < x_high)) return;
+  const double x_more = further * (x_high - x_low), s_more = further * (s_high - s_low);
+  outline.x_low = std::max(outline.x_low, x_low - x_more), outline.x_high = std::min(outline.x_high, x_high + x_more);
+  outline.s_low = std::max(outline.s_low, s_low - s_more), outline.s_high = std::min(outline.s_high, s_high + s_more);
+}
+
 /// The rows of the coarse level as loads.
 void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
   for (std::size_t j = 0; j < patch.loaded.size(); ++j) {
@@ -80,7 +100,9 @@ void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
   }
 }
 
-std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method) {
+/// With elements over all of the overlap or where the coarse level's rows bear load.
+std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
+                                  bool all_of_overlap) {
   const std::span<const ContactPatch> patches = coarse.patches();
   std::vector<PatchOutline> outlines;
   double depth = 0;
@@ -108,7 +130,9 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
         add_rows(patches[k], loads);
       }
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
-    ExactPatch exact(bodies.material, surface, group.outline, method.patch_shape(),
+    PatchOutline covered = group.outline;
+    if (!all_of_overlap) limit_to_load(covered, patches, group.shares);
+    ExactPatch exact(bodies.material, surface, covered, method.patch_shape(),
                      element_of(*rows, group.outline, method.elements), motion);
     const double share = force > 0 ? vertical / force : std::cos(group.outline.frame.angle);
     loaded.push_back({std::move(group), *rows, std::move(loads), std::move(exact), force, share});
@@ -224,11 +248,15 @@ void press(std::vector<Loaded>& loaded, Loaded& one, double zeta, double toleran
 double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, double tolerance) {
   constexpr int most_steps = 12;
   if (loaded.size() == 1) {
+    constexpr double alone = 1e-6; // its tolerance
     Loaded& only = loaded.front();
-    if (vertical_force)
-      only.exact.press_with(*vertical_force / only.share, normal_tolerance);
+    const double force = vertical_force ? *vertical_force / only.share : 0;
+    if (!vertical_force)
+      only.exact.press(0, alone);
+    else if (std::abs(force - only.exact.normal_force()) > 1e-5 * force)
+      only.exact.press_with(force, alone);
     else
-      only.exact.press(0, normal_tolerance);
+      only.exact.scale_to(force);
     return only.exact.approach() / only.cosine();
   }
   double of_pressures = 0.1 * tolerance;
@@ -299,39 +327,51 @@ bool hold(const std::vector<Loaded>& loaded, double lowering) {
   return std::abs(lowering) <= small * depth * cosine * cosine;
 }
 
+bool hold_contacts(const std::vector<Loaded>& loaded) {
+  return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); });
+}
+
 /// Solves with the patches that the coarse level has in its height. False if `others` may be found and these do not
 /// hold in the height that bears the vertical force, in which the wheel is then.
 bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                         std::optional<double> vertical_force, bool others, WheelRailSolution& out) {
   constexpr int most_rounds = 12;
-  std::vector<Loaded> loaded = loaded_groups(coarse, bodies, method);
-  if (loaded.empty()) {
-    out.status = Status::no_contact;
-    return true;
+  std::vector<Loaded> loaded;
+  double lowering = 0;
+  constexpr double first_tolerance = 1e-4;
+  for (const bool all_of_overlap : {false, true}) {
+    loaded = loaded_groups(coarse, bodies, method, all_of_overlap);
+    if (loaded.empty()) {
+      out.status = Status::no_contact;
+      return true;
+    }
+    if (loaded.size() > 1) press_first(loaded);
+    lowering = share_load(loaded, vertical_force, 0, first_tolerance);
+    if (hold_contacts(loaded)) break;
   }
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
-  if (loaded.size() > 1) press_first(loaded);
-  double lowering = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    lowering = share_load(loaded, vertical_force, lowering, round == 0 ? 1e-4 : 2e-7);
+    if (round > 0) lowering = share_load(loaded, vertical_force, lowering, 2e-7);
     if (round == 0 && others && vertical_force && !hold(loaded, lowering)) {
       out.vertical -= lowering;
       return false;
     }
     out.status = Status::not_converged;
-    if (!std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); })) break;
+    if (!hold_contacts(loaded)) break;
     // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
-    const double same_elements = round < 2 ? 1e-4 : 1e-2;
+    const double same_elements = round < 2 ? 5e-4 : 1e-2;
+    // The first round is to tell how much of the weight the tangential forces bear.
+    const double tolerance = round == 0 && vertical_force ? 1e-3 : 1e-6;
     double vertical = 0;
     for (Loaded& one : loaded) {
       if (!(one.exact.normal_force() > 0)) continue;
-      one.solution = one.exact.roll(friction, same_elements);
+      one.solution = one.exact.roll(friction, same_elements, tolerance);
       const double borne = vertical_force_of(one);
       one.share = borne / one.exact.normal_force();
       vertical += borne;
     }
     out.residual = vertical_force ? std::abs(vertical / *vertical_force - 1) : 0;
-    if (out.residual <= std::max(method.tolerance, 1e-6)) {
+    if (out.residual <= std::max(method.tolerance, 1e-6) && tolerance <= 1e-6) {
       out.status = Status::ok;
       break;
     }

@@ -125,8 +125,21 @@ void ExactPatch::press_with(double normal_force, double tolerance) {
   solve({NormalLoad::Given::force, normal_force}, tolerance);
 }
 
-ContactSolution ExactPatch::roll(const std::function<double(double angle)>& friction, double same_elements) {
-  if (rolling_ && std::abs(normal_force() - fitted_force_) < same_elements * fitted_force_)
+void ExactPatch::scale_to(double normal_force) {
+  const double factor = normal_force / pressed_.normal_force;
+  // As far as the pressure differs from a multiple the gap does not close: after Hertz a third of the change.
+  pressed_.approach += 2.0 / 3 * (factor - 1) * pressed_.approach;
+  for (double& p : pressed_.pressure) p *= factor;
+  for (double& u : pressed_.displacement) u *= factor;
+  pressed_.normal_force = normal_force, pressed_.peak_pressure *= factor;
+  pressed_.elastic_energy *= factor * factor;
+  find_loads();
+}
+
+ContactSolution ExactPatch::roll(const std::function<double(double angle)>& friction, double same_elements,
+                                 double tolerance) {
+  const bool same = rolling_ && std::abs(normal_force() - fitted_force_) < same_elements * fitted_force_;
+  if (same)
     rolling_->reload(pressed_);
   else
     rolling_.emplace(material_, grid_, pressed_, motion_.direction), fitted_force_ = normal_force();
@@ -140,8 +153,13 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
   };
   const std::size_t middle = rows_.size() / 2;
   const double mu = friction(rows_[middle].angle);
-  PatchRollingMotion motion{
-      .friction = mu, .rolling_speed = motion_.speed > 0 ? motion_.speed : 1, .start = std::move(tractions_)};
+  for (std::vector<double>* field : {&tractions_.x, &tractions_.y})
+    for (double& traction : *field) traction *= normal_force() / rolled_force_;
+  PatchRollingMotion motion{.friction = mu,
+                            .rolling_speed = motion_.speed > 0 ? motion_.speed : 1,
+                            .tolerance = tolerance,
+                            .start = std::move(tractions_),
+                            .near_last = same};
   motion.variation.creepage = [&](double y) {
     const auto [j, t] = row_at(y);
     return Creepage{between(creepage_, j, t, [](const Creepage& w) { return w.longitudinal; }),
@@ -153,7 +171,7 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
     return friction(between(rows_, j, t, [](const PatchRow& row) { return row.angle; })) / mu;
   };
   ContactSolution out = rolling_->solve(motion);
-  tractions_ = out.fields.traction;
+  tractions_ = out.fields.traction, rolled_force_ = normal_force();
   return out;
 }
 

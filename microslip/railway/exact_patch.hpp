@@ -47,6 +47,8 @@ public:
   /// Normal problems: the wheel comes nearer by `approach` [m] along the frame's normal, or bears a normal force [N].
   void press(double approach, double tolerance);
   void press_with(double normal_force, double tolerance);
+  /// A normal force [N] so near the last one that all pressures are multiplied.
+  void scale_to(double normal_force);
   double normal_force() const { return pressed_.normal_force; }
   double approach() const { return pressed_.approach + least_; }
   double least_gap() const { return least_; }
@@ -57,9 +59,10 @@ public:
   const PointLoad& load() const { return load_; }
   std::span<const PointLoad> loads() const { return loads_; }
 
-  /// The tangential problem with the pressures that there are. `friction` is mu over the inclination of a row [rad].
-  /// Elements stay if the load has changed by less than `same_elements` of itself since they were fitted.
-  ContactSolution roll(const std::function<double(double angle)>& friction, double same_elements);
+  /// The tangential problem with the pressures that there are, to a tolerance of the residual. `friction` is mu over
+  /// the inclination of a row [rad]. Elements stay if the load has changed by less than `same_elements` of itself since
+  /// they were fitted.
+  ContactSolution roll(const std::function<double(double angle)>& friction, double same_elements, double tolerance);
 
 private:
   Vec3<double> place(std::size_t element) const;
@@ -81,7 +84,8 @@ private:
   std::vector<PointLoad> loads_;
   std::optional<PatchRolling> rolling_;
   double fitted_force_ = 0; ///< with which its elements were fitted [N]
-  VectorField tractions_;   ///< of the last solution
+  VectorField tractions_;   ///< of the last solution, with the normal force rolled_force_ [N]
+  double rolled_force_ = 0;
 };
 
 } // namespace microslip

@@ -81,6 +81,7 @@ SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input
   if (from_coarser) {
     SecondOrderInput on_coarser = input;
     on_coarser.tolerance = std::max(tolerance_of_coarser, input.tolerance);
+    on_coarser.centred = {};
     on_coarser.progress = [&](double done) {
       return !(stopped = input.progress && !input.progress(share_of_coarser * done));
     };

@@ -180,13 +180,15 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
       .force_x = motion.force_x,
       .force_y = motion.force_y,
       .start = {},
+      .centred = {},
       .progress = motion.progress,
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side;
+  if (motion.near_last) input.centred = centred_;
   const std::vector<double> bound = rolling_->bound(capacity, input.variation);
   // With forces prescribed the start needs more than tractions.
   const bool start_known = motion.start.x.size() == contact()->grid.count() && !input.force_x && !input.force_y;
-  const SecondOrderSolution found = rolling_->solve(
+  SecondOrderSolution found = rolling_->solve(
       capacity, input,
       start_known ? known_tractions(motion.start, side) : estimate_by_fastsim(material_, *contact(), capacity, input));
   ContactSolution out = contact_solution(rolling_->contact(), found,
@@ -195,6 +197,7 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
                                           .approach = normal_.approach,
                                           .rolling_speed = motion.rolling_speed,
                                           .direction = direction_});
+  centred_ = std::move(found.centred);
   out.fields.gap = normal_.gap;
   if (normal_.status != Status::ok) out.report.status = normal_.status;
   add_reason(out.report);

@@ -25,6 +25,7 @@ struct PatchRollingMotion {
   double rolling_speed = 1;           ///< V [m/s], for the frictional power
   double tolerance = 1e-6;            ///< of the residual, as in FrictionSolution
   VectorField start = {};             ///< tractions of the grid's elements near the solution [Pa]; empty: FASTSIM's
+  bool near_last = false;             ///< so near the last solution that the same elements may count as sliding ones
   Progress progress = {};             ///< is told of the Newton steps; false ends the iteration, as not converging
 };
 
@@ -67,6 +68,7 @@ private:
   RollingDirection direction_;
   NormalSolution normal_;
   std::unique_ptr<NestedRolling> rolling_; ///< none without contact
+  std::vector<char> centred_;              ///< of the last solution
 };
 
 } // namespace microslip

@@ -36,7 +36,8 @@ void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
   operator_.rescale(contact_.grid.dx, shear_modulus);
 }
 
-/// With the slip on the elements' ways, roughly, then with that at the centres of those that slide.
+/// With the slip on the elements' ways, roughly, unless it is known which of them slide; then with that at the centres
+/// of these.
 void SecondOrderRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
                                      SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);
@@ -52,22 +53,27 @@ void SecondOrderRolling::solve_twice(std::span<const double> bound, const Second
                            .constant_share = {},
                            .area_share = area_share_};
   };
+  FrictionSolution first;
+  FrictionStart start = input.start;
+  if (input.centred.empty()) {
+    const double tolerance = std::max(tolerance_of_first, input.tolerance);
+    first = newton_.solve(problem(operator_), {.tolerance = tolerance, .progress = part(input.progress, 0, 0.3)},
+                          input.start);
+    out.centred = first.sliding;
+    start.px = first.px, start.py = first.py, start.constants = Vec2{first.constant_x, first.constant_y};
+  } else {
+    out.centred.assign(input.centred.begin(), input.centred.end());
+  }
   FrictionSolution& s = out.friction;
-  const double tolerance = std::max(tolerance_of_first, input.tolerance);
-  s = newton_.solve(problem(operator_), {.tolerance = tolerance, .progress = part(input.progress, 0, 0.3)},
-                    input.start);
-  if (s.status != Status::ok) return;
-  out.centred = s.sliding;
+  if (first.status != Status::ok) {
+    s = std::move(first);
+    return;
+  }
   CentredSlip<double> at_centres(contact_, out.centred);
   at_centres.move(cx);
   at_centres.move(cy);
   CentredOperator centred(operator_, std::move(at_centres));
-  const FrictionSolution first = std::move(s);
-  s = newton_.solve(problem(centred), {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)},
-                    {.px = first.px,
-                     .py = first.py,
-                     .constants = Vec2{first.constant_x, first.constant_y},
-                     .by_constants = input.start.by_constants});
+  s = newton_.solve(problem(centred), {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)}, start);
   s.newton_steps += first.newton_steps;
   s.products += first.products;
 }
