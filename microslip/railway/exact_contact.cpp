@@ -134,7 +134,12 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
     if (!all_of_overlap) limit_to_load(covered, patches, group.shares);
     ExactPatch exact(bodies.material, surface, covered, method.patch_shape(),
                      element_of(*rows, group.outline, method.elements), motion);
-    const double share = force > 0 ? vertical / force : std::cos(group.outline.frame.angle);
+    double share = std::cos(group.outline.frame.angle);
+    if (force > 0) share = vertical / force;
+    // Rows of the coarse level have planes of their own.
+    if (force > 0 && method.patch_shape() == PatchShape::flat)
+      for (const PointLoad& row : loads)
+        share += row.force / force * (std::cos(group.outline.frame.angle) - std::cos(row.angle));
     loaded.push_back({std::move(group), *rows, std::move(loads), std::move(exact), force, share});
   }
   return loaded;
@@ -248,12 +253,13 @@ void press(std::vector<Loaded>& loaded, Loaded& one, double zeta, double toleran
 double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, double tolerance) {
   constexpr int most_steps = 12;
   if (loaded.size() == 1) {
-    constexpr double alone = 1e-6; // its tolerance
+    constexpr double alone = 1e-6, // its tolerance
+        small = 1e-4;              // change of the load: its scaling leaves a third of that at most
     Loaded& only = loaded.front();
     const double force = vertical_force ? *vertical_force / only.share : 0;
     if (!vertical_force)
       only.exact.press(0, alone);
-    else if (std::abs(force - only.exact.normal_force()) > 1e-5 * force)
+    else if (std::abs(force - only.exact.normal_force()) > small * force)
       only.exact.press_with(force, alone);
     else
       only.exact.scale_to(force);
