@@ -248,26 +248,35 @@ void press(std::vector<Loaded>& loaded, Loaded& one, double zeta, double toleran
   one.force_before = one.pressed, one.approach_before = approach;
 }
 
-/// Finds the normal forces to a tolerance and, where a vertical force [N] is given, the lowering zeta [m] with which
-/// they bear it: Newton's method from `zeta` and what the patches bore there. Returns zeta.
-double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, double tolerance) {
+/// Scales pressures to the forces wanted if these differ by little: of a change, that leaves a third in the approach.
+bool scale(std::vector<Loaded>& loaded) {
+  constexpr double little = 1e-4;
+  for (const Loaded& one : loaded)
+    if (std::abs(one.force - one.exact.normal_force()) > little * one.force) return false;
+  for (Loaded& one : loaded)
+    if (one.force > 0) one.exact.scale_to(one.force), one.pressed = one.force;
+  return true;
+}
+
+/// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they bear it:
+/// Newton's method from `zeta` and what the patches bore there, in the first round to less accuracy. Returns zeta.
+double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, bool first) {
   constexpr int most_steps = 12;
   if (loaded.size() == 1) {
-    constexpr double alone = 1e-6, // its tolerance
-        small = 1e-4;              // change of the load: its scaling leaves a third of that at most
+    constexpr double tolerance = 1e-6;
     Loaded& only = loaded.front();
-    const double force = vertical_force ? *vertical_force / only.share : 0;
+    if (vertical_force) only.force = *vertical_force / only.share;
     if (!vertical_force)
-      only.exact.press(0, alone);
-    else if (std::abs(force - only.exact.normal_force()) > small * force)
-      only.exact.press_with(force, alone);
-    else
-      only.exact.scale_to(force);
+      only.exact.press(0, tolerance);
+    else if (!scale(loaded))
+      only.exact.press_with(only.force, tolerance);
     return only.exact.approach() / only.cosine();
   }
+  const double tolerance = first ? 1e-4 : 2e-7;
   double of_pressures = 0.1 * tolerance;
   for (int step = 0; step < most_steps; ++step) {
     zeta += correct(loaded, vertical_force);
+    if (!first && step == 0 && scale(loaded)) break;
     double largest = 0, error = 0;
     for (Loaded& one : loaded) {
       press(loaded, one, zeta, of_pressures);
@@ -344,7 +353,6 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
   constexpr int most_rounds = 12;
   std::vector<Loaded> loaded;
   double lowering = 0;
-  constexpr double first_tolerance = 1e-4;
   for (const bool all_of_overlap : {false, true}) {
     loaded = loaded_groups(coarse, bodies, method, all_of_overlap);
     if (loaded.empty()) {
@@ -352,12 +360,12 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
       return true;
     }
     if (loaded.size() > 1) press_first(loaded);
-    lowering = share_load(loaded, vertical_force, 0, first_tolerance);
+    lowering = share_load(loaded, vertical_force, 0, true);
     if (hold_contacts(loaded)) break;
   }
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   for (int round = 0; round < most_rounds; ++round) {
-    if (round > 0) lowering = share_load(loaded, vertical_force, lowering, 2e-7);
+    if (round > 0) lowering = share_load(loaded, vertical_force, lowering, false);
     if (round == 0 && others && vertical_force && !hold(loaded, lowering)) {
       out.vertical -= lowering;
       return false;
