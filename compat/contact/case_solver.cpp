@@ -103,7 +103,9 @@ Outcome CaseSolver::run(const Case& c, const Progress& progress) {
     }
   lost_ = c.number;
   springs_.reset();
-  return refused(std::move(reasons));
+  Outcome outcome = refused(std::move(reasons));
+  outcome.is_unsupported = !unsupported(c).empty();
+  return outcome;
 }
 
 } // namespace microslip::contact_program

@@ -18,6 +18,7 @@ struct Outcome {
   enum class Kind { solved, skipped, refused };
   Kind kind = Kind::solved;
   std::vector<std::string> reasons = {}; ///< why it was refused
+  bool is_unsupported = false;           ///< it was refused for what it asks for
   std::vector<std::string> notes = {};   ///< what was left out or done in another way
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};

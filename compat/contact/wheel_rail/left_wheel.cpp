@@ -50,23 +50,6 @@ void mirror(NormalSolution& n, int mx) {
   std::swap(n.border.low_y, n.border.high_y);
 }
 
-void mirror(InteriorBlock& block) {
-  InteriorGrid& points = block.points;
-  const std::size_t plane = points.x.size() * points.y.size();
-  std::vector<InteriorState> states;
-  for (std::size_t k = 0; k < block.states.size(); ++k) {
-    const std::size_t i = k % points.x.size(), j = k / points.x.size() % points.y.size(), below = k / plane * plane;
-    InteriorState state = block.states[below + (points.y.size() - 1 - j) * points.x.size() + i];
-    state.uy *= -1;
-    state.stress.xy *= -1;
-    state.stress.yz *= -1;
-    states.push_back(state);
-  }
-  block.states = std::move(states);
-  std::reverse(points.y.begin(), points.y.end());
-  negate(points.y);
-}
-
 void mirror(Outcome& o) {
   const int mx = o.step.grid.mx;
   mirror(o.step);
@@ -75,7 +58,6 @@ void mirror(Outcome& o) {
   auto& friction = o.solution.slip_friction;
   reverse_all(mx, o.solution.friction, friction.friction, friction.bound, friction.deformation, friction.yields);
   if (o.temperature) reverse_all(mx, o.temperature->body1, o.temperature->body2);
-  for (InteriorBlock& block : o.interior) mirror(block);
   o.totals.fy *= -1;
   o.totals.mz *= -1;
   o.totals.y *= -1;
@@ -116,6 +98,8 @@ void mirror_back(WheelOutcome& wheel) {
   for (WheelPatch& patch : wheel.patches) {
     mirror(patch.location);
     mirror(patch.contact);
+    mirror(patch.track);
+    mirror(patch.wheelset);
     mirror(*patch.solution);
   }
 }

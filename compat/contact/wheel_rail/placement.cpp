@@ -1,7 +1,6 @@
 #include "compat/contact/wheel_rail/placement.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
 
 namespace microslip::contact_program {
 namespace {
@@ -19,7 +18,7 @@ Frame<double> place_rail(const WheelRailData& data, const ProfileCurve& rail, co
   const RailPosition& position = data.rail_position;
   Vec3<double> origin{0, track.rail_y0, track.rail_z0};
   if (track.by_gauge()) {
-    const GaugePoint gauge = gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
+    const GaugePoint gauge = gauge_of(rail, track);
     origin = {0, track.gauge_width / 2 - gauge.point.y, data.digits.is_roller() ? 0 : gauge.top.z};
   }
   const Vec3<double> off{0, position.dy + deflection.dy, position.dz + deflection.dz};
@@ -44,6 +43,10 @@ WheelRailData mirrored(WheelRailData d) {
                       &d.deflection.dyaw, &d.deflection.vy, &d.deflection.vroll, &d.deflection.vyaw})
     *odd = -*odd;
   return d;
+}
+
+GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
+  return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
 }
 
 Placement place(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,

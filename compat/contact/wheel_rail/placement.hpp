@@ -3,6 +3,7 @@
 #include "compat/contact/wheel_rail/profile_curve.hpp"
 #include "compat/contact/wheel_rail/records.hpp"
 #include "microslip/railway/frame.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
 
 #include <memory>
 
@@ -10,6 +11,9 @@ namespace microslip::contact_program {
 
 /// The same data seen in a mirror whose plane is the track's centre: of a left wheel those of a right one, and back.
 WheelRailData mirrored(WheelRailData data);
+
+/// Where the gauge of a canted rail is measured: in the axes of its profile, turned by the cant, but with z up [mm].
+GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
 
 /// How a rail that has given way lies off its place [mm], towards the field side and down.
 struct RailDeflection {

@@ -60,8 +60,20 @@ class CurveReading {
 public:
   CurveReading(const ProfileRecord& record, ProfileRole role) : record_(record), role_(role) {}
 
-  std::shared_ptr<const ProfileCurve> curve() {
+  std::shared_ptr<const ProfileCurve> curve_of_file() {
     read();
+    return curve();
+  }
+
+  std::shared_ptr<const ProfileCurve> curve_through(std::vector<ProfilePoint> points) {
+    points_ = std::move(points);
+    return curve();
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& text) const { throw Error(record_.file + ": " + text); }
+
+  std::shared_ptr<const ProfileCurve> curve() {
     drop_close_points(points_);
     points_ = without_zigzags(points_, record_.zigzag);
     mirror();
@@ -73,9 +85,6 @@ public:
     smooth(kinks);
     return std::make_shared<ProfileCurve>(role_, points_, kinks);
   }
-
-private:
-  [[noreturn]] void fail(const std::string& text) const { throw Error(record_.file + ": " + text); }
 
   void read() {
     if (is_variable(record_)) fail("a profile that varies");
@@ -138,7 +147,12 @@ bool is_variable(const ProfileRecord& record) {
 }
 
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role) {
-  return CurveReading(record, role).curve();
+  return CurveReading(record, role).curve_of_file();
+}
+
+std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoint> points, const ProfileRecord& record,
+                                                          ProfileRole role) {
+  return CurveReading(record, role).curve_through(std::move(points));
 }
 
 } // namespace microslip::contact_program

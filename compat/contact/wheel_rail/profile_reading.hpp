@@ -12,6 +12,10 @@ namespace microslip::contact_program {
 /// length outside 5 to 500 mm, and variable profiles (.slcs, .slcw).
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role);
 
+/// The same of points that are given in place of a file: columns of y and z, whose `file` is a name for messages.
+std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoint> points, const ProfileRecord& record,
+                                                          ProfileRole role);
+
 /// Whether a record names slices of a profile that varies, .slcs or .slcw.
 bool is_variable(const ProfileRecord& record);
 

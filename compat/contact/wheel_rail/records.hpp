@@ -2,6 +2,7 @@
 
 #include "compat/contact/wheel_rail/digits.hpp"
 
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -20,9 +21,12 @@ struct PatchRules {
   double g_miss = -1;    ///< gaps below it count as near misses; < 0: none
 };
 
+class ProfileCurve;
+
 /// A profile's file and what is to be done with its points.
 struct ProfileRecord {
-  std::string file; ///< with its path
+  std::string file;                               ///< with its path
+  std::shared_ptr<const ProfileCurve> curve = {}; ///< what has been made of it already; empty: the file is to be read
   int mirror_y = 0;
   double scale = 1;
   double smooth = 0;                        ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength

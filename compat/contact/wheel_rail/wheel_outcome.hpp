@@ -1,7 +1,7 @@
 #pragma once
 
 #include "compat/contact/case.hpp"
-#include "microslip/railway/frame.hpp"
+#include "compat/contact/wheel_rail/placement.hpp"
 
 #include <memory>
 #include <vector>
@@ -27,6 +27,10 @@ struct WheelPatch {
   PatchLocation location;
   Case contact;                      ///< it as a case of module 3
   std::shared_ptr<Outcome> solution; ///< and what became of it
+  Wrench track, wheelset;            ///< its part of the wheel's
+  /// Of the right wheel that was solved, a left one's mirror image: PatchFrame's.
+  Frame<double> reference, grid;
+  double s_rail = 0; ///< [mm]
 };
 
 /// What was counted.
@@ -44,6 +48,7 @@ struct WheelOutcome {
   Wrench wheelset;                 ///< in the wheelset's axes, moment about the wheel's marker
   std::vector<WheelPatch> patches;
   WheelEffort effort;
+  Placement placement; ///< of the right wheel that was solved, a left one's mirror image
 };
 
 } // namespace microslip::contact_program

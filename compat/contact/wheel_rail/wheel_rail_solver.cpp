@@ -30,10 +30,14 @@ Case right_hand(const Case& c) {
   return right;
 }
 
-/// Adds the force of a patch, and its moment about the origin of some axes that lie in the track's.
-void add(Wrench& sum, const Frame<double>& axes, const Vec& at, const Vec& force, const Vec& moment) {
-  sum.force = sum.force + axes.axes.back(force);
-  sum.moment = sum.moment + axes.axes.back(cross(at - axes.origin, force) + moment);
+/// The force of a patch, and its moment about the origin of some axes that lie in the track's.
+Wrench wrench(const Frame<double>& axes, const Vec& at, const Vec& force, const Vec& moment) {
+  return {axes.axes.back(force), axes.axes.back(cross(at - axes.origin, force) + moment)};
+}
+
+void add(Wrench& sum, const Wrench& part) {
+  sum.force = sum.force + part.force;
+  sum.moment = sum.moment + part.moment;
 }
 
 /// Moments of the pressure about the axes of a patch's plane [N mm].
@@ -99,6 +103,7 @@ void append_new(std::vector<std::string>& to, const std::vector<std::string>& fr
 } // namespace
 
 std::shared_ptr<const ProfileCurve> WheelRailSolver::profile(const ProfileRecord& record, ProfileRole role) {
+  if (record.curve) return record.curve;
   for (const auto& [known, curve] : profiles_)
     if (known == record) return curve;
   auto curve = read_profile_curve(record, role);
@@ -125,7 +130,9 @@ Outcome WheelRailSolver::run(const Case& c, const Progress& progress) {
       reasons.emplace_back(error.what());
     }
   lost_ = c.number;
-  return refused(std::move(reasons));
+  Outcome outcome = refused(std::move(reasons));
+  outcome.is_unsupported = !unsupported_of_wheel(c).empty();
+  return outcome;
 }
 
 Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
@@ -229,16 +236,16 @@ void WheelRailSolver::move_origins(GridOrigin origin) {
   }
 }
 
-/// Fields inside the bodies at the final height, and what was found of a left wheel's mirror image for the wheel.
+/// What was found of a left wheel's mirror image for the wheel, and fields inside the bodies at the final height.
 void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress& progress) {
   wheel.effort = effort_;
+  if (c.wheel_rail->digits.is_left()) mirror_back(wheel);
   for (WheelPatch& patch : wheel.patches) {
     patch.contact.digits.stress = c.digits.stress;
     Outcome& o = *patch.solution;
     InteriorSequence interior;
     o.interior = interior_blocks(patch.contact, o.step, o.solution, interior, progress);
   }
-  if (c.wheel_rail->digits.is_left()) mirror_back(wheel);
 }
 
 /// Hands the solvers of patches on to those that lie where they did.
@@ -270,6 +277,9 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   const UndeformedDistance distance = geometry.distance(frame, z);
   WheelPatch patch;
   patch.location = locate(frame, placement);
+  patch.reference = frame.reference;
+  patch.grid = frame.grid;
+  patch.s_rail = frame.s_rail;
   PatchMotion motion;
   if (right.digits.has_friction())
     motion =
@@ -302,16 +312,18 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     const PatchFrame& frame = frames[k];
     wheel.patches.push_back(solve_patch(right, frame, geometry, z, tracks_[k], progress));
     const Outcome& o = *wheel.patches.back().solution;
-    if (o.kind == Outcome::Kind::refused) return refused(o.reasons);
+    if (o.kind == Outcome::Kind::refused) return o;
     const Rotation<double>& axes = frame.reference.axes;
     const Vec force = axes * Vec{o.totals.fx, o.totals.fy, o.totals.fn}, moment = axes * moments(o);
-    const Frame<double> rail{placement.rail.origin, {}};
-    add(wheel.track, rail, frame.reference.origin, force, moment);
-    const Frame<double> on_wheelset{placement.wheel.origin, placement.wheelset.axes};
-    add(wheel.wheelset, on_wheelset, frame.reference.origin, force, moment);
+    WheelPatch& patch = wheel.patches.back();
+    patch.track = wrench({placement.rail.origin, {}}, frame.reference.origin, force, moment);
+    patch.wheelset = wrench({placement.wheel.origin, placement.wheelset.axes}, frame.reference.origin, force, moment);
+    add(wheel.track, patch.track);
+    add(wheel.wheelset, patch.wheelset);
     append_new(outcome.notes, o.notes);
     if (outcome.solution.status == Status::ok) outcome.solution.status = o.solution.status;
   }
+  wheel.placement = placement;
   outcome.wheel = std::move(wheel);
   frames_ = std::move(frames);
   return outcome;
