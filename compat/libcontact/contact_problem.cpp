@@ -1,0 +1,313 @@
+#include "compat/libcontact/contact_problem.hpp"
+
+#include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/libcontact/refusal.hpp"
+#include "microslip/error.hpp"
+
+#include <chrono>
+#include <ctime>
+#include <numbers>
+
+namespace microslip::libcontact {
+
+using namespace contact_program;
+
+namespace {
+
+double cpu_time() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Adds what passes until its end.
+class Stopwatch {
+public:
+  explicit Stopwatch(CalculationTime& sum) : sum_(sum) {}
+  ~Stopwatch() {
+    sum_.cpu += cpu_time() - cpu_;
+    sum_.wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+  CalculationTime& sum_;
+  double cpu_ = cpu_time();
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+};
+
+/// Elements in contact in the outer rows and columns, which count where there are three or more.
+int elements_at_border(const Outcome& o) {
+  const ElementGrid& g = o.step.grid;
+  int count = 0;
+  for (int j = 0; j < g.my; ++j)
+    for (int i = 0; i < g.mx; ++i) {
+      const bool outer_row = g.my >= 3 && (j == 0 || j == g.my - 1),
+                 outer_column = g.mx >= 3 && (i == 0 || i == g.mx - 1);
+      const auto k = static_cast<std::size_t>(j) * static_cast<std::size_t>(g.mx) + static_cast<std::size_t>(i);
+      count += (outer_row || outer_column) && element_state(o, k) > 0;
+    }
+  return count;
+}
+
+/// Of a contact whose problems did not converge; 0 otherwise.
+int code_of(const ContactStepSolution& s) {
+  switch (s.status) {
+  case Status::ok:
+  case Status::no_contact:
+    return 0;
+  case Status::not_converged:
+    return s.normal.status == Status::not_converged ? CNTC_err_norm : CNTC_err_tang;
+  case Status::no_solution:
+    return CNTC_err_tol;
+  case Status::invalid_input:
+    break;
+  }
+  return CNTC_err_other;
+}
+
+void set_wheel_defaults(WheelRailData& d) {
+  d.search = ContactSearch::locus;
+  d.digits.discns = ContactSearch::locus;
+  d.digits.ztrack = TrackSource::all;
+  d.digits.ewheel = WheelsetSource::all;
+  d.grid.dx = d.grid.ds = 0.5;
+  d.grid.a_sep = std::numbers::pi;
+  d.grid.d_sep = 8;
+  d.grid.d_comb = 4;
+  d.grid.d_turn = 12;
+  d.track.gauge_height = 14;
+  d.track.gauge_width = 1435;
+  d.support.ky = d.support.kz = 1e3;
+  d.wheelset.flange_back_distance = 1360;
+  d.wheelset.flange_back_position = -70;
+  d.wheelset.nominal_radius = 460;
+  d.wheelset.tape_circle = 1000;
+  d.velocity.vs = 30e3;
+  d.influence_variant = 4;
+}
+
+void set_contact_defaults(Case& c) {
+  c.digits.discns = GridSource::read;
+  c.digits.rznorm = DistanceSource::read;
+  c.geometry.values = {1, 0, 1, 0, 0, 0};
+  c.rolling->dq = 2;
+}
+
+bool is_missing(const ProfileRecord& profile) {
+  return !profile.curve && !is_variable(profile);
+}
+
+} // namespace
+
+ContactProblem::ContactProblem(int number) : number_(number) {
+  data.digits.inflcf = Coefficients::constant;
+  data.solver.maxgs = 999;
+  data.solver.maxin = 20;
+  data.solver.maxnr = 25;
+  data.solver.maxout = 1;
+  data.solver.npot_max = 20000;
+  data.solver.inislp = 0;
+  data.solver.omgslp = 0.5;
+  data.friction.sets = {{0.3, 0.3}};
+  data.rolling = RollingData{.chi = 0, .dq = 1, .veloc = 1e3};
+  data.material = MaterialData{.poisson1 = 0.28, .poisson2 = 0.28, .shear1 = 1, .shear2 = 1};
+  if (is_wheel()) {
+    data.wheel_rail.emplace();
+    set_wheel_defaults(wheel());
+  } else {
+    set_contact_defaults(data);
+  }
+}
+
+/// What depends on several settings.
+void ContactProblem::complete() {
+  const Digits& d = data.digits;
+  ++data.number;
+  if (!outcome_) {
+    data.digits.pvtime = Continuation::nothing;
+    data.digits.iestim = InitialGuess::nothing;
+  }
+  const bool by_force = d.norm == Normal::force;
+  if (is_wheel()) {
+    wheel().position.z = by_force ? vertical_force : z;
+    if (wheel().digits.is_roller()) wheel().track.cant = 0; // as CONTACT does
+    wheel().velocity.vpitch = wheel().digits.force == TotalForce::force_x ? force_x : vpitch;
+    return;
+  }
+  data.normal = by_force ? normal_force : approach;
+  data.formed_norm = d.norm;
+  data.formed_normal = data.normal;
+  data.x = d.force == Prescribed::creepages ? creep_x : ratio_x;
+  data.y = d.force == Prescribed::force_x_and_y ? ratio_y : creep_y;
+}
+
+/// What a reader of input files would refuse.
+void ContactProblem::check() const {
+  const Digits& d = data.digits;
+  if (d.heat != Heat::none && d.has_history()) throw Refusal(CNTC_err_other, "H > 0 must go with T = 3 or 0");
+  if (d.mater == Bulk::viscoelastic && d.has_history()) throw Refusal(CNTC_err_other, "M = 1 must go with T = 3 or 0");
+  if (time_step != 1 && d.tang == Tangential::shift && data.friction.law != Law::coulomb)
+    throw Refusal(CNTC_err_other, "a time step other than 1 s with friction that depends on the slip is not supported");
+  if (is_wheel())
+    check_wheel();
+  else
+    check_contact();
+}
+
+void ContactProblem::check_contact() const {
+  const Digits& d = data.digits;
+  if (!data.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
+  const PotentialContact& p = *data.potential;
+  const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
+                             d.bound == PressureModel::half_ellipses;
+  if (needs_ellipse && !p.is_hertzian())
+    throw Refusal(CNTC_err_discr, written(d.bound) + " must go with Hertz's geometry, cntc_sethertzcontact");
+  if (p.is_hertzian() && !(data.normal > 0))
+    throw Refusal(CNTC_err_discr, "Hertz's geometry needs an approach, or a force, above 0");
+  if (data.geometry.base == Base::by_element && !p.is_hertzian() && data.geometry.values.size() != p.elements())
+    throw Refusal(CNTC_err_discr, "the undeformed distance is that of another number of elements");
+  if (data.extra == ExtraSlip::by_element && data.extra_slip.size() != 2 * p.elements())
+    throw Refusal(CNTC_err_discr, "the extra rigid slip is that of another number of elements");
+}
+
+void ContactProblem::check_wheel() const {
+  const PressureModel b = data.digits.bound;
+  if (is_missing(wheel().rail)) throw Refusal(CNTC_err_profil, "there is no rail profile");
+  if (is_missing(wheel().wheel)) throw Refusal(CNTC_err_profil, "there is no wheel profile");
+  if (b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses)
+    throw Refusal(CNTC_err_other, written(b) + ": must be 0, 5 or 6 in module 1");
+  if (is_variable(wheel().rail) && wheel().track.by_gauge())
+    throw Refusal(CNTC_err_profil, "a rail that varies cannot be placed by the gauge; GAUGHT must be 0");
+  if (wheel().digits.is_roller() && wheel().track.roller_radius == 0)
+    throw Refusal(CNTC_err_other, "NOMRAD of the track is the radius of rollers and must not be 0");
+  if (data.digits.norm == Normal::force && !(vertical_force > 0))
+    throw Refusal(CNTC_err_ftot, "FZ = " + std::to_string(vertical_force) + " N: must be above 0");
+}
+
+int ContactProblem::code_of_refusal() const {
+  return is_wheel() && !outcome_->is_unsupported ? CNTC_err_search : CNTC_err_other;
+}
+
+Calculation ContactProblem::calculate() {
+  Calculation calculation;
+  interior_.clear();
+  sensitivities_.clear();
+  complete();
+  check();
+  if (data.digits.is_skipped()) return calculation;
+  solve(calculation);
+  return calculation;
+}
+
+void ContactProblem::solve(Calculation& calculation) {
+  const Stopwatch stopwatch(time);
+  outcome_ = is_wheel() ? wheel_.run(data) : contact_.run(data);
+  calculation.messages = outcome_->kind == Outcome::Kind::refused ? outcome_->reasons : outcome_->notes;
+  if (outcome_->kind == Outcome::Kind::refused) {
+    calculation.code = code_of_refusal();
+    outcome_->wheel.reset();
+    return;
+  }
+  calculation.code = code_of_solution();
+  keep_what_was_found();
+  find_sensitivities(calculation);
+}
+
+int ContactProblem::code_of_solution() const {
+  int border = 0;
+  for (int k = 1; k <= contacts(); ++k) {
+    const Outcome& o = contact(k).outcome;
+    if (const int code = code_of(o.solution)) return code;
+    border += elements_at_border(o);
+  }
+  return outcome_->solution.status == Status::not_converged ? CNTC_err_ftot : border;
+}
+
+/// Inputs that were unknowns.
+void ContactProblem::keep_what_was_found() {
+  if (is_wheel()) {
+    z = outcome_->wheel->z;
+    vpitch = outcome_->wheel->vpitch;
+    return;
+  }
+  approach = outcome_->totals.approach;
+  normal_force = outcome_->totals.fn;
+}
+
+void ContactProblem::find_sensitivities(Calculation& calculation) {
+  const bool goes_on = data.digits.has_history();
+  sensitivities_.resize(static_cast<std::size_t>(contacts()));
+  if (sensitivity.of < 2) return;
+  if (is_wheel() && goes_on) {
+    calculation.messages.emplace_back("sensitivities of a wheel with T = 1 or 2 are not supported");
+    return;
+  }
+  for (int k = 1; k <= contacts(); ++k) {
+    const Contact c = contact(k);
+    sensitivities_[static_cast<std::size_t>(k) - 1] =
+        libcontact::find_sensitivities(c.data, c.outcome, sensitivity, contact_);
+  }
+}
+
+int ContactProblem::contacts() const {
+  if (!outcome_ || outcome_->kind != Outcome::Kind::solved) return 0;
+  return is_wheel() ? static_cast<int>(outcome_->wheel->patches.size()) : 1;
+}
+
+std::size_t ContactProblem::index(int patch) const {
+  if (contacts() == 0) throw Refusal(CNTC_err_icp, "there is no solution yet");
+  if (!is_wheel()) return 0;
+  if (patch < 1 || patch > contacts())
+    throw Refusal(CNTC_err_icp,
+                  "icp = " + std::to_string(patch) + ": there are " + std::to_string(contacts()) + " contact patches");
+  return static_cast<std::size_t>(patch) - 1;
+}
+
+const WheelPatch& ContactProblem::patch(int patch) const {
+  return outcome_->wheel->patches[index(patch)];
+}
+
+Contact ContactProblem::contact(int number) const {
+  index(number);
+  if (!is_wheel()) return {data, *outcome_};
+  const WheelPatch& p = patch(number);
+  return {p.contact, *p.solution};
+}
+
+const WheelOutcome& ContactProblem::solved_wheel() const {
+  if (!outcome_ || !outcome_->wheel) throw Refusal(CNTC_err_icp, "there is no solution yet");
+  return *outcome_->wheel;
+}
+
+const Sensitivities& ContactProblem::sensitivities(int patch) const {
+  return sensitivities_[index(patch)];
+}
+
+std::vector<PointBlock>& ContactProblem::points(int patch) {
+  return is_wheel() && patch > 0 ? points_of_patch_[patch] : points_;
+}
+
+void ContactProblem::find_interior(int patch) {
+  if (contacts() == 0) throw Refusal(CNTC_err_icp, "there is no solution yet");
+  const Stopwatch stopwatch(time);
+  const bool all = is_wheel() && patch < 0;
+  for (int k = all ? 1 : patch; k <= (all ? contacts() : patch); ++k) {
+    const Contact found = contact(k);
+    Case c = found.data;
+    const auto own = points_of_patch_.find(k);
+    c.points = is_wheel() && own != points_of_patch_.end() && !own->second.empty() ? own->second : points_;
+    c.digits.stress = InteriorPoints::read;
+    InteriorSequence sequence;
+    interior_[k] = interior_blocks(c, found.outcome.step, found.outcome.solution, sequence);
+  }
+}
+
+const std::vector<InteriorBlock>& ContactProblem::interior(int patch) const {
+  const auto found = interior_.find(patch);
+  if (found == interior_.end()) throw Refusal(CNTC_err_icp, "fields inside the bodies have not been calculated yet");
+  return found->second;
+}
+
+} // namespace microslip::libcontact

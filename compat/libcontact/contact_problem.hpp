@@ -1,0 +1,100 @@
+#pragma once
+
+#include "compat/contact/case_solver.hpp"
+#include "compat/contact/wheel_rail/wheel_rail_solver.hpp"
+#include "compat/libcontact/sensitivities.hpp"
+#include "compat/libcontact/units.hpp"
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace microslip::libcontact {
+
+using contact_program::Outcome;
+using contact_program::PointBlock;
+
+/// Of all calculations since it was last set to zero [s].
+struct CalculationTime {
+  double cpu = 0; ///< of the calling threads
+  double wall = 0;
+};
+
+/// What became of a calculation.
+struct Calculation {
+  int code = 0;                      ///< 0, elements in contact at a border, or an error's
+  std::vector<std::string> messages; ///< why it was refused, or what was left out or done in another way
+};
+
+/// A contact with its solution: that of module 3, or a patch of a wheel.
+struct Contact {
+  const Case& data;
+  const Outcome& outcome;
+};
+
+/// One contact problem of module 3, or a wheel on its rail: what has been set so far, in CONTACT's units, and what was
+/// found last. Whoever uses it holds its mutex.
+class ContactProblem {
+public:
+  /// With CONTACT's defaults. `number` is icp, -1 for a wheel.
+  explicit ContactProblem(int number);
+
+  bool is_wheel() const { return number_ < 0; }
+  contact_program::WheelRailData& wheel() { return *data.wheel_rail; }
+  const contact_program::WheelRailData& wheel() const { return *data.wheel_rail; }
+
+  Calculation calculate();
+  /// Fields inside the bodies below the contacts: of all, or of one patch. Throws Refusal and Error.
+  void find_interior(int patch);
+
+  /// How many contacts there are: of a wheel its patches.
+  int contacts() const;
+  /// The contact of this problem, or a patch, from 1. Throws Refusal if there is none.
+  Contact contact(int patch) const;
+  /// Throws Refusal unless this is a wheel that has been solved.
+  const contact_program::WheelOutcome& solved_wheel() const;
+  const contact_program::WheelPatch& patch(int patch) const;
+  const Sensitivities& sensitivities(int patch) const;
+  /// The blocks of points that are given for a patch, or for all contacts with -1 and in module 3.
+  std::vector<PointBlock>& points(int patch);
+  /// What find_interior has found, by blocks.
+  const std::vector<contact_program::InteriorBlock>& interior(int patch) const;
+
+  std::mutex mutex;
+  Units units;
+  Case data;
+  SensitivityChoice sensitivity;
+  CalculationTime time;
+  double z = 0, vertical_force = 0;      ///< of a wheel: Z_WS [mm] and FZ [N], of which N takes one,
+  double vpitch = 0, force_x = 0;        ///< and VPITCH_WS [rad/s] and FX_WS [N], of which F takes one
+  double approach = 0, normal_force = 0; ///< of module 3: PEN [mm] and FN [N], of which N takes one,
+  double creep_x = 0, creep_y = 0;       ///< and CKSI and CETA,
+  double ratio_x = 0, ratio_y = 0;       ///< or FX and FY over FSTAT FN, of which F takes some
+  double time_step = 1;                  ///< [s]
+  std::map<int, int> other_flags;        ///< by code: those that change no result
+
+private:
+  void complete();
+  void check() const;
+  void check_contact() const;
+  void check_wheel() const;
+  void solve(Calculation& calculation);
+  void keep_what_was_found();
+  void find_sensitivities(Calculation& calculation);
+  int code_of_refusal() const;
+  int code_of_solution() const;
+  std::size_t index(int patch) const;
+
+  int number_;
+  contact_program::CaseSolver contact_;
+  contact_program::WheelRailSolver wheel_;
+  std::optional<Outcome> outcome_;
+  std::vector<Sensitivities> sensitivities_; ///< of each contact
+  std::vector<PointBlock> points_;
+  std::map<int, std::vector<PointBlock>> points_of_patch_;
+  std::map<int, std::vector<contact_program::InteriorBlock>> interior_;
+};
+
+} // namespace microslip::libcontact

@@ -1,0 +1,163 @@
+#include "compat/libcontact/arguments.hpp"
+#include "compat/libcontact/call.hpp"
+#include "microslip/exact/classical/tangential_totals.hpp"
+
+#include <functional>
+
+// Fields of the elements of a potential contact, x fastest.
+
+namespace microslip::libcontact {
+namespace {
+
+using namespace contact_program;
+
+constexpr double mm_per_m = 1e3, newton_per_mm2 = 1e-6;
+
+Call patch_call(const char* name, const int* ire, const int* icp) {
+  return {name, ire, icp, Module::any, Scope::patch};
+}
+
+/// An element's value of a field.
+using Value = std::function<double(std::size_t)>;
+
+/// Of an array that holds none where there are no tractions.
+Value scaled(const std::vector<double>& field, double factor) {
+  if (field.empty()) return [](std::size_t) { return 0.0; };
+  return [&field, factor](std::size_t k) { return factor * field[k]; };
+}
+
+/// The rigid slip in x or y, with the extra one: w = (xi - phi y, eta + phi x), taken some way ahead.
+Value rigid_slip(const Outcome& o, bool in_x, double factor) {
+  const auto& motion = o.step.motion;
+  const bool shifts = motion.motion == ContactMotion::shift;
+  const Vec2 ahead =
+      shifts || o.step.frictionless ? Vec2{} : way_of(motion, motion.spin_offset * signed_step(motion, o.step.grid));
+  const Creepage creepage = o.solution.tangential.creepage;
+  return [&o, in_x, factor, ahead, creepage](std::size_t k) {
+    const ElementGrid& g = o.step.grid;
+    const auto row = static_cast<std::size_t>(g.mx);
+    const double x = g.x(static_cast<int>(k % row)) + ahead.x, y = g.y(static_cast<int>(k / row)) + ahead.y;
+    const auto& extra = in_x ? o.step.extra_slip_x : o.step.extra_slip_y;
+    const double slip = in_x ? creepage.longitudinal - creepage.spin * y : creepage.lateral + creepage.spin * x;
+    return factor * (slip + (extra.empty() ? 0 : extra[k]));
+  };
+}
+
+/// Where a layer yields, and how far it has: tau_c = tau_c0 + k_tau u_pl.
+Value yield_stress(const Contact& c, double unit) {
+  if (c.data.digits.mater != Bulk::layer) throw Refusal(CNTC_err_other, "there is no layer, M = 4");
+  const double begin = c.data.material->model_data[2], slope = c.data.material->model_data[3];
+  const auto& plastic = c.outcome.solution.tangential.tractions.plastic_deformation;
+  return [begin, slope, &plastic, unit](std::size_t k) {
+    return unit * (begin + slope * (plastic.empty() ? 0 : plastic[k] * mm_per_m));
+  };
+}
+
+/// Of one of CNTC_fld_...
+Value field(const ContactProblem& p, const Contact& c, int code) {
+  const Outcome& o = c.outcome;
+  const auto& n = o.solution.normal;
+  const auto& t = o.solution.tangential;
+  const double length = mm_per_m / p.units.length, pressure = newton_per_mm2 / p.units.pressure();
+  // Of a shift the slip is a distance in mm, whatever the units.
+  const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? mm_per_m : 1);
+  switch (code) {
+  case CNTC_fld_h:
+    return [&o, &n, length](std::size_t k) { return length * (o.step.gap[k] - n.approach); };
+  case CNTC_fld_mu:
+    return scaled(o.solution.friction, 1);
+  case CNTC_fld_px:
+    return scaled(t.tractions.px, p.units.body * pressure);
+  case CNTC_fld_py:
+    return scaled(t.tractions.py, p.units.body * pressure);
+  case CNTC_fld_pn:
+    return scaled(n.pressure, pressure);
+  case CNTC_fld_ux:
+    return scaled(t.ux, length);
+  case CNTC_fld_uy:
+    return scaled(t.uy, length);
+  case CNTC_fld_un:
+    return scaled(n.displacement, length);
+  case CNTC_fld_taucrt:
+    return yield_stress(c, 1 / p.units.pressure());
+  case CNTC_fld_sx:
+    return scaled(t.sx, slip);
+  case CNTC_fld_sy:
+    return scaled(t.sy, slip);
+  case CNTC_fld_wx:
+    return rigid_slip(o, true, slip);
+  case CNTC_fld_wy:
+    return rigid_slip(o, false, slip);
+  case CNTC_fld_temp1:
+  case CNTC_fld_temp2:
+    if (!o.temperature) throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
+    return scaled(code == CNTC_fld_temp1 ? o.temperature->body1 : o.temperature->body2, 1);
+  case CNTC_fld_uplsx:
+  case CNTC_fld_uplsy:
+    throw Refusal(CNTC_err_other, "the direction of a layer's plastic deformation is not kept");
+  default:
+    throw Refusal(CNTC_err_other, "field " + std::to_string(code) + " does not exist");
+  }
+}
+
+void get_field(const ContactProblem& p, int icp, int code, std::span<double> found) {
+  const Contact c = p.contact(icp);
+  const Value value = field(p, c, code);
+  for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k) found[k] = value(k);
+}
+
+} // namespace
+} // namespace microslip::libcontact
+
+using namespace microslip::libcontact;
+
+extern "C" {
+
+int cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* fld) {
+  return guarded(patch_call("cntc_getfielddata", ire, icp),
+                 [&](ContactProblem& p) { get_field(p, *icp, integer("ifld", ifld), room("fld", lenarr, fld)); });
+}
+
+int cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, double* py) {
+  return guarded(patch_call("cntc_gettractions", ire, icp), [&](ContactProblem& p) {
+    const auto n = room("pn", lenarr, pn), x = room("px", lenarr, px), y = room("py", lenarr, py);
+    get_field(p, *icp, CNTC_fld_pn, n);
+    get_field(p, *icp, CNTC_fld_px, x);
+    get_field(p, *icp, CNTC_fld_py, y);
+  });
+}
+
+int cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy) {
+  return guarded(patch_call("cntc_getmicroslip", ire, icp), [&](ContactProblem& p) {
+    const auto x = room("sx", lenarr, sx), y = room("sy", lenarr, sy);
+    get_field(p, *icp, CNTC_fld_sx, x);
+    get_field(p, *icp, CNTC_fld_sy, y);
+  });
+}
+
+int cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy) {
+  return guarded(patch_call("cntc_getdisplacements", ire, icp), [&](ContactProblem& p) {
+    const auto n = room("un", lenarr, un), x = room("ux", lenarr, ux), y = room("uy", lenarr, uy);
+    get_field(p, *icp, CNTC_fld_un, n);
+    get_field(p, *icp, CNTC_fld_ux, x);
+    get_field(p, *icp, CNTC_fld_uy, y);
+  });
+}
+
+/// 0 exterior, 1 adhesion, 2 slip, 3 plastic.
+int cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* eldiv) {
+  return guarded(patch_call("cntc_getelementdivision", ire, icp), [&](ContactProblem& p) {
+    const Contact c = p.contact(*icp);
+    const auto found = room("eldiv", lenarr, eldiv);
+    for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k)
+      found[k] = microslip::contact_program::element_state(c.outcome, k);
+  });
+}
+
+} // extern "C"
+
+LIBCONTACT_UNDERSCORED(cntc_getfielddata)
+LIBCONTACT_UNDERSCORED(cntc_gettractions)
+LIBCONTACT_UNDERSCORED(cntc_getmicroslip)
+LIBCONTACT_UNDERSCORED(cntc_getdisplacements)
+LIBCONTACT_UNDERSCORED(cntc_getelementdivision)

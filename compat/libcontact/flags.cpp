@@ -1,0 +1,218 @@
+#include "compat/libcontact/arguments.hpp"
+#include "compat/libcontact/call.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+// Control digits and data for the heads of files.
+
+namespace microslip::libcontact {
+namespace {
+
+using namespace contact_program;
+
+/// A flag: how its value is set and read. Those without a member change no result here; their values are kept.
+struct Flag {
+  int code;
+  void (*set)(ContactProblem& p, int value);
+  int (*get)(const ContactProblem& p);
+};
+
+/// The value as one of those that a choice has. CONTACT takes the nearest one of a range; here others are refused.
+template <class Choice> Choice chosen(int value) {
+  const auto& values = values_of<Choice>;
+  const auto end = values.list.begin() + values.count;
+  if (std::find(values.list.begin(), end, value) == end)
+    throw Refusal(CNTC_err_other, std::string(values.name) + " = " + std::to_string(value) + " does not exist");
+  return static_cast<Choice>(value);
+}
+
+template <auto member> void set_digit(ContactProblem& p, int value) {
+  auto& digit = p.data.digits.*member;
+  digit = chosen<std::remove_reference_t<decltype(digit)>>(value);
+}
+template <auto member> int get_digit(const ContactProblem& p) {
+  return number(p.data.digits.*member);
+}
+
+WheelRailData& wheel_of(ContactProblem& p) {
+  if (!p.is_wheel()) throw Refusal(CNTC_err_other, "a flag that is not for module 3");
+  return p.wheel();
+}
+
+const WheelRailData& wheel_of(const ContactProblem& p) {
+  if (!p.is_wheel()) throw Refusal(CNTC_err_other, "a flag that is not for module 3");
+  return p.wheel();
+}
+
+void set_search(ContactProblem& p, int value) {
+  const auto search = chosen<ContactSearch>(value);
+  WheelRailData& d = wheel_of(p);
+  if (search != ContactSearch::keep && search != ContactSearch::form) d.search = search;
+}
+
+void set_coefficients(ContactProblem& p, int value) {
+  const auto coefficients = chosen<Coefficients>(value);
+  if (coefficients == Coefficients::from_file)
+    throw Refusal(CNTC_err_other, "C = 9 is not to be had by the library, as in CONTACT");
+  if (coefficients == Coefficients::keep || coefficients == Coefficients::form) return;
+  p.data.material->coefficients = p.data.digits.inflcf = coefficients;
+}
+
+void set_force(ContactProblem& p, int value) {
+  if (p.is_wheel())
+    p.wheel().digits.force = chosen<TotalForce>(value);
+  else
+    p.data.digits.force = chosen<Prescribed>(value);
+}
+
+void set_pressure(ContactProblem& p, int value) {
+  const auto model = chosen<PressureModel>(value);
+  if (model == PressureModel::thin_sheet)
+    throw Refusal(CNTC_err_other, "B = 1 is not to be had by the library, as in CONTACT");
+  p.data.digits.bound = model;
+}
+
+void set_extra_slip(ContactProblem& p, int value) {
+  const auto choice = chosen<ExtraSlip>(value);
+  if (choice == ExtraSlip::keep)
+    p.data.extra = p.data.extra_slip.empty() ? ExtraSlip::none : ExtraSlip::by_element;
+  else
+    p.data.extra = choice;
+}
+
+void set_most_elements(ContactProblem& p, int value) {
+  wheel_of(p);
+  p.data.solver.npot_max = std::clamp(value, 100, 1000000);
+}
+
+void set_units(ContactProblem& p, int value) {
+  if (value != CNTC_un_cntc && value != CNTC_un_spck && value != CNTC_un_si)
+    throw Refusal(CNTC_err_other, "units " + std::to_string(value) + " are not supported");
+  p.units = units_of(value);
+  p.other_flags[CNTC_if_units] = value;
+}
+
+[[noreturn]] void refuse_read_only(ContactProblem&, int) {
+  throw Refusal(CNTC_err_other, "a flag that has a function of its own: L, M and H are set with their data");
+}
+
+constexpr Flag flags[] = {
+    {CNTC_ic_config, [](ContactProblem& p, int v) { wheel_of(p).digits.config = chosen<Config>(v); },
+     [](const ContactProblem& p) { return number(wheel_of(p).digits.config); }},
+    {CNTC_ic_pvtime, set_digit<&Digits::pvtime>, get_digit<&Digits::pvtime>},
+    {CNTC_ic_bound, set_pressure, get_digit<&Digits::bound>},
+    {CNTC_ic_tang, set_digit<&Digits::tang>, get_digit<&Digits::tang>},
+    {CNTC_ic_norm, set_digit<&Digits::norm>, get_digit<&Digits::norm>},
+    {CNTC_ic_force, set_force,
+     [](const ContactProblem& p) {
+       return p.is_wheel() ? number(p.wheel().digits.force) : number(p.data.digits.force);
+     }},
+    {CNTC_ic_frclaw, refuse_read_only, [](const ContactProblem& p) { return number(p.data.friction.law); }},
+    {CNTC_ic_discns, set_search, [](const ContactProblem& p) { return number(wheel_of(p).search); }},
+    {CNTC_ic_inflcf, set_coefficients, get_digit<&Digits::inflcf>},
+    {CNTC_ic_mater, refuse_read_only, get_digit<&Digits::mater>},
+    {CNTC_ic_exrhs, set_extra_slip, [](const ContactProblem& p) { return number(p.data.extra); }},
+    {CNTC_ic_heat, refuse_read_only, get_digit<&Digits::heat>},
+    {CNTC_ic_iestim, set_digit<&Digits::iestim>, get_digit<&Digits::iestim>},
+    {CNTC_ic_return, set_digit<&Digits::solve>, get_digit<&Digits::solve>},
+    {CNTC_ic_sens, [](ContactProblem& p, int v) { p.sensitivity.of = std::clamp(v, 0, 3); },
+     [](const ContactProblem& p) { return p.sensitivity.of; }},
+    {CNTC_ic_ifmeth, [](ContactProblem& p, int v) { wheel_of(p).influence_method = std::clamp(v, 0, 1); },
+     [](const ContactProblem& p) { return wheel_of(p).influence_method; }},
+    {CNTC_ic_ifvari, [](ContactProblem& p, int v) { wheel_of(p).influence_variant = std::clamp(v, 1, 4); },
+     [](const ContactProblem& p) { return wheel_of(p).influence_variant; }},
+    {CNTC_ic_npomax, set_most_elements, [](const ContactProblem& p) { return p.data.solver.npot_max; }},
+    {CNTC_if_units, set_units,
+     [](const ContactProblem& p) {
+       const auto found = p.other_flags.find(CNTC_if_units);
+       return found == p.other_flags.end() ? int(CNTC_un_cntc) : found->second;
+     }},
+    {CNTC_if_ncase, refuse_read_only, [](const ContactProblem& p) { return p.data.number; }},
+};
+
+/// What CONTACT prints and traces, and files that are not written.
+constexpr int without_effect[] = {CNTC_ic_xflow,  CNTC_ic_output, CNTC_ic_flow,   CNTC_ic_matfil,
+                                  CNTC_ic_sbsout, CNTC_ic_sbsfil, CNTC_if_wrtinp, CNTC_if_idebug,
+                                  CNTC_if_licdbg, CNTC_if_openmp, CNTC_if_timers};
+/// Of these, those that ask for files.
+constexpr int of_files[] = {CNTC_ic_matfil, CNTC_ic_sbsfil, CNTC_if_wrtinp};
+
+bool has(std::span<const int> list, int code) {
+  return std::find(list.begin(), list.end(), code) != list.end();
+}
+
+const Flag* find(int code) {
+  const auto* const found =
+      std::find_if(std::begin(flags), std::end(flags), [&](const Flag& f) { return f.code == code; });
+  return found == std::end(flags) ? nullptr : found;
+}
+
+void set_flag(ContactProblem& p, int code, int value) {
+  if (const Flag* flag = find(code)) {
+    flag->set(p, value);
+    return;
+  }
+  if (!has(without_effect, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
+  p.other_flags[code] = value;
+  if (has(of_files, code) && value > 0)
+    throw Refusal(CNTC_err_other, "flag " + std::to_string(code) + ": the library writes no file but this one");
+}
+
+int flag_of(const ContactProblem& p, int code) {
+  if (const Flag* flag = find(code)) return flag->get(p);
+  if (!has(without_effect, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
+  const auto found = p.other_flags.find(code);
+  return found == p.other_flags.end() ? 0 : found->second;
+}
+
+} // namespace
+} // namespace microslip::libcontact
+
+using namespace microslip::libcontact;
+
+extern "C" {
+
+/// All flags that can be set are; the code is that of the first one that cannot.
+int cntc_setflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
+  return guarded({"cntc_setflags", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+    const auto codes = integers("params", lenflg, params), settings = integers("values", lenflg, values);
+    int code = 0;
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+      if (codes[k] == 0) continue;
+      const int found = guarded("cntc_setflags", [&] { set_flag(p, codes[k], settings[k]); });
+      if (code == 0) code = found;
+    }
+    return code;
+  });
+}
+
+int cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
+  return guarded({"cntc_getflags", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
+    const auto codes = integers("params", lenflg, params);
+    const auto found = room("values", lenflg, values);
+    int code = 0;
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+      if (codes[k] == 0) continue;
+      const int of_this = guarded("cntc_getflags", [&] { found[k] = flag_of(p, codes[k]); });
+      if (code == 0) code = of_this;
+    }
+    return code;
+  });
+}
+
+int cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* values) {
+  return guarded({"cntc_setmetadata", ire, icp, Module::any, Scope::whole}, [&](ContactProblem&) {
+    reals("values", lenmta, values);
+    constexpr int known[] = {CNTC_mt_tim, CNTC_mt_xr,  CNTC_mt_yr,   CNTC_mt_xw,  CNTC_mt_yw,
+                             CNTC_mt_sw,  CNTC_mt_run, CNTC_mt_axle, CNTC_mt_side};
+    for (const int code : integers("params", lenmta, params))
+      if (code != 0 && !has(known, code)) throw Refusal(CNTC_err_other, "there are no data " + std::to_string(code));
+  });
+}
+
+} // extern "C"
+
+LIBCONTACT_UNDERSCORED(cntc_setflags)
+LIBCONTACT_UNDERSCORED(cntc_getflags)
+LIBCONTACT_UNDERSCORED(cntc_setmetadata)

@@ -1,0 +1,133 @@
+#include "compat/contact/input.hpp"
+#include "compat/libcontact/arguments.hpp"
+#include "compat/libcontact/call.hpp"
+
+#include <fstream>
+#include <thread>
+
+// The beginning and the end of the library, and of result elements.
+
+namespace microslip::libcontact {
+namespace {
+
+constexpr int version = 2510; ///< of CONTACT's interface that this one follows: 25.1.0
+
+/// Nothing, or a folder's name; CONTACT's callers give one blank for none.
+std::string optional_text(const char* name, const char* letters, const int* length) {
+  return letters && length ? text(name, letters, length) : std::string();
+}
+
+/// The code goes to an argument as well.
+int told(int code, int* ierror) {
+  if (ierror) *ierror = code;
+  return code;
+}
+
+/// Module 1: the first case of an input file.
+void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  if (!stream) throw Refusal(CNTC_err_input, path.string() + ": cannot be read");
+  try {
+    contact_program::InputReader reader(stream, path.string());
+    const Case* c = reader.next();
+    if (!c || !c->wheel_rail) throw Refusal(CNTC_err_input, path.string() + ": has no case of module 1");
+    p.data = *c;
+  } catch (const Error& error) {
+    throw Refusal(CNTC_err_input, error.what());
+  }
+  const auto& d = p.wheel();
+  (p.data.digits.norm == contact_program::Normal::force ? p.vertical_force : p.z) = d.position.z;
+  (d.digits.force == contact_program::TotalForce::force_x ? p.force_x : p.vpitch) = d.velocity.vpitch;
+  p.points(-1) = p.data.points;
+  p.data.digits.stress = contact_program::InteriorPoints::none;
+}
+
+} // namespace
+} // namespace microslip::libcontact
+
+using namespace microslip::libcontact;
+
+extern "C" {
+
+int cntc_initializefirst(int* ifcver, int* ierror, int*, const char* c_wrkdir, const char* c_outdir,
+                         const char* c_expnam, int* len_wrkdir, int* len_outdir, int* len_expnam) {
+  const int code = guarded("cntc_initializefirst", [&] {
+    if (ifcver) *ifcver = version;
+    const bool can_log = Registry::instance().start(optional_text("c_wrkdir", c_wrkdir, len_wrkdir),
+                                                    optional_text("c_outdir", c_outdir, len_outdir),
+                                                    optional_text("c_expnam", c_expnam, len_expnam));
+    return can_log ? 0 : CNTC_err_other;
+  });
+  return told(code, ierror);
+}
+
+int cntc_initializefirst_new(int* ifcver, int* ierror, int* ioutput, const char* c_wrkdir, const char* c_outdir,
+                             const char* c_expnam, int* len_wrkdir, int* len_outdir, int* len_expnam) {
+  return cntc_initializefirst(ifcver, ierror, ioutput, c_wrkdir, c_outdir, c_expnam, len_wrkdir, len_outdir,
+                              len_expnam);
+}
+
+int cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char* c_outdir, int* len_outdir) {
+  const int code = guarded("cntc_initialize", [&] {
+    if (ifcver) *ifcver = version;
+    const int element = integer("ire", ire), module = integer("imodul", imodul);
+    Registry::instance().start("", optional_text("c_outdir", c_outdir, len_outdir), "");
+    Registry::instance().add(element, module);
+  });
+  return told(code, ierror);
+}
+
+int cntc_setfileunits(int* nunits, int* iunits) {
+  return guarded("cntc_setfileunits", [&] { integers("iunits", nunits, iunits); });
+}
+
+int cntc_setglobalflags(int* lenflg, int* params, int* values) {
+  return guarded("cntc_setglobalflags", [&] {
+    const auto codes = integers("params", lenflg, params);
+    integers("values", lenflg, values);
+    for (const int code : codes)
+      if (code != 0 && code != CNTC_if_idebug && code != CNTC_if_licdbg && code != CNTC_if_wrtinp &&
+          code != CNTC_if_openmp && code != CNTC_if_timers)
+        throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
+  });
+}
+
+int cntc_getmaxnumthreads(int* mxthrd) {
+  return guarded("cntc_getmaxnumthreads", [&] {
+    constexpr unsigned most = 999;
+    given("mxthrd", mxthrd) = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, most));
+  });
+}
+
+int cntc_readinpfile(int* ire, int* inp_type, const char* c_fname, int* len_fname, int* ierror) {
+  const int code =
+      guarded({"cntc_readinpfile", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+        const int kind = integer("inp_type", inp_type);
+        if (kind != CNTC_inp_modul1)
+          throw Refusal(CNTC_err_input,
+                        "inp_type = " + std::to_string(kind) + ": must be " + std::to_string(CNTC_inp_modul1));
+        const auto folder = Registry::instance().working_folder();
+        read_wheel(p, folder / text("c_fname", c_fname, len_fname));
+      });
+  return told(code, ierror);
+}
+
+int cntc_finalize(int* ire) {
+  return guarded("cntc_finalize", [&] { Registry::instance().remove(integer("ire", ire)); });
+}
+
+int cntc_finalizelast(void) {
+  return guarded("cntc_finalizelast", [&] { Registry::instance().remove_all(); });
+}
+
+} // extern "C"
+
+LIBCONTACT_UNDERSCORED(cntc_initializefirst)
+LIBCONTACT_UNDERSCORED(cntc_initializefirst_new)
+LIBCONTACT_UNDERSCORED(cntc_initialize)
+LIBCONTACT_UNDERSCORED(cntc_setfileunits)
+LIBCONTACT_UNDERSCORED(cntc_setglobalflags)
+LIBCONTACT_UNDERSCORED(cntc_getmaxnumthreads)
+LIBCONTACT_UNDERSCORED(cntc_readinpfile)
+LIBCONTACT_UNDERSCORED(cntc_finalize)
+LIBCONTACT_UNDERSCORED(cntc_finalizelast)

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "compat/libcontact/contact_problem.hpp"
+#include "compat/libcontact/log.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace microslip::libcontact {
+
+/// The result elements that there are, by their numbers. This is the library's only state beyond a call: the interface
+/// names result elements by numbers that its caller chooses, and has one log for all of them.
+///
+/// The registry's mutex is held for look-ups only; whoever works on a problem holds the problem's own. A problem that
+/// is finalized while a thread works on it lives until that thread is done.
+class Registry {
+public:
+  static constexpr int most_elements = 999, most_problems = 9;
+
+  static Registry& instance();
+
+  /// Opens the log and remembers the folders, unless that has been done already. Returns whether the log can be
+  /// written.
+  bool start(const std::string& working_folder, const std::string& folder, const std::string& name);
+  /// Throws Refusal for an element that is there as one of another module.
+  void add(int element, int module);
+  /// Throws Refusal if there is no such element.
+  void remove(int element);
+  void remove_all();
+
+  /// The problem of a call with `icp`: in module 1 that of the wheel, whatever its patch. Throws Refusal if there is
+  /// none.
+  std::shared_ptr<ContactProblem> problem(int element, int icp);
+  /// Where profiles are looked for.
+  std::filesystem::path working_folder();
+  Log& log() { return log_; }
+
+private:
+  struct Element {
+    int module = 0;
+    std::map<int, std::shared_ptr<ContactProblem>> problems;
+  };
+
+  void stop();
+
+  std::mutex mutex_;
+  bool started_ = false;
+  std::filesystem::path working_folder_;
+  std::map<int, Element> elements_;
+  Log log_;
+};
+
+} // namespace microslip::libcontact

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "compat/libcontact/include/contact_addon.h"
+
+namespace microslip::libcontact {
+
+/// The units that a contact problem's numbers are exchanged in, over CONTACT's mm, N and s; angles are in rad always.
+struct Units {
+  double length = 1; ///< [mm]
+  double speed = 1;  ///< [mm/s]
+  double body = 1;   ///< 1: forces and slip are those of body 1, -1: of body 2
+
+  double area() const { return length * length; }
+  /// Of a pressure or a modulus of elasticity [N/mm2].
+  double pressure() const { return 1 / area(); }
+};
+
+/// Those of one of CNTC_un_...; imperial units are CONTACT's own, as in CONTACT.
+inline Units units_of(int code) {
+  if (code == CNTC_un_spck) return {1e3, 1e3, -1};
+  if (code == CNTC_un_si) return {1e3, 1e3, 1};
+  return {};
+}
+
+} // namespace microslip::libcontact

@@ -1,0 +1,157 @@
+#include "compat/libcontact/arguments.hpp"
+#include "compat/libcontact/call.hpp"
+
+#include <cmath>
+
+// What was found of wheels on rails, module 1. Left wheels are solved as their mirror images; y, FY, angles about x and
+// z and moments about x and z change their signs.
+
+namespace microslip::libcontact {
+namespace {
+
+using namespace contact_program;
+using Vec = Vec3<double>;
+
+constexpr double mm_per_m = 1e3;
+
+Wrench mirrored(Wrench w) {
+  for (double* odd : {&w.force.y, &w.moment.x, &w.moment.z}) *odd *= -1;
+  return w;
+}
+
+/// In the axes of a body that lies in those of the force; for a left wheel the axes are those of its mirror image.
+Wrench turned(const Wrench& w, const Rotation<double>& axes, bool is_left) {
+  const Wrench right = is_left ? mirrored(w) : w;
+  const Wrench inner{axes.back(right.force), axes.back(right.moment)};
+  return is_left ? mirrored(inner) : inner;
+}
+
+/// Forces and moments in the axes of the track, the wheelset, the rail's and the wheel's profile; moments about the
+/// profiles' origins.
+std::vector<double> global_forces(const ContactProblem& p, int icp) {
+  const WheelOutcome& wheel = p.solved_wheel();
+  const Wrench &track = icp < 0 ? wheel.track : p.patch(icp).track,
+               &wheelset = icp < 0 ? wheel.wheelset : p.patch(icp).wheelset;
+  const bool is_left = p.wheel().digits.is_left();
+  const Wrench rail = turned(track, wheel.placement.rail.axes, is_left);
+  const Wrench on_wheel = turned(wheelset, wheel.placement.wheel_on_axle.axes, is_left);
+  std::vector<double> found;
+  for (const Wrench* w : {&track, &wheelset, &rail, &on_wheel}) {
+    for (const double force : {w->force.x, w->force.y, w->force.z}) found.push_back(p.units.body * force);
+    for (const double moment : {w->moment.x, w->moment.y, w->moment.z})
+      found.push_back(p.units.body * moment / p.units.length);
+  }
+  return found;
+}
+
+/// Euler's angles of a rotation about x, then z.
+double roll_of(const Rotation<double>& r) {
+  return std::atan2(-r.ez.y, r.ez.z);
+}
+double yaw_of(const Rotation<double>& r) {
+  return std::atan2(-r.ey.x, r.ex.x);
+}
+double roll_of_normal(const Rotation<double>& outer, const Rotation<double>& inner) {
+  return roll_of({outer.back(inner.ex), outer.back(inner.ey), outer.back(inner.ez)});
+}
+
+/// The centre of pressure of a patch, in the track's axes of the right wheel that was solved.
+Vec pressure_centre(const WheelPatch& patch, double sign) {
+  const Outcome& o = *patch.solution;
+  const ElementGrid& g = o.step.grid;
+  double sum = 1e-10, sum_x = 0, sum_y = 0;
+  for (int j = 0; j < g.my; ++j)
+    for (int i = 0; i < g.mx; ++i) {
+      const double pressure = o.solution.normal.pressure[static_cast<std::size_t>(j) * g.mx + i];
+      sum += pressure;
+      sum_x += pressure * g.x(i) * mm_per_m;
+      sum_y += pressure * sign * g.y(j) * mm_per_m;
+    }
+  return patch.grid.outer({sum_x / sum, sum_y / sum, 0});
+}
+
+/// The 38 numbers of a patch.
+std::vector<double> location(const ContactProblem& p, int icp) {
+  const WheelOutcome& wheel = p.solved_wheel();
+  const WheelPatch& patch = p.patch(icp);
+  const PatchLocation& l = patch.location;
+  const Placement& placed = wheel.placement;
+  const double sign = p.wheel().digits.is_left() ? -1 : 1, unit = 1 / p.units.length;
+  const Vec centre = pressure_centre(patch, sign), in_wheelset = placed.wheelset.inner(patch.reference.origin);
+  const Vec wheel_in_track = placed.wheel.origin, wheel_in_wheelset = placed.wheel_on_axle.origin;
+  const double s_wheel = -placed.wheel_profile->nearest_s_at_y(sign * l.wheel.y);
+  const double on_wheelset = roll_of_normal(placed.wheelset.axes, patch.reference.axes);
+  return {// the reference in the axes of the track
+          l.track.x * unit, l.track.y * unit, l.track.z * unit, l.angle,
+          // of the rail's profile
+          l.rail.x * unit, l.rail.y * unit, l.rail.z * unit, patch.s_rail * unit, l.angle_on_rail,
+          // and of the wheel's
+          l.wheel.x * unit, l.wheel.y * unit, l.wheel.z * unit, s_wheel * unit, l.angle_on_wheel,
+          // the centre of pressure, and what the rail gives way
+          centre.x * unit, sign * centre.y * unit, 0, sign * wheel.dy_rail * unit, wheel.dz_rail * unit, 0,
+          // the wheel's profile in the track
+          wheel_in_track.x * unit, sign * wheel_in_track.y * unit, wheel_in_track.z * unit,
+          sign * roll_of(placed.wheel.axes), sign * yaw_of(placed.wheel.axes),
+          // the rail's
+          sign * placed.rail.origin.y * unit, placed.rail.origin.z * unit, sign * roll_of(placed.rail.axes), 0,
+          // the reference in the wheelset
+          in_wheelset.x * unit, sign * in_wheelset.y * unit, in_wheelset.z * unit, sign * on_wheelset,
+          // the wheel's profile in it
+          wheel_in_wheelset.x * unit, sign * wheel_in_wheelset.y * unit, wheel_in_wheelset.z * unit,
+          sign * roll_of(placed.wheel_on_axle.axes), sign * yaw_of(placed.wheel_on_axle.axes)};
+}
+
+/// Results where there may be none: then zeros, as CONTACT gives.
+template <class Find> void fill_or_zero(std::span<double> found, Find find) {
+  for (double& value : found) value = 0;
+  fill(found, find());
+}
+
+} // namespace
+} // namespace microslip::libcontact
+
+using namespace microslip::libcontact;
+
+extern "C" {
+
+int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
+  return guarded({"cntc_getwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    const auto& w = p.wheel().position;
+    const double unit = 1 / p.units.length;
+    fill(room("values", lenarr, values), {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch});
+  });
+}
+
+int cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values) {
+  return guarded({"cntc_getwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    const auto& w = p.wheel().velocity;
+    const double unit = 1 / p.units.speed;
+    const double along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
+    fill(room("values", lenarr, values), {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch});
+  });
+}
+
+int cntc_getnumcontactpatches(int* ire, int* npatch) {
+  return guarded({"cntc_getnumcontactpatches", ire, &whole_wheel, Module::wheel, Scope::whole},
+                 [&](ContactProblem& p) { given("npatch", npatch) = p.contacts(); });
+}
+
+int cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values) {
+  return guarded({"cntc_getcontactlocation", ire, icp, Module::wheel, Scope::patch}, [&](ContactProblem& p) {
+    fill_or_zero(room("values", lenarr, values), [&] { return location(p, *icp); });
+  });
+}
+
+int cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values) {
+  return guarded({"cntc_getglobalforces", ire, icp, Module::wheel, Scope::either}, [&](ContactProblem& p) {
+    fill_or_zero(room("values", lenarr, values), [&] { return global_forces(p, *icp); });
+  });
+}
+
+} // extern "C"
+
+LIBCONTACT_UNDERSCORED(cntc_getwheelsetposition)
+LIBCONTACT_UNDERSCORED(cntc_getwheelsetvelocity)
+LIBCONTACT_UNDERSCORED(cntc_getnumcontactpatches)
+LIBCONTACT_UNDERSCORED(cntc_getcontactlocation)
+LIBCONTACT_UNDERSCORED(cntc_getglobalforces)

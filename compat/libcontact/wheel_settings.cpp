@@ -1,0 +1,255 @@
+#include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/libcontact/arguments.hpp"
+#include "compat/libcontact/call.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// What wheels on rails, module 1, are set by.
+
+namespace microslip::libcontact {
+namespace {
+
+using namespace contact_program;
+
+constexpr int rail_profile = 0, wheel_profile = 1;
+
+/// What is to be done with a profile's points, but for its file. Numbers that are not given are CONTACT's defaults.
+ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::span<const double> numbers) {
+  const auto choice = [&](std::size_t k, int otherwise) { return k < choices.size() ? choices[k] : otherwise; };
+  const auto value = [&](std::size_t k, double otherwise) { return k < numbers.size() ? numbers[k] : otherwise; };
+  ProfileRecord p;
+  p.mirror_y = choice(2, 0);
+  p.mirror_z = choice(3, 0);
+  p.error_handling = choice(4, 0);
+  p.smoothing = choice(5, 0);
+  for (const int mirror : {p.mirror_y, p.mirror_z})
+    if (mirror < -1 || mirror > 1) throw Refusal(CNTC_err_profil, "mirrory and mirrorz must be -1, 0 or 1");
+  if (p.smoothing < 0 || p.smoothing > 2) throw Refusal(CNTC_err_profil, "ismooth must be 0, 1 or 2");
+  p.scale = value(0, 0) > 0 ? numbers[0] : u.length;
+  p.smooth = std::max(0.0, value(1, p.smooth));
+  p.most_omitted = value(2, p.most_omitted);
+  p.zigzag = value(3, p.zigzag);
+  p.kink_high = value(4, p.kink_high);
+  p.kink_low = value(5, p.kink_high / 5);
+  if (numbers.size() > 6) p.kink_width = numbers[6] * u.length;
+  return p;
+}
+
+/// Wheel or rail by the ending of a file's name.
+int type_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  const bool is_wheel = ending == ".prw" || ending == ".whl" || ending == ".slcw";
+  return is_wheel ? wheel_profile : rail_profile;
+}
+
+ProfileRecord& profile_of(ContactProblem& p, int type) {
+  return type == wheel_profile ? p.wheel().wheel : p.wheel().rail;
+}
+
+ProfileRole role_of(int type) {
+  return type == wheel_profile ? ProfileRole::wheel : ProfileRole::rail;
+}
+
+/// Reads a profile at once, so that this call tells what is wrong with it. A profile that was refused is none.
+template <class Read> void set_profile(ContactProblem& p, int type, ProfileRecord record, Read read) {
+  profile_of(p, type) = {};
+  try {
+    record.curve = read(record);
+  } catch (const Error& error) {
+    throw Refusal(CNTC_err_profil, error.what());
+  }
+  profile_of(p, type) = std::move(record);
+}
+
+void set_profile_file(ContactProblem& p, const std::string& name, std::span<const int> choices,
+                      std::span<const double> numbers) {
+  ProfileRecord record = profile_record(p.units, choices, numbers);
+  record.file = (Registry::instance().working_folder() / name).string();
+  const bool is_known = !choices.empty() && (choices[0] == rail_profile || choices[0] == wheel_profile);
+  const int type = is_known ? choices[0] : type_of(name);
+  set_profile(p, type, record, [&](const ProfileRecord& r) -> std::shared_ptr<const ProfileCurve> {
+    if (is_variable(r)) return {};
+    return read_profile_curve(r, role_of(type));
+  });
+}
+
+void set_profile_values(ContactProblem& p, std::span<const double> values, std::span<const int> choices,
+                        std::span<const double> numbers) {
+  const int type = choices.empty() || choices[0] > 0 ? wheel_profile : rail_profile; // as in CONTACT
+  std::vector<ProfilePoint> points;
+  for (std::size_t k = 0; k + 1 < values.size(); k += 2) points.push_back({values[k], values[k + 1]});
+  ProfileRecord record = profile_record(p.units, choices, numbers);
+  record.file = type == wheel_profile ? "the wheel's profile" : "the rail's profile";
+  set_profile(p, type, record,
+              [&](const ProfileRecord& r) { return profile_curve_through(std::move(points), r, role_of(type)); });
+}
+
+/// GAUGHT, dummy, GAUGWD or GAUGHT, RAILY0, RAILZ0; CANT, NOMRAD and, if it is there, CURV.
+void set_track(ContactProblem& p, std::span<const double> v) {
+  const double l = p.units.length;
+  TrackDimensions t;
+  t.gauge_height = v[0] * l;
+  if (t.by_gauge()) {
+    t.gauge_width = v[2] * l;
+  } else {
+    t.rail_y0 = v[1] * l;
+    t.rail_z0 = v[2] * l;
+  }
+  t.cant = v[3];
+  t.roller_radius = v[4] * l;
+  t.curvature = v.size() > 5 ? v[5] / l : 0;
+  p.wheel().track = t;
+}
+
+void set_rail_position(ContactProblem& p, std::span<const double> v) {
+  const double l = p.units.length, s = p.units.speed;
+  p.wheel().rail_position = {v[0] * l, v[1] * l, v[2], v[3] * s, v[4] * s, v[5]};
+}
+
+void set_rail_support(ContactProblem& p, std::span<const double> v) {
+  const double l = p.units.length;
+  p.wheel().support = {v[0] / l, v[1], v[2] / l, v[3], v.size() > 4 ? v[4] * l : 1};
+}
+
+void set_track_dimensions(ContactProblem& p, int method, std::span<const double> v) {
+  switch (method) {
+  case 0:
+    return require_count("rparam", v.size(), 0, 1);
+  case 1:
+    require_count("rparam", v.size(), 5, 6);
+    return set_track(p, v);
+  case 2:
+    require_count("rparam", v.size(), 6, 6);
+    return set_rail_position(p, v);
+  case 3:
+    require_count("rparam", v.size(), 11, 12);
+    set_track(p, v.first(v.size() - 6));
+    return set_rail_position(p, v.last(6));
+  case 32:
+  case 33:
+    require_count("rparam", v.size(), 4, 5);
+    return set_rail_support(p, v);
+  default:
+    throw Refusal(CNTC_err_other, "Z = " + std::to_string(method) + " does not exist");
+  }
+}
+
+void check_method(int method, int least) {
+  if (method < least || method > 5) throw Refusal(CNTC_err_other, "E = " + std::to_string(method) + " does not exist");
+}
+
+void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
+  check_method(method, 0);
+  if (method != 3 && method != 5) return require_count("rparam", v.size(), 0, 1);
+  require_count("rparam", v.size(), 3, 4);
+  const double l = p.units.length;
+  constexpr double least_radius = 1e-3; // mm
+  if (!(v[2] * l >= least_radius)) throw Refusal(CNTC_err_other, "NOMRAD must be > 0");
+  p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : 1000};
+}
+
+void set_position(ContactProblem& p, int method, std::span<const double> v) {
+  check_method(method, 1);
+  require_count("rparam", v.size(), 6, 6);
+  const double l = p.units.length;
+  p.z = v[2] * l;
+  p.wheel().position = {v[0] * l, v[1] * l, 0, v[3], v[4], v[5]};
+}
+
+void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
+  check_method(method, 1);
+  require_count("rparam", v.size(), 6, 6);
+  const double s = p.units.speed;
+  const double along = p.wheel().digits.is_roller() ? v[0] : v[0] * s; // of rollers the rate of rotation
+  p.vpitch = v[5];
+  p.wheel().velocity = {along, v[1] * s, v[2] * s, v[3], v[4], 0};
+}
+
+void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
+  check_method(method, 1);
+  p.wheel().deflection = {};
+  if (method < 4) return; // what is given for no deflection does not matter
+  require_count("rparam", v.size(), 12, 12);
+  const double l = p.units.length, s = p.units.speed;
+  p.wheel().deflection = {v[0] * l, v[1] * l, v[2] * l, v[3], v[4],  v[5],
+                          v[6] * s, v[7] * s, v[8] * s, v[9], v[10], v[11]};
+}
+
+} // namespace
+} // namespace microslip::libcontact
+
+using namespace microslip::libcontact;
+
+extern "C" {
+
+int cntc_setverticalforce(int* ire, double* fz) {
+  return guarded({"cntc_setverticalforce", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    p.vertical_force = real("fz", fz);
+    p.data.digits.norm = microslip::contact_program::Normal::force;
+  });
+}
+
+int cntc_setprofileinputfname(int* ire, const char* c_fname, int* len_fname, int* nints, int* iparam, int* nreals,
+                              double* rparam) {
+  return guarded({"cntc_setprofileinputfname", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    set_profile_file(p, text("c_fname", c_fname, len_fname), integers("iparam", nints, iparam),
+                     reals("rparam", nreals, rparam));
+  });
+}
+
+int cntc_setprofileinputvalues(int* ire, int* npoint, double* values, int* nints, int* iparam, int* nreals,
+                               double* rparam) {
+  return guarded({"cntc_setprofileinputvalues", ire, &whole_wheel, Module::wheel, Scope::whole},
+                 [&](ContactProblem& p) {
+                   constexpr int most_points = 1000000;
+                   const int points = integer("npoint", npoint);
+                   if (points < 0 || points > most_points)
+                     throw Refusal(CNTC_err_profil, "npoint must be in 0 to a million");
+                   const int count = 2 * points;
+                   set_profile_values(p, reals("values", &count, values), integers("iparam", nints, iparam),
+                                      reals("rparam", nreals, rparam));
+                 });
+}
+
+int cntc_settrackdimensions(int* ire, int* ztrack, int* nparam, double* rparam) {
+  return guarded({"cntc_settrackdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    set_track_dimensions(p, integer("ztrack", ztrack), reals("rparam", nparam, rparam));
+  });
+}
+
+int cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam) {
+  return guarded(
+      {"cntc_setwheelsetdimensions", ire, &whole_wheel, Module::wheel, Scope::whole},
+      [&](ContactProblem& p) { set_wheelset(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam)); });
+}
+
+int cntc_setwheelsetposition(int* ire, int* ewheel, int* nparam, double* rparam) {
+  return guarded({"cntc_setwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    set_position(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam));
+  });
+}
+
+int cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam) {
+  return guarded({"cntc_setwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+    set_velocity(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam));
+  });
+}
+
+int cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam) {
+  return guarded(
+      {"cntc_setwheelsetflexibility", ire, &whole_wheel, Module::wheel, Scope::whole},
+      [&](ContactProblem& p) { set_flexibility(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam)); });
+}
+
+} // extern "C"
+
+LIBCONTACT_UNDERSCORED(cntc_setverticalforce)
+LIBCONTACT_UNDERSCORED(cntc_setprofileinputfname)
+LIBCONTACT_UNDERSCORED(cntc_setprofileinputvalues)
+LIBCONTACT_UNDERSCORED(cntc_settrackdimensions)
+LIBCONTACT_UNDERSCORED(cntc_setwheelsetdimensions)
+LIBCONTACT_UNDERSCORED(cntc_setwheelsetposition)
+LIBCONTACT_UNDERSCORED(cntc_setwheelsetvelocity)
+LIBCONTACT_UNDERSCORED(cntc_setwheelsetflexibility)
