@@ -232,8 +232,10 @@ void ContactProblem::keep_what_was_found() {
     vpitch = outcome_->wheel->vpitch;
     return;
   }
-  approach = outcome_->totals.approach;
-  normal_force = outcome_->totals.fn;
+  if (data.digits.norm == Normal::force)
+    approach = outcome_->totals.approach;
+  else
+    normal_force = outcome_->totals.fn;
 }
 
 void ContactProblem::find_sensitivities(Calculation& calculation) {

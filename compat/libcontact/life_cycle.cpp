@@ -1,4 +1,5 @@
 #include "compat/contact/input.hpp"
+#include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
 
@@ -23,6 +24,11 @@ int told(int code, int* ierror) {
   return code;
 }
 
+void read_profiles(contact_program::WheelRailData& d) {
+  if (!is_variable(d.rail)) d.rail.curve = read_profile_curve(d.rail, ProfileRole::rail);
+  if (!is_variable(d.wheel)) d.wheel.curve = read_profile_curve(d.wheel, ProfileRole::wheel);
+}
+
 /// Module 1: the first case of an input file.
 void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
   std::ifstream stream(path);
@@ -32,6 +38,7 @@ void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
     const Case* c = reader.next();
     if (!c || !c->wheel_rail) throw Refusal(CNTC_err_input, path.string() + ": has no case of module 1");
     p.data = *c;
+    read_profiles(p.wheel());
   } catch (const Error& error) {
     throw Refusal(CNTC_err_input, error.what());
   }

@@ -1,0 +1,228 @@
+// Contact problems of module 3 through the library: the numbers of the code that runs CONTACT's files, bit for bit, and
+// Hertz's.
+
+#include "compat/contact/input.hpp"
+#include "compat/contact/run.hpp"
+#include "compat/libcontact/tests/calls.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace microslip::libcontact {
+namespace {
+
+using contact_program::Outcome;
+
+std::vector<Outcome> run(const std::string& text) {
+  std::istringstream stream(text);
+  contact_program::InputReader reader(stream, "a.inp");
+  contact_program::Run runs;
+  std::vector<Outcome> outcomes;
+  while (const auto* c = reader.next()) outcomes.push_back(runs.run(*c));
+  return outcomes;
+}
+
+class ContactProblems : public ::testing::Test {
+protected:
+  void SetUp() override {
+    ASSERT_EQ(library_.code, 0);
+    ASSERT_EQ(initialize(7, 3), 0);
+  }
+
+  void expect_same(const Outcome& o, int icp) {
+    const auto& t = o.totals;
+    EXPECT_EQ(scalars(cntc_getcontactforces, 7, icp), (Values{t.fn, t.fx, t.fy, t.mz}));
+    EXPECT_EQ(scalars(cntc_getpenetration, 7, icp), Values{t.approach});
+    const double element = o.step.grid.element_area() * 1e6;
+    EXPECT_EQ(scalars(cntc_getcontactpatchareas, 7, icp),
+              (Values{t.contact * element, t.adhesion * element, t.slip * element}));
+    const auto& s = o.solution.tangential;
+    for (const auto& [code, wanted] : {std::pair{CNTC_fld_px, &s.tractions.px}, {CNTC_fld_py, &s.tractions.py}}) {
+      const Values found = field(7, icp, code, elements(7, icp));
+      ASSERT_EQ(found.size(), wanted->size());
+      for (std::size_t k = 0; k < found.size(); ++k) ASSERT_EQ(found[k], (*wanted)[k] * 1e-6);
+    }
+    const Values slip = field(7, icp, CNTC_fld_sx, elements(7, icp));
+    const bool shifts = o.step.motion.motion == ContactMotion::shift;
+    for (std::size_t k = 0; k < slip.size(); ++k) ASSERT_EQ(slip[k], s.sx[k] * (shifts ? 1e3 : 1));
+  }
+
+  TemporaryFolder folder_;
+  Library library_{folder_.path()};
+};
+
+/// Cattaneo's shift, as CONTACT's example has it: first pressed together, then shifted by a force.
+TEST_F(ContactProblems, AreCattaneosShift) {
+  const auto outcomes = run(R"( 3 MODULE
+ 200100
+ 022020
+ 0000331
+ 999 20 25 1 1e-5
+ 9.1954 0 0 0
+ .4 .4
+ .42 .42 200. 200.
+ 1
+ 19 19 -1.26667 -1.26667 .13333 .13333
+ 1 1
+ .01 0 .01 0 0 0
+ 3 MODULE
+ 001120
+ 022020
+ 0000331
+ 999 20 25 1 1e-5
+ 9.1954 -.875 0 0
+ .4 .4
+ .42 .42 200. 200.
+ 1
+ 19 19 -1.26667 -1.26667 .13333 .13333
+ 1 1
+ .01 0 .01 0 0 0
+)");
+  int ire = 7, icp = 2;
+  double force = 9.1954, fx = -0.875, fy = 0;
+  ASSERT_EQ(set(cntc_setmaterialparameters, 7, 2, 0, {0.42, 0.42, 200, 200}), 0);
+  ASSERT_EQ(set(cntc_setfrictionmethod, 7, 2, 0, {0.4, 0.4}), 0);
+  ASSERT_EQ(set(cntc_setpotcontact, 7, 2, 1, {19, 19, -1.26667, -1.26667, 0.13333, 0.13333}), 0);
+  ASSERT_EQ(set(cntc_setundeformeddistc, 7, 2, 1, {0.01, 0, 0.01, 0, 0, 0}), 0);
+  ASSERT_EQ(cntc_setnormalforce(&ire, &icp, &force), 0);
+  ASSERT_EQ(set_flag(7, 2, CNTC_ic_tang, 0), 0);
+  ASSERT_EQ(calculate(7, 2), 0) << library_.log();
+  EXPECT_EQ(scalars(cntc_getpenetration, 7, 2), Values{outcomes[0].totals.approach});
+  ASSERT_EQ(set_flag(7, 2, CNTC_ic_tang, 1), 0);
+  ASSERT_EQ(set_flag(7, 2, CNTC_ic_force, 2), 0);
+  ASSERT_EQ(set_flag(7, 2, CNTC_ic_pvtime, 0), 0);
+  ASSERT_EQ(cntc_settangentialforces(&ire, &icp, &fx, &fy), 0);
+  ASSERT_EQ(calculate(7, 2), 0) << library_.log();
+  expect_same(outcomes[1], 2);
+  EXPECT_EQ(scalars(cntc_getcreepages, 7, 2)[0], outcomes[1].totals.x) << "the shift that the force has led to";
+}
+
+TEST_F(ContactProblems, RollSteadily) {
+  const auto outcomes = run(R"( 3 MODULE
+ 203100
+ 022020
+ 0000331
+ 999 20 25 1 1e-5
+ 1000. .001 -.0005 .0001
+ .3 .3
+ 0d .2 1000.
+ .28 .28 82000. 82000.
+ 1
+ 21 21 -1.05 -1.05 .1 .1
+ 1 1
+ .005 0 .005 0 0 0
+)");
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(calculate(7, 1), 0) << library_.log();
+  expect_same(outcomes[0], 1);
+  const Values w = field(7, 1, CNTC_fld_wx, 441), pn = field(7, 1, CNTC_fld_pn, 441);
+  EXPECT_NEAR(w[0], 1e-3 + 1e-4, 1e-15) << "xi - phi y at y = -1";
+  double force = 0;
+  for (const double p : pn) force += p * 0.01;
+  EXPECT_NEAR(force, 1000, 1e-6 * 1000);
+}
+
+TEST_F(ContactProblems, AreHertzs) {
+  int ire = 7, icp = 1;
+  double force = 10e3;
+  ASSERT_EQ(set(cntc_setmaterialparameters, 7, 1, 0, {0.28, 0.28, 82000, 82000}), 0);
+  ASSERT_EQ(set(cntc_sethertzcontact, 7, 1, -1, {30, 30, 0.001, 0.002, 1.2}), 0);
+  ASSERT_EQ(cntc_setnormalforce(&ire, &icp, &force), 0);
+  ASSERT_EQ(calculate(7, 1), 0) << library_.log();
+  const Values h = list(cntc_gethertzcontact, 7, 1, 10);
+  const HertzContact wanted = hertz_from_load({1, 2}, combine({82e9, 0.28}, {82e9, 0.28}), 10e3);
+  EXPECT_NEAR(h[0], 0.001, 1e-12);
+  EXPECT_NEAR(h[2], wanted.a * 1e3, 1e-9);
+  EXPECT_NEAR(h[3], wanted.b * 1e3, 1e-9);
+  EXPECT_NEAR(h[4], 2 / 0.003, 1e-6);
+  EXPECT_NEAR(h[9], wanted.a / wanted.b, 1e-9);
+  EXPECT_NEAR(scalars(cntc_getpenetration, 7, 1)[0] / (wanted.approach * 1e3), 1, 0.01);
+  const Values p = list(cntc_getpotcontact, 7, 1, 6);
+  EXPECT_NEAR(p[2], -1.2 * wanted.a * 1e3 + p[4] / 2, 1e-9) << "the first element's centre";
+}
+
+/// A potential contact that is too small: the number of elements that lie at its border.
+TEST_F(ContactProblems, CountElementsAtTheBorder) {
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(set(cntc_setpotcontact, 7, 1, 1, {5, 4, -0.25, -0.2, 0.1, 0.1}), 0);
+  EXPECT_EQ(calculate(7, 1), 14) << "all of the rim of 5 x 4";
+}
+
+/// As exact as differences of the whole solution can be.
+TEST_F(ContactProblems, HaveSensitivities) {
+  int ire = 7, icp = 1, four = 4;
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(set_flag(7, 1, CNTC_ic_sens, 3), 0);
+  ASSERT_EQ(calculate(7, 1), 0);
+  Values s(16);
+  ASSERT_EQ(cntc_getsensitivities(&ire, &icp, &four, &four, s.data()), 0);
+  const double approach = scalars(cntc_getpenetration, 7, 1)[0];
+  EXPECT_NEAR(s[0] * approach / 1000, 1.5, 0.05) << "Hertz: FN ~ approach^1.5";
+  double xi = 1e-3, eta = -5e-4, phi = 1e-4;
+  const double step = 1e-6;
+  const auto ratio = [&](double x) {
+    EXPECT_EQ(cntc_setcreepages(&ire, &icp, &x, &eta, &phi), 0);
+    EXPECT_EQ(calculate(7, 1), 0);
+    return scalars(cntc_getcontactforces, 7, 1)[1] / 300;
+  };
+  ASSERT_EQ(set_flag(7, 1, CNTC_ic_sens, 0), 0);
+  const double wanted = (ratio(xi + step) - ratio(xi - step)) / (2 * step);
+  EXPECT_NEAR(s[5], wanted, 1e-3 * std::abs(wanted));
+}
+
+TEST_F(ContactProblems, TellTheirParameters) {
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(calculate(7, 1), 0);
+  const auto parameters = [](int task, int count) {
+    int ire = 7, icp = 1;
+    Values values(static_cast<std::size_t>(count));
+    EXPECT_EQ(cntc_getparameters(&ire, &icp, &task, &count, values.data()), 0);
+    return values;
+  };
+  EXPECT_EQ(parameters(1, 3), (Values{1000, 0, 0.2}));
+  const Values material = parameters(2, 7);
+  EXPECT_NEAR(material[2], 82000, 1e-9);
+  EXPECT_NEAR(material[6], 0, 1e-15) << "K of similar bodies";
+  EXPECT_EQ(parameters(3, 7), (Values{0, 1, 0, 0, 0, 0.3, 0.3}));
+  const auto flag = [](int code) {
+    int ire = 7, icp = 1, one = 1, value = -1;
+    EXPECT_EQ(cntc_getflags(&ire, &icp, &one, &code, &value), 0);
+    return value;
+  };
+  EXPECT_EQ(flag(CNTC_ic_tang), 3);
+  EXPECT_EQ(flag(CNTC_ic_norm), 1);
+  EXPECT_EQ(flag(CNTC_ic_mater), 0);
+}
+
+/// The temperature law's data, FASTSIM, a layer and viscoelastic bodies are taken and solved.
+TEST_F(ContactProblems, TakeAllMaterials) {
+  const struct {
+    int method;
+    Values extra;
+  } materials[] = {{1, {1, 1, 0.001, 0.001}}, {3, {1, 1, 1}}, {4, {8200, 0.02, 0, 0}}, {5, {1, 1, 1}}};
+  for (const auto& [method, extra] : materials) {
+    ASSERT_EQ(set_up_sphere(7, 1), 0);
+    Values values = {0.28, 0.28, 82000, 82000};
+    values.insert(values.end(), extra.begin(), extra.end());
+    ASSERT_EQ(set(cntc_setmaterialparameters, 7, 1, method, values), 0) << method;
+    EXPECT_GE(calculate(7, 1), 0) << method << library_.log();
+    EXPECT_LT(scalars(cntc_getcontactforces, 7, 1)[1], -50) << method;
+  }
+}
+
+TEST_F(ContactProblems, HaveTemperatures) {
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(set(cntc_settemperaturedata, 7, 1, 3, {20, 450, 0.05, 7.85e-6, 20, 450, 0.05, 7.85e-6, 1}), 0);
+  ASSERT_EQ(calculate(7, 1), 0) << library_.log();
+  const Values highest = scalars(cntc_getmaximumtemperature, 7, 1);
+  EXPECT_GT(highest[0], 20.1);
+  const Values t = field(7, 1, CNTC_fld_temp1, 441);
+  EXPECT_EQ(*std::max_element(t.begin(), t.end()), highest[0]);
+}
+
+} // namespace
+} // namespace microslip::libcontact

@@ -1,0 +1,206 @@
+// Wheels through the library: the numbers of the code that runs CONTACT's files, bit for bit, from profiles in files
+// and in arrays; forces in all axes; profiles, sensitivities.
+
+#include "compat/contact/input.hpp"
+#include "compat/contact/run.hpp"
+#include "compat/libcontact/tests/calls.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace microslip::libcontact {
+namespace {
+
+using contact_program::InputReader;
+using contact_program::Outcome;
+using contact_program::PatchLocation;
+using contact_program::WheelOutcome;
+
+/// The states of set_up_wheel and set_wheel_state as an input file.
+std::string input_of(bool is_right, const std::vector<double>& sideways) {
+  std::ostringstream text;
+  text.precision(17);
+  for (std::size_t k = 0; k < sideways.size(); ++k) {
+    const double y = sideways[k];
+    text << " 1 MODULE\n " << (is_right ? 1 : 0) << "203100\n 0022033\n 0000321\n 999 20 25 1 1e-5\n .3 .3\n"
+         << " .28 .28 82000. 82000.\n .5 .5 1. 1.5707963267948966 8. 4.\n 14. 0 1435. .05\n '" << profiles
+         << "60e1.prr' 0 1. 0.\n 0 0 0 0 0 0\n 1360. -70. 460.\n '" << profiles << "s1002.prw' 0 1. 0.\n 0 " << y
+         << " 80000. " << -1e-4 * y << " " << 2e-3 * y << " 0\n 30000. 0 0 0 0 " << -30e3 / 460.3 << "\n";
+  }
+  return text.str();
+}
+
+std::vector<Outcome> run(const std::string& text) {
+  std::istringstream stream(text);
+  InputReader reader(stream, "a.inp");
+  contact_program::Run runs;
+  std::vector<Outcome> outcomes;
+  while (const auto* c = reader.next()) outcomes.push_back(runs.run(*c));
+  return outcomes;
+}
+
+class Wheels : public ::testing::TestWithParam<bool> {
+protected:
+  void SetUp() override {
+    ASSERT_EQ(library_.code, 0);
+    ASSERT_EQ(initialize(1, 1), 0);
+    ASSERT_EQ(set_up_wheel(1, GetParam()), 0);
+  }
+
+  TemporaryFolder folder_;
+  Library library_{folder_.path()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Sides, Wheels, ::testing::Bool(),
+                         [](const auto& side) { return side.param ? "Right" : "Left"; });
+
+const std::vector<double> sideways = {0.5, 3, 7.5};
+
+TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
+  const auto outcomes = run(input_of(GetParam(), sideways));
+  for (std::size_t k = 0; k < sideways.size(); ++k) {
+    ASSERT_EQ(set_wheel_state(1, sideways[k]), 0);
+    ASSERT_EQ(calculate(1), 0) << library_.log();
+    const WheelOutcome& w = *outcomes[k].wheel;
+    const Values f = list(cntc_getglobalforces, 1, whole, 24);
+    EXPECT_EQ(Values(f.begin(), f.begin() + 6), (Values{w.track.force.x, w.track.force.y, w.track.force.z,
+                                                        w.track.moment.x, w.track.moment.y, w.track.moment.z}));
+    EXPECT_EQ(Values(f.begin() + 6, f.begin() + 9),
+              (Values{w.wheelset.force.x, w.wheelset.force.y, w.wheelset.force.z}));
+    ASSERT_EQ(patches(1), static_cast<int>(w.patches.size()));
+    for (int icp = 1; icp <= patches(1); ++icp) {
+      const auto& patch = w.patches[static_cast<std::size_t>(icp) - 1];
+      const auto& totals = patch.solution->totals;
+      EXPECT_EQ(scalars(cntc_getcontactforces, 1, icp), (Values{totals.fn, totals.fx, totals.fy, totals.mz}));
+      EXPECT_EQ(scalars(cntc_getcreepages, 1, icp), (Values{patch.contact.x, patch.contact.y, patch.contact.phi}));
+      EXPECT_EQ(scalars(cntc_getmaximumpressure, 1, icp), Values{totals.peak_pressure});
+      const Values pn = field(1, icp, CNTC_fld_pn, elements(1, icp));
+      ASSERT_EQ(pn.size(), patch.solution->solution.normal.pressure.size());
+      for (std::size_t e = 0; e < pn.size(); ++e)
+        ASSERT_EQ(pn[e], patch.solution->solution.normal.pressure[e] * 1e-6) << e;
+      const Values l = list(cntc_getcontactlocation, 1, icp, 38);
+      const PatchLocation& at = patch.location;
+      EXPECT_EQ(Values(l.begin(), l.begin() + 7),
+                (Values{at.track.x, at.track.y, at.track.z, at.angle, at.rail.x, at.rail.y, at.rail.z}));
+    }
+  }
+}
+
+/// The same force, and the same moment, in other axes: what the locations' frames say.
+TEST_P(Wheels, HaveForcesInTheAxesOfTheirProfiles) {
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(calculate(1), 0);
+  const Values f = list(cntc_getglobalforces, 1, whole, 24), l = list(cntc_getcontactlocation, 1, 1, 38);
+  const double rail = l[27], c = std::cos(rail), s = std::sin(rail);
+  EXPECT_NEAR(f[13], c * f[1] + s * f[2], 1e-9 * f[2]) << "the rail is turned by its cant";
+  EXPECT_NEAR(f[14], c * f[2] - s * f[1], 1e-9 * f[2]);
+  EXPECT_NEAR(std::abs(rail), 0.05, 1e-12);
+  EXPECT_NEAR(std::hypot(f[0], f[1], f[2]), std::hypot(f[18], f[19], f[20]), 1e-9 * f[2]);
+  Values sum(24);
+  for (int icp = 1; icp <= patches(1); ++icp) {
+    const Values part = list(cntc_getglobalforces, 1, icp, 24);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part[k];
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) EXPECT_NEAR(sum[k], f[k], 1e-6 * std::abs(f[2])) << k;
+  // the reference in the track is that in the wheelset and that on the rail, put back
+  EXPECT_NEAR(l[1], l[25] + c * l[5] - s * l[6], 1e-9 * std::abs(l[1]));
+  EXPECT_NEAR(l[3], l[27] + l[8], 1e-12);
+  EXPECT_NEAR(l[15], l[1], 2) << "the pressure's centre is near the reference";
+  EXPECT_NEAR(l[34], (GetParam() ? 1 : -1) * (1360 / 2 + 70), 1e-9) << "the wheel's profile on the axle";
+  EXPECT_NEAR(l[35], 460, 1e-9);
+}
+
+TEST_P(Wheels, TakeProfilesFromArrays) {
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(calculate(1), 0);
+  const Values wanted = list(cntc_getglobalforces, 1, whole, 24);
+  ASSERT_EQ(initialize(2, 1), 0);
+  ASSERT_EQ(set_up_wheel(2, GetParam()), 0);
+  for (int type = 0; type < 2; ++type) {
+    int one = 1, ints = 2, none = 0, task = 0, count = 1, points[2] = {type, 0};
+    double number = 0;
+    ASSERT_EQ(cntc_getprofilevalues(&one, &task, &ints, points, &none, nullptr, &count, &number), 0);
+    count = 2 * static_cast<int>(number);
+    Values yz(static_cast<std::size_t>(count)), pairs;
+    task = 1;
+    ASSERT_EQ(cntc_getprofilevalues(&one, &task, &ints, points, &none, nullptr, &count, yz.data()), 0);
+    const std::size_t half = yz.size() / 2;
+    for (std::size_t k = 0; k < half; ++k) pairs.insert(pairs.end(), {yz[k], yz[half + k]});
+    EXPECT_EQ(pairs[0] < pairs[2], type == 0) << "rails from the gauge side, wheels from the field side";
+    int two = 2, length = static_cast<int>(half), choices[4] = {type, 0, 0, -1}, four = 4, reals = 2;
+    double numbers[2] = {1, 0};
+    ASSERT_EQ(cntc_setprofileinputvalues(&two, &length, pairs.data(), &four, choices, &reals, numbers), 0);
+  }
+  ASSERT_EQ(set_wheel_state(2, 3), 0);
+  ASSERT_EQ(calculate(2), 0);
+  const Values found = list(cntc_getglobalforces, 2, whole, 24);
+  for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(found[k], wanted[k], 1e-6 * 80e3) << k;
+}
+
+TEST_P(Wheels, TellTheHeightThatTheForceHasLedTo) {
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(calculate(1), 0);
+  const auto position = [] {
+    int one = 1, six = 6;
+    Values values(6);
+    EXPECT_EQ(cntc_getwheelsetposition(&one, &six, values.data()), 0);
+    return values;
+  };
+  const Values forces = list(cntc_getglobalforces, 1, whole, 24);
+  const double height = position()[2];
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_norm, 0), 0);
+  ASSERT_EQ(set(cntc_setwheelsetposition, 1, 2, {0, 3, height, -3e-4, 6e-3, 0}), 0);
+  ASSERT_EQ(calculate(1), 0);
+  EXPECT_NEAR(list(cntc_getglobalforces, 1, whole, 24)[2], forces[2], 1e-6 * 80e3);
+}
+
+/// With the differences of the height that one would make oneself.
+TEST_P(Wheels, HaveSensitivitiesOfTheirPatches) {
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_sens, 3), 0);
+  ASSERT_EQ(calculate(1), 0);
+  const Values forces = scalars(cntc_getcontactforces, 1, 1);
+  int one = 1, four = 4;
+  Values s(16);
+  ASSERT_EQ(cntc_getsensitivities(&one, &one, &four, &four, s.data()), 0);
+  const double approach = scalars(cntc_getpenetration, 1, 1)[0];
+  EXPECT_NEAR(s[0] * approach / forces[0], 1.5, 0.1) << "FN grows nearly as Hertz's";
+  EXPECT_EQ(s[4], 0) << "elastically similar: FN does not depend on creepage";
+  EXPECT_LT(s[5], 0) << "FX against xi";
+  EXPECT_LT(s[10], 0) << "FY against eta";
+  EXPECT_NEAR(s[6] / s[9], 1, 0.5) << "nearly symmetric";
+}
+
+TEST_P(Wheels, ReadAnInputFile) {
+  std::ofstream(folder_.path() / "a.inp") << input_of(GetParam(), {3});
+  ASSERT_EQ(initialize(3, 1), 0);
+  int three = 3, kind = CNTC_inp_modul1, error = 1;
+  const std::string name = (folder_.path() / "a.inp").string();
+  int length = size_of(name);
+  ASSERT_EQ(cntc_readinpfile(&three, &kind, name.c_str(), &length, &error), 0) << library_.log();
+  ASSERT_EQ(calculate(3), 0) << library_.log();
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(calculate(1), 0);
+  EXPECT_EQ(list(cntc_getglobalforces, 3, whole, 24), list(cntc_getglobalforces, 1, whole, 24));
+}
+
+/// Shifts and transient rolling go on from the tractions of the call before, as cases of a file do.
+TEST_P(Wheels, GoOnFromTheCallBefore) {
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_tang, 2), 0);
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  Values along;
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_GE(calculate(1), 0) << library_.log();
+    along.push_back(list(cntc_getglobalforces, 1, whole, 24)[0]);
+    ASSERT_EQ(set_flag(1, whole, CNTC_ic_pvtime, 0), 0);
+    ASSERT_EQ(set_flag(1, whole, CNTC_ic_iestim, 3), 0);
+  }
+  EXPECT_GT(std::abs(along[1]), std::abs(along[0]));
+  EXPECT_GT(std::abs(along[2]), std::abs(along[1]));
+}
+
+} // namespace
+} // namespace microslip::libcontact
