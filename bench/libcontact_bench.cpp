@@ -1,5 +1,5 @@
-// What a call of cntc_calculate costs beside the same case in C++, and what setters and getters cost: the right wheel of
-// the example's profiles, elements of .2 mm, ten states. Both take turns; each figure is the shortest of many rounds
+// What a call of cntc_calculate costs beside the same case in C++, and what setters and getters cost: the right wheel
+// of the example's profiles, elements of .2 mm, ten states. Both take turns; each figure is the shortest of many rounds
 // [processor time].
 
 #include "compat/contact/input.hpp"
@@ -56,7 +56,8 @@ void require(int code) {
 /// The wheel as result element 1.
 void set_up() {
   int ire = 1, module = 1, version = 0, error = 0, blank = 1, icp = -1, count = 5, method = 0;
-  int flags[] = {CNTC_ic_config, CNTC_ic_tang, CNTC_ic_pvtime, CNTC_ic_norm, CNTC_ic_discns}, values[] = {1, 3, 2, 1, 2};
+  int flags[] = {CNTC_ic_config, CNTC_ic_tang, CNTC_ic_pvtime, CNTC_ic_norm, CNTC_ic_discns},
+      values[] = {1, 3, 2, 1, 2};
   double material[] = {0.28, 0.28, 82000, 82000}, friction[] = {0.3, 0.3}, force = 10e3;
   double rules[] = {0.2, 0.2, 1.5707963267948966, 8, 4}, track[] = {14, 0, 1435, 0, 0, 0, 0, 0, 0, 0, 0};
   double wheelset[] = {1360, -70, 460}, numbers[] = {1, 0};

@@ -72,11 +72,12 @@ Vec2 element_of(const Rows& rows, const PatchOutline& outline, int elements) {
           std::max(extent.y, (outline.s_high - outline.s_low) / 3) / elements};
 }
 
-/// Limits an outline to where rows bear load, a tenth of that further to each side: the contact is some two thirds of
-/// the overlap.
-void limit_to_load(PatchOutline& outline, std::span<const ContactPatch> patches, std::span<const double> shares) {
+/// An outline limited to where rows bear load, a tenth of that further to each side: the contact is some two thirds of
+/// the overlap. The same outline if that leaves nothing, as where frames are far from their rows.
+PatchOutline limited_to_load(const PatchOutline& whole, std::span<const ContactPatch> patches,
+                             std::span<const double> shares) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), further = 0.1;
-  const PatchFrame& frame = outline.frame;
+  const PatchFrame& frame = whole.frame;
   double x_low = infinity, x_high = -infinity, s_low = infinity, s_high = -infinity;
   for (std::size_t k = 0; k < patches.size(); ++k)
     for (const LoadedRow& row : patches[k].loaded) {
@@ -85,10 +86,11 @@ void limit_to_load(PatchOutline& outline, std::span<const ContactPatch> patches,
       x_low = std::min(x_low, x - row.half_length), x_high = std::max(x_high, x + row.half_length);
       s_low = std::min(s_low, s - row.width / 2), s_high = std::max(s_high, s + row.width / 2);
     }
-  if (!(x_low < x_high)) return;
   const double x_more = further * (x_high - x_low), s_more = further * (s_high - s_low);
-  outline.x_low = std::max(outline.x_low, x_low - x_more), outline.x_high = std::min(outline.x_high, x_high + x_more);
-  outline.s_low = std::max(outline.s_low, s_low - s_more), outline.s_high = std::min(outline.s_high, s_high + s_more);
+  PatchOutline limited = whole;
+  limited.x_low = std::max(whole.x_low, x_low - x_more), limited.x_high = std::min(whole.x_high, x_high + x_more);
+  limited.s_low = std::max(whole.s_low, s_low - s_more), limited.s_high = std::min(whole.s_high, s_high + s_more);
+  return limited.x_low < limited.x_high && limited.s_low < limited.s_high ? limited : whole;
 }
 
 /// The rows of the coarse level as loads.
@@ -130,8 +132,7 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
         add_rows(patches[k], loads);
       }
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
-    PatchOutline covered = group.outline;
-    if (!all_of_overlap) limit_to_load(covered, patches, group.shares);
+    const PatchOutline covered = all_of_overlap ? group.outline : limited_to_load(group.outline, patches, group.shares);
     ExactPatch exact(bodies.material, surface, covered, method.patch_shape(),
                      element_of(*rows, group.outline, method.elements), motion);
     double share = std::cos(group.outline.frame.angle);

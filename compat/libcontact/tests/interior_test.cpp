@@ -44,8 +44,7 @@ TEST_F(Interiors, BeginWithThePressure) {
   ASSERT_EQ(subs_getblocksize(&ire, &ire, &number, &nx, &ny, &nz), 0);
   EXPECT_EQ(nx * 100 + ny * 10 + nz, 113);
   const Values found = results(1, 1, 1, {3, 21, 8, 99}, 3);
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(found[k], (Values{1e-6, 0.5, 40})[k], 1e-12) << "depths are sorted";
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], (Values{1e-6, 0.5, 40})[k], 1e-12) << "depths are sorted";
   const double pressure = scalars(cntc_getmaximumpressure, 1, 1)[0];
   EXPECT_NEAR(found[3], -pressure, 1e-3 * pressure) << "sigma_zz at the surface";
   EXPECT_NEAR(found[5], -3 * 1000 / (2 * M_PI * 1600), 0.02 * 0.3) << "Boussinesq far below";
