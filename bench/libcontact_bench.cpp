@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <functional>
 #include <sstream>
 #include <stdexcept>
@@ -55,13 +56,15 @@ void require(int code) {
 
 /// The wheel as result element 1.
 void set_up() {
-  int ire = 1, module = 1, version = 0, error = 0, blank = 1, icp = -1, count = 5, method = 0;
+  int ire = 1, module = 1, version = 0, error = 0, icp = -1, count = 5, method = 0;
   int flags[] = {CNTC_ic_config, CNTC_ic_tang, CNTC_ic_pvtime, CNTC_ic_norm, CNTC_ic_discns},
       values[] = {1, 3, 2, 1, 2};
   double material[] = {0.28, 0.28, 82000, 82000}, friction[] = {0.3, 0.3}, force = 10e3;
   double rules[] = {0.2, 0.2, 1.5707963267948966, 8, 4}, track[] = {14, 0, 1435, 0, 0, 0, 0, 0, 0, 0, 0};
   double wheelset[] = {1360, -70, 460}, numbers[] = {1, 0};
-  require(cntc_initialize(&ire, &module, &version, &error, " ", &blank));
+  const std::string log_folder = std::filesystem::temp_directory_path().string();
+  int length_of_folder = static_cast<int>(log_folder.size());
+  require(cntc_initialize(&ire, &module, &version, &error, log_folder.c_str(), &length_of_folder));
   require(cntc_setflags(&ire, &icp, &count, flags, values));
   count = 4;
   require(cntc_setmaterialparameters(&ire, &icp, &method, &count, material));

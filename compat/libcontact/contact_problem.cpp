@@ -99,6 +99,48 @@ bool is_missing(const ProfileRecord& profile) {
   return !profile.curve && !is_variable(profile);
 }
 
+void check_contact(const Case& c) {
+  const Digits& d = c.digits;
+  if (!c.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
+  const PotentialContact& p = *c.potential;
+  const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
+                             d.bound == PressureModel::half_ellipses;
+  if (needs_ellipse && !p.is_hertzian())
+    throw Refusal(CNTC_err_discr, written(d.bound) + " must go with Hertz's geometry, cntc_sethertzcontact");
+  if (p.is_hertzian() && !(c.normal > 0))
+    throw Refusal(CNTC_err_discr, "Hertz's geometry needs an approach, or a force, above 0");
+  if (c.geometry.base == Base::by_element && !p.is_hertzian() && c.geometry.values.size() != p.elements())
+    throw Refusal(CNTC_err_discr, "the undeformed distance is that of another number of elements");
+  if (c.extra == ExtraSlip::by_element && c.extra_slip.size() != 2 * p.elements())
+    throw Refusal(CNTC_err_discr, "the extra rigid slip is that of another number of elements");
+}
+
+void check_wheel(const Case& c) {
+  const PressureModel b = c.digits.bound;
+  const WheelRailData& w = *c.wheel_rail;
+  if (is_missing(w.rail)) throw Refusal(CNTC_err_profil, "there is no rail profile");
+  if (is_missing(w.wheel)) throw Refusal(CNTC_err_profil, "there is no wheel profile");
+  if (b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses)
+    throw Refusal(CNTC_err_other, written(b) + ": must be 0, 5 or 6 in module 1");
+  if (is_variable(w.rail) && w.track.by_gauge())
+    throw Refusal(CNTC_err_profil, "a rail that varies cannot be placed by the gauge; GAUGHT must be 0");
+  if (w.digits.is_roller() && w.track.roller_radius == 0)
+    throw Refusal(CNTC_err_other, "NOMRAD of the track is the radius of rollers and must not be 0");
+  if (c.digits.norm == Normal::force && !(w.position.z > 0))
+    throw Refusal(CNTC_err_ftot, "FZ = " + std::to_string(w.position.z) + " N: must be above 0");
+}
+
+/// What a reader of input files would refuse.
+void check(const Case& c) {
+  const Digits& d = c.digits;
+  if (d.heat != Heat::none && d.has_history()) throw Refusal(CNTC_err_other, "H > 0 must go with T = 3 or 0");
+  if (d.mater == Bulk::viscoelastic && d.has_history()) throw Refusal(CNTC_err_other, "M = 1 must go with T = 3 or 0");
+  if (c.wheel_rail)
+    check_wheel(c);
+  else
+    check_contact(c);
+}
+
 } // namespace
 
 ContactProblem::ContactProblem(int number) : number_(number) {
@@ -121,69 +163,29 @@ ContactProblem::ContactProblem(int number) : number_(number) {
   }
 }
 
-/// What depends on several settings.
-void ContactProblem::complete() {
-  const Digits& d = data.digits;
-  ++data.number;
+/// The case that the settings make.
+Case ContactProblem::completed() const {
+  Case c = data;
+  const Digits& d = c.digits;
+  c.number = calculations_ + 1;
   if (!outcome_) {
-    data.digits.pvtime = Continuation::nothing;
-    data.digits.iestim = InitialGuess::nothing;
+    c.digits.pvtime = Continuation::nothing;
+    c.digits.iestim = InitialGuess::nothing;
   }
   const bool by_force = d.norm == Normal::force;
   if (is_wheel()) {
-    wheel().position.z = by_force ? vertical_force : z;
-    if (wheel().digits.is_roller()) wheel().track.cant = 0; // as CONTACT does
-    wheel().velocity.vpitch = wheel().digits.force == TotalForce::force_x ? force_x : vpitch;
-    return;
+    WheelRailData& w = *c.wheel_rail;
+    w.position.z = by_force ? vertical_force : z;
+    w.velocity.vpitch = w.digits.force == TotalForce::force_x ? force_x : vpitch;
+    if (w.digits.is_roller()) w.track.cant = 0; // as CONTACT does
+    return c;
   }
-  data.normal = by_force ? normal_force : approach;
-  data.formed_norm = d.norm;
-  data.formed_normal = data.normal;
-  data.x = d.force == Prescribed::creepages ? creep_x : ratio_x;
-  data.y = d.force == Prescribed::force_x_and_y ? ratio_y : creep_y;
-}
-
-/// What a reader of input files would refuse.
-void ContactProblem::check() const {
-  const Digits& d = data.digits;
-  if (d.heat != Heat::none && d.has_history()) throw Refusal(CNTC_err_other, "H > 0 must go with T = 3 or 0");
-  if (d.mater == Bulk::viscoelastic && d.has_history()) throw Refusal(CNTC_err_other, "M = 1 must go with T = 3 or 0");
-  if (time_step != 1 && d.tang == Tangential::shift && data.friction.law != Law::coulomb)
-    throw Refusal(CNTC_err_other, "a time step other than 1 s with friction that depends on the slip is not supported");
-  if (is_wheel())
-    check_wheel();
-  else
-    check_contact();
-}
-
-void ContactProblem::check_contact() const {
-  const Digits& d = data.digits;
-  if (!data.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
-  const PotentialContact& p = *data.potential;
-  const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
-                             d.bound == PressureModel::half_ellipses;
-  if (needs_ellipse && !p.is_hertzian())
-    throw Refusal(CNTC_err_discr, written(d.bound) + " must go with Hertz's geometry, cntc_sethertzcontact");
-  if (p.is_hertzian() && !(data.normal > 0))
-    throw Refusal(CNTC_err_discr, "Hertz's geometry needs an approach, or a force, above 0");
-  if (data.geometry.base == Base::by_element && !p.is_hertzian() && data.geometry.values.size() != p.elements())
-    throw Refusal(CNTC_err_discr, "the undeformed distance is that of another number of elements");
-  if (data.extra == ExtraSlip::by_element && data.extra_slip.size() != 2 * p.elements())
-    throw Refusal(CNTC_err_discr, "the extra rigid slip is that of another number of elements");
-}
-
-void ContactProblem::check_wheel() const {
-  const PressureModel b = data.digits.bound;
-  if (is_missing(wheel().rail)) throw Refusal(CNTC_err_profil, "there is no rail profile");
-  if (is_missing(wheel().wheel)) throw Refusal(CNTC_err_profil, "there is no wheel profile");
-  if (b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses)
-    throw Refusal(CNTC_err_other, written(b) + ": must be 0, 5 or 6 in module 1");
-  if (is_variable(wheel().rail) && wheel().track.by_gauge())
-    throw Refusal(CNTC_err_profil, "a rail that varies cannot be placed by the gauge; GAUGHT must be 0");
-  if (wheel().digits.is_roller() && wheel().track.roller_radius == 0)
-    throw Refusal(CNTC_err_other, "NOMRAD of the track is the radius of rollers and must not be 0");
-  if (data.digits.norm == Normal::force && !(vertical_force > 0))
-    throw Refusal(CNTC_err_ftot, "FZ = " + std::to_string(vertical_force) + " N: must be above 0");
+  c.normal = by_force ? normal_force : approach;
+  c.formed_norm = d.norm;
+  c.formed_normal = c.normal;
+  c.x = d.force == Prescribed::creepages ? creep_x : ratio_x;
+  c.y = d.force == Prescribed::force_x_and_y ? ratio_y : creep_y;
+  return c;
 }
 
 int ContactProblem::code_of_refusal() const {
@@ -194,16 +196,20 @@ Calculation ContactProblem::calculate() {
   Calculation calculation;
   interior_.clear();
   sensitivities_.clear();
-  complete();
-  check();
-  if (data.digits.is_skipped()) return calculation;
+  Case next = completed();
+  check(next);
+  if (time_step != 1 && next.digits.tang == Tangential::shift && next.friction.law != Law::coulomb)
+    throw Refusal(CNTC_err_other, "a time step other than 1 s with friction that depends on the slip is not supported");
+  ++calculations_;
+  if (next.digits.is_skipped()) return calculation;
+  solved_ = std::move(next);
   solve(calculation);
   return calculation;
 }
 
 void ContactProblem::solve(Calculation& calculation) {
   const Stopwatch stopwatch(time);
-  outcome_ = is_wheel() ? wheel_.run(data) : contact_.run(data);
+  outcome_ = is_wheel() ? wheel_.run(solved_) : contact_.run(solved_);
   calculation.messages = outcome_->kind == Outcome::Kind::refused ? outcome_->reasons : outcome_->notes;
   if (outcome_->kind == Outcome::Kind::refused) {
     calculation.code = code_of_refusal();
@@ -232,17 +238,16 @@ void ContactProblem::keep_what_was_found() {
     vpitch = outcome_->wheel->vpitch;
     return;
   }
-  if (data.digits.norm == Normal::force)
+  if (solved_.digits.norm == Normal::force)
     approach = outcome_->totals.approach;
   else
     normal_force = outcome_->totals.fn;
 }
 
 void ContactProblem::find_sensitivities(Calculation& calculation) {
-  const bool goes_on = data.digits.has_history();
   sensitivities_.resize(static_cast<std::size_t>(contacts()));
   if (sensitivity.of < 2) return;
-  if (is_wheel() && goes_on) {
+  if (is_wheel() && solved_.digits.has_history()) {
     calculation.messages.emplace_back("sensitivities of a wheel with T = 1 or 2 are not supported");
     return;
   }
@@ -273,7 +278,7 @@ const WheelPatch& ContactProblem::patch(int patch) const {
 
 Contact ContactProblem::contact(int number) const {
   index(number);
-  if (!is_wheel()) return {data, *outcome_};
+  if (!is_wheel()) return {solved_, *outcome_};
   const WheelPatch& p = patch(number);
   return {p.contact, *p.solution};
 }

@@ -49,6 +49,10 @@ public:
   /// Fields inside the bodies below the contacts: of all, or of one patch. Throws Refusal and Error.
   void find_interior(int patch);
 
+  /// How often it has been calculated.
+  int calculations() const { return calculations_; }
+  /// Whether what was solved last was a left wheel.
+  bool was_left() const { return is_wheel() && solved_.wheel_rail && solved_.wheel_rail->digits.is_left(); }
   /// How many contacts there are: of a wheel its patches.
   int contacts() const;
   /// The contact of this problem, or a patch, from 1. Throws Refusal if there is none.
@@ -76,10 +80,7 @@ public:
   std::map<int, int> other_flags;        ///< by code: those that change no result
 
 private:
-  void complete();
-  void check() const;
-  void check_contact() const;
-  void check_wheel() const;
+  Case completed() const;
   void solve(Calculation& calculation);
   void keep_what_was_found();
   void find_sensitivities(Calculation& calculation);
@@ -90,7 +91,9 @@ private:
   int number_;
   contact_program::CaseSolver contact_;
   contact_program::WheelRailSolver wheel_;
-  std::optional<Outcome> outcome_;
+  int calculations_ = 0;
+  Case solved_;                              ///< what was solved last,
+  std::optional<Outcome> outcome_;           ///< and how; none before the first calculation
   std::vector<Sensitivities> sensitivities_; ///< of each contact
   std::vector<PointBlock> points_;
   std::map<int, std::vector<PointBlock>> points_of_patch_;

@@ -100,6 +100,13 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
   }
 }
 
+/// 0 exterior, 1 adhesion, 2 slip, 3 where a layer yields.
+int division_of(const Outcome& o, std::size_t k) {
+  const int state = element_state(o, k);
+  const auto& yields = o.solution.slip_friction.yields;
+  return state == 2 && o.totals.plastic && !yields.empty() && yields[k] ? 3 : state;
+}
+
 void get_field(const ContactProblem& p, int icp, int code, std::span<double> found) {
   const Contact c = p.contact(icp);
   const Value value = field(p, c, code);
@@ -144,13 +151,12 @@ int cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* u
   });
 }
 
-/// 0 exterior, 1 adhesion, 2 slip, 3 plastic.
 int cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* eldiv) {
   return guarded(patch_call("cntc_getelementdivision", ire, icp), [&](ContactProblem& p) {
     const Contact c = p.contact(*icp);
     const auto found = room("eldiv", lenarr, eldiv);
     for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k)
-      found[k] = microslip::contact_program::element_state(c.outcome, k);
+      found[k] = division_of(c.outcome, k);
   });
 }
 

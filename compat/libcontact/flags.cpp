@@ -128,7 +128,7 @@ constexpr Flag flags[] = {
        const auto found = p.other_flags.find(CNTC_if_units);
        return found == p.other_flags.end() ? int(CNTC_un_cntc) : found->second;
      }},
-    {CNTC_if_ncase, refuse_read_only, [](const ContactProblem& p) { return p.data.number; }},
+    {CNTC_if_ncase, refuse_read_only, [](const ContactProblem& p) { return p.calculations(); }},
 };
 
 /// What CONTACT prints and traces, and files that are not written.

@@ -82,7 +82,6 @@ void set_material(ContactProblem& p, int method, std::span<const double> v) {
   if (method == 10 || method == 11) return;
   if (method == 12) {
     require_count("rparam", v.size(), 4, 4);
-    p.data.digits.damping = Damping::read;
     throw Refusal(CNTC_err_other, "M2 = 2: damping forces are not computed");
   }
   if (method < 0 || method > 5) throw Refusal(CNTC_err_other, "M = " + std::to_string(method) + " does not exist");

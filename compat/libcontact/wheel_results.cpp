@@ -32,7 +32,7 @@ std::vector<double> global_forces(const ContactProblem& p, int icp) {
   const WheelOutcome& wheel = p.solved_wheel();
   const Wrench &track = icp < 0 ? wheel.track : p.patch(icp).track,
                &wheelset = icp < 0 ? wheel.wheelset : p.patch(icp).wheelset;
-  const bool is_left = p.wheel().digits.is_left();
+  const bool is_left = p.was_left();
   const Wrench rail = turned(track, wheel.placement.rail.axes, is_left);
   const Wrench on_wheel = turned(wheelset, wheel.placement.wheel_on_axle.axes, is_left);
   std::vector<double> found;
@@ -76,7 +76,7 @@ std::vector<double> location(const ContactProblem& p, int icp) {
   const WheelPatch& patch = p.patch(icp);
   const PatchLocation& l = patch.location;
   const Placement& placed = wheel.placement;
-  const double sign = p.wheel().digits.is_left() ? -1 : 1, unit = 1 / p.units.length;
+  const double sign = p.was_left() ? -1 : 1, unit = 1 / p.units.length;
   const Vec centre = pressure_centre(patch, sign), in_wheelset = placed.wheelset.inner(patch.reference.origin);
   const Vec wheel_in_track = placed.wheel.origin, wheel_in_wheelset = placed.wheel_on_axle.origin;
   const double s_wheel = -placed.wheel_profile->nearest_s_at_y(sign * l.wheel.y);

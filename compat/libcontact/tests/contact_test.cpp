@@ -90,11 +90,11 @@ TEST_F(ContactProblems, AreCattaneosShift) {
   ASSERT_EQ(set(cntc_setundeformeddistc, 7, 2, 1, {0.01, 0, 0.01, 0, 0, 0}), 0);
   ASSERT_EQ(cntc_setnormalforce(&ire, &icp, &force), 0);
   ASSERT_EQ(set_flag(7, 2, CNTC_ic_tang, 0), 0);
+  ASSERT_EQ(set_flag(7, 2, CNTC_ic_pvtime, 0), 0); // the first call begins anew all the same
   ASSERT_EQ(calculate(7, 2), 0) << library_.log();
   EXPECT_EQ(scalars(cntc_getpenetration, 7, 2), Values{outcomes[0].totals.approach});
   ASSERT_EQ(set_flag(7, 2, CNTC_ic_tang, 1), 0);
   ASSERT_EQ(set_flag(7, 2, CNTC_ic_force, 2), 0);
-  ASSERT_EQ(set_flag(7, 2, CNTC_ic_pvtime, 0), 0);
   ASSERT_EQ(cntc_settangentialforces(&ire, &icp, &fx, &fy), 0);
   ASSERT_EQ(calculate(7, 2), 0) << library_.log();
   expect_same(outcomes[1], 2);
@@ -212,6 +212,24 @@ TEST_F(ContactProblems, TakeAllMaterials) {
     EXPECT_GE(calculate(7, 1), 0) << method << library_.log();
     EXPECT_LT(scalars(cntc_getcontactforces, 7, 1)[1], -50) << method;
   }
+}
+
+/// Areas and elements say the same, where a layer yields as well.
+TEST_F(ContactProblems, CountTheElementsOfALayerThatYields) {
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(set(cntc_setmaterialparameters, 7, 1, 4, {0.28, 0.28, 82000, 82000, 8200, 0.02, 50, 0}), 0);
+  ASSERT_GE(calculate(7, 1), 0) << library_.log();
+  int ire = 7, icp = 1, count = 441, counts[4] = {0, 0, 0, 0};
+  std::vector<int> division(441);
+  ASSERT_EQ(cntc_getelementdivision(&ire, &icp, &count, division.data()), 0);
+  for (const int state : division) ++counts[state];
+  const Values areas = scalars(cntc_getcontactpatchareas, 7, 1); // elements of .01 mm2
+  EXPECT_NEAR(areas[0], 0.01 * (441 - counts[0]), 1e-9);
+  EXPECT_NEAR(areas[1], 0.01 * counts[1], 1e-9);
+  EXPECT_NEAR(areas[2], 0.01 * counts[2], 1e-9);
+  EXPECT_GT(counts[3], 0);
+  const Values tau = field(7, 1, CNTC_fld_taucrt, 441);
+  EXPECT_EQ(*std::max_element(tau.begin(), tau.end()), 50) << "no hardening";
 }
 
 TEST_F(ContactProblems, HaveTemperatures) {
