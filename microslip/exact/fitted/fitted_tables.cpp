@@ -99,7 +99,8 @@ FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedCo
                                             const GridKernel& kernel, const Progress& progress,
                                             FittedProduct<double>::Tables memory) {
   const auto& [grid, elements, load_share] = contact;
-  const auto cell = [&](int row, int column) { return static_cast<std::size_t>(row) * grid.mx + column; };
+  const int mx = grid.mx;
+  const auto cell = [mx](int row, int column) { return static_cast<std::size_t>(row) * mx + column; };
   Product::Tables tables = std::move(memory);
   tables.clear();
   tables.nodes = std::min(Product::most_nodes, grid.mx);
