@@ -4,6 +4,7 @@
 #include "compat/libcontact/refusal.hpp"
 #include "microslip/error.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <numbers>
@@ -115,6 +116,19 @@ void check_contact(const Case& c) {
     throw Refusal(CNTC_err_discr, "the extra rigid slip is that of another number of elements");
 }
 
+/// Refuses elements so small that the search over the profiles would need more memory than a host has to spare.
+void check_sizes(const WheelRailData& w) {
+  constexpr double most_on_line = 1e6, most_on_surface = 2e7, other_width = 200; // points, mm
+  constexpr double part_of_ds = 0.3, part_of_radius = 0.5;                       // at the most
+  const double width = w.rail.curve ? w.rail.curve->greatest_y() - w.rail.curve->least_y() : other_width;
+  const double across = width / (part_of_ds * w.grid.ds);
+  const double along = part_of_radius * std::max(w.wheelset.nominal_radius, 1.0) / w.grid.dx;
+  const bool on_surface = w.search == ContactSearch::brute_force || w.search == ContactSearch::steep ||
+                          is_variable(w.rail) || is_variable(w.wheel);
+  if (across > most_on_line || (on_surface && across * along > most_on_surface))
+    throw Refusal(CNTC_err_discr, "DX or DS is too small for the search over the profiles");
+}
+
 void check_wheel(const Case& c) {
   const PressureModel b = c.digits.bound;
   const WheelRailData& w = *c.wheel_rail;
@@ -122,6 +136,7 @@ void check_wheel(const Case& c) {
   if (is_missing(w.wheel)) throw Refusal(CNTC_err_profil, "there is no wheel profile");
   if (b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses)
     throw Refusal(CNTC_err_other, written(b) + ": must be 0, 5 or 6 in module 1");
+  check_sizes(w);
   if (is_variable(w.rail) && w.track.by_gauge())
     throw Refusal(CNTC_err_profil, "a rail that varies cannot be placed by the gauge; GAUGHT must be 0");
   if (w.digits.is_roller() && w.track.roller_radius == 0)

@@ -27,7 +27,7 @@ def doubles(*values):
 
 
 class Contact:
-    """The library's functions: whole numbers and floating-point ones are handed over by reference, results are lists."""
+    """The library's functions: numbers are handed over by reference, results are lists."""
 
     def __init__(self, path):
         self.library = CDLL(path)
@@ -93,7 +93,8 @@ def show_patch(contact, ire, state, icp):
     forces = contact.scalars("cntc_getcontactforces", ire, icp, count=4)
     area = contact.scalars("cntc_getcontactpatchareas", ire, icp, count=3)[0]
     pressure = contact.scalars("cntc_getmaximumpressure", ire, icp, count=1)
-    show("patch", (ire, state + 1, icp), at[0:4] + at[5:7] + velocity + approach + creepages + forces + [area] + pressure)
+    results = at[0:4] + at[5:7] + velocity + approach + creepages + forces + [area] + pressure
+    show("patch", (ire, state + 1, icp), results)
 
 
 def show_fields(contact, ire, icp):

@@ -187,6 +187,17 @@ TEST_F(Misuse, OfShortAndLongArrays) {
   EXPECT_EQ(elements(3, 1), 441) << "the last solution's";
 }
 
+TEST_F(Misuse, OfElementsThatAreTooSmall) {
+  ASSERT_EQ(initialize(1, 1), 0);
+  ASSERT_EQ(set_up_wheel(1, true), 0);
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(set(cntc_setpotcontact, 1, whole, -1, {1e-8, 1e-8, 1.57, 8, 4}), 0);
+  EXPECT_EQ(calculate(1), CNTC_err_discr);
+  ASSERT_EQ(set(cntc_setpotcontact, 1, whole, -1, {1e-3, 1e-3, 1.57, 8, 4}), 0);
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_discns, 5), 0);
+  EXPECT_EQ(calculate(1), CNTC_err_discr) << "by brute force";
+}
+
 TEST_F(Misuse, IsToldOnce) {
   for (int k = 0; k < 100; ++k) EXPECT_EQ(calculate(5), CNTC_err_icp);
   const std::string log = library_.log(), line = "there is no result element ire = 5";

@@ -1,4 +1,5 @@
-// All functions with arguments by chance, null pointers among them: no crash, and the library works afterwards.
+// All functions with arguments by chance, null pointers among them: no crash, and the library works afterwards. More of
+// it: --gtest_filter=RandomCalls* --gtest_shuffle --gtest_random_seed=N
 
 #include "compat/libcontact/tests/calls.hpp"
 #include "tests/temporary_folder.hpp"
@@ -156,8 +157,9 @@ TEST_F(RandomCalls, WithNullPointersOnlyHaveCodes) {
 
 TEST_F(RandomCalls, DoNotCrash) {
   constexpr int calls = 20000;
-  Arguments arguments(1);
-  std::mt19937 chance(2);
+  const auto seed = static_cast<unsigned>(::testing::UnitTest::GetInstance()->random_seed());
+  Arguments arguments(1 + seed);
+  std::mt19937 chance(2 + seed);
   int refused = 0, done = 0;
   for (int k = 0; k < calls; ++k) {
     if (k % 500 == 0) { // so that some of the calls find something
