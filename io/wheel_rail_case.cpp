@@ -290,7 +290,8 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
                                            const std::vector<Sweep>& sweeps, bool pitch_is_given) {
   std::vector<LoadedWheelsetState> states;
   for (std::size_t k = 0; k < (sweeps.empty() ? 1 : sweeps.front().values.size()); ++k) {
-    auto [state, forces] = given;
+    WheelsetState state = given.state;
+    PrescribedForces forces = given.forces;
     for (const Sweep& sweep : sweeps) {
       for (const WheelsetStateQuantity& q : wheelset_state_quantities())
         if (q.name == sweep.name) q.set(state, sweep.values[k]);
