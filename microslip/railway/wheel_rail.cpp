@@ -79,19 +79,39 @@ void mirror(WheelRailDerivatives& d) {
   }
 }
 
-/// What all patches do to the wheel.
+/// What all patches do to the wheel, and the wheelset's height.
 struct Wrench {
   Vec3<double> force, moment;
+  double height = 0;
 
-  friend Wrench operator+(const Wrench& a, const Wrench& b) { return {a.force + b.force, a.moment + b.moment}; }
-  friend Wrench operator-(const Wrench& a, const Wrench& b) { return {a.force - b.force, a.moment - b.moment}; }
-  friend Wrench operator*(double f, const Wrench& a) { return {f * a.force, f * a.moment}; }
+  static Wrench of(const WheelRailSolution& s) { return {s.force, s.moment, s.vertical}; }
+  friend Wrench operator+(const Wrench& a, const Wrench& b) {
+    return {a.force + b.force, a.moment + b.moment, a.height + b.height};
+  }
+  friend Wrench operator-(const Wrench& a, const Wrench& b) { return a + -1 * b; }
+  friend Wrench operator*(double f, const Wrench& a) { return {f * a.force, f * a.moment, f * a.height}; }
 };
+
+/// Derivatives of what a solve finds by the ten basic numbers of a state, of all of them together by the vertical
+/// force.
+struct BasicDerivatives {
+  std::array<Wrench, basic_motions> by{};
+  Wrench by_force{};
+};
+constexpr auto height_number = static_cast<std::size_t>(WheelVariable::vertical);
 
 /// Of the force [N] and, with the wheel's radius, of the moment.
 double size(const Wrench& a) {
   constexpr double radius = 0.5; // [m]
   return std::sqrt(dot(a.force, a.force) + dot(a.moment, a.moment) / (radius * radius));
+}
+
+/// Of two differences, to one side and to the other: their mean or, where they are not alike, the one nearer to another
+/// derivative.
+Wrench continuous(const Wrench& up, const Wrench& down, const Wrench& other) {
+  constexpr double alike = 1e-3;
+  if (size(up - down) <= alike * size(up + down)) return 0.5 * (up + down);
+  return size(up - other) < size(down - other) ? up : down;
 }
 
 /// Difference by the state's number k, to the side of the step's sign.
@@ -127,18 +147,14 @@ double difference_step(std::size_t basic, double speed) {
   }
 }
 
-/// From derivatives with the height held to those with the vertical force held.
-void hold_vertical_force(WheelRailDerivatives& d) {
-  constexpr auto height = static_cast<std::size_t>(WheelVariable::vertical);
-  const Vec3<double> force = d.force[height], moment = d.moment[height];
-  d.force[height] = d.moment[height] = {};
-  for (std::size_t k = 0; k < state_numbers; ++k) {
-    d.vertical[k] = -d.force[k].z / force.z;
-    d.force[k] = d.force[k] + d.vertical[k] * force;
-    d.moment[k] = d.moment[k] + d.vertical[k] * moment;
-  }
-  d.vertical[state_numbers] = 1 / force.z;
-  d.force[state_numbers] = 1 / force.z * force, d.moment[state_numbers] = 1 / force.z * moment;
+/// From derivatives with the height held to those with the vertical force held, by the implicit function theorem.
+BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
+  const Wrench& by_height = height_held.by[height_number];
+  BasicDerivatives out;
+  out.by_force = 1 / by_height.force.z * by_height, out.by_force.height = 1 / by_height.force.z;
+  for (std::size_t k = 0; k < basic_motions; ++k)
+    out.by[k] = height_held.by[k] - height_held.by[k].force.z * out.by_force;
+  return out;
 }
 
 } // namespace
@@ -222,62 +238,74 @@ private:
     double speed = 0;
     for (const WheelRailPatch& patch : found.patches) speed = std::max(speed, patch.rolling_speed);
     const bool exact = method.level == WheelRailLevel::exact;
-    Wrench coarse_here = {found.force, found.moment};
+    Wrench coarse_here = Wrench::of(found);
     if (exact || vertical_force) {
       solve_coarse(state, {}, trial);
-      coarse_here = {trial.force, trial.moment};
+      coarse_here = Wrench::of(trial);
     }
-    std::array<Wrench, basic_motions> basic = coarse_derivatives(state, speed, coarse_here);
-    if (exact) basic = exact_derivatives(state, speed, basic);
+    BasicDerivatives basic = coarse_derivatives(state, speed, coarse_here);
+    if (vertical_force) basic = with_force_held(basic);
+    if (exact) basic = exact_derivatives(state, vertical_force, speed, basic);
     const auto motions = relative_motions(nominal, state);
     for (std::size_t k = 0; k < state_numbers; ++k) {
-      Wrench sum = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
-      for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * basic[i];
-      d.force[k] = sum.force, d.moment[k] = sum.moment;
+      const Wrench turned = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
+      Wrench sum = turned - turned.force.z * basic.by_force;
+      for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * basic.by[i];
+      d.force[k] = sum.force, d.moment[k] = sum.moment, d.vertical[k] = sum.height;
     }
-    d.vertical[static_cast<std::size_t>(WheelVariable::vertical)] = 1;
-    if (vertical_force) hold_vertical_force(d);
+    if (vertical_force)
+      d.force[height_number] = d.moment[height_number] = {}, d.vertical[height_number] = 0;
+    else
+      d.vertical[height_number] = 1;
+    d.force[state_numbers] = basic.by_force.force, d.moment[state_numbers] = basic.by_force.moment;
+    d.vertical[state_numbers] = basic.by_force.height;
   }
 
-  /// Forward differences. Velocities alone need no new pressures: they come first, in the place of the last solve.
-  std::array<Wrench, basic_motions> coarse_derivatives(const WheelState<double>& state, double speed,
-                                                       const Wrench& here) {
-    std::array<Wrench, basic_motions> derivatives;
+  /// Forward differences with the height held. Velocities alone need no new pressures: they come first, in the place of
+  /// the last solve.
+  BasicDerivatives coarse_derivatives(const WheelState<double>& state, double speed, const Wrench& here) {
+    BasicDerivatives derivatives;
     for (std::size_t k = basic_motions; k-- > 0;) {
       const double step = difference_step(k, speed);
       if (!(step > 0)) continue;
-      derivatives[k] = difference(state, k, step, here, [&](const WheelState<double>& there) -> Wrench {
+      derivatives.by[k] = difference(state, k, step, here, [&](const WheelState<double>& there) {
         if (is_velocity(k)) {
           coarse.move(there);
           coarse.sum(trial);
         } else {
           solve_coarse(there, {}, trial);
         }
-        return {trial.force, trial.moment};
+        return Wrench::of(trial);
       });
+      derivatives.by[k].height = 0; // held
     }
     return derivatives;
   }
 
-  /// Differences to both sides: now and then the forces jump within one of them, as an element is taken for a sliding
-  /// one or not. Then the other one counts, which is nearer to the coarse level's.
-  std::array<Wrench, basic_motions> exact_derivatives(const WheelState<double>& state, double speed,
-                                                      const std::array<Wrench, basic_motions>& coarse_level) {
-    constexpr double longer = 20; // than the coarse level's, since its rounding is larger
-    constexpr double alike = 1e-3;
-    const auto forces = [&](const WheelState<double>& there) -> Wrench {
-      solve_left(there, {}, trial);
-      return {trial.force, trial.moment};
+  /// Differences to both sides, with held what is given. Now and then the forces jump within one of them, as an element
+  /// is taken for a sliding one or not. Then the other one counts, which is nearer to the coarse level's.
+  BasicDerivatives exact_derivatives(const WheelState<double>& state, std::optional<double> vertical_force,
+                                     double speed, const BasicDerivatives& coarse_level) {
+    constexpr double longer = 20;           // than the coarse level's, since its rounding is larger
+    constexpr double share_of_force = 3e-5; // of the load, as much as that of the approach
+    const auto forces = [&](const WheelState<double>& there, std::optional<double> force) {
+      solve_left(there, force, trial);
+      return Wrench::of(trial);
     };
-    const Wrench here = forces(state);
-    std::array<Wrench, basic_motions> derivatives;
+    const auto held = [&](const WheelState<double>& there) { return forces(there, vertical_force); };
+    const Wrench here = held(state);
+    BasicDerivatives derivatives = coarse_level;
     for (std::size_t k = 0; k < basic_motions; ++k) {
       const double step = longer * difference_step(k, speed);
-      if (!(step > 0)) continue;
-      const Wrench up = difference(state, k, step, here, forces), down = difference(state, k, -step, here, forces);
-      const double off_up = size(up - coarse_level[k]), off_down = size(down - coarse_level[k]);
-      derivatives[k] = size(up - down) <= alike * size(up + down) ? 0.5 * (up + down) : off_up < off_down ? up : down;
+      if (!(step > 0) || (vertical_force && k == height_number)) continue;
+      derivatives.by[k] = continuous(difference(state, k, step, here, held), difference(state, k, -step, here, held),
+                                     coarse_level.by[k]);
+      if (!vertical_force) derivatives.by[k].height = 0; // as it is given
     }
+    if (!vertical_force) return derivatives;
+    const double step = share_of_force * *vertical_force;
+    derivatives.by_force = continuous(1 / step * (forces(state, *vertical_force + step) - here),
+                                      1 / step * (here - forces(state, *vertical_force - step)), coarse_level.by_force);
     return derivatives;
   }
 };

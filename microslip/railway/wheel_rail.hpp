@@ -68,11 +68,10 @@ public:
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
-  /// differences with the wheel held in its height, by the others they follow (relative_motion.hpp). At the level
-  /// `fastsim2`, where they cost some two solves and allocate as little, their errors are 1e-5 of the largest of their
-  /// row. At `exact` they cost some 20 solves with the height given and are as accurate for the forces of a height;
-  /// those of a vertical force are found on elements of slightly other sizes, which makes 1e-3 of the largest of a row.
-  /// Derivatives of a solution that is not ok are zero.
+  /// differences, by the others they follow (relative_motion.hpp). At the level `fastsim2`, where they cost some two
+  /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
+  /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
+  /// places differ by up to 5e-3, and by velocities by 5e-4. Derivatives of a solution that is not ok are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives);
 
