@@ -81,18 +81,22 @@ GivenWheelset given_wheelset(const py::kwargs& given) {
 using PythonWheelset = OneAtATime<WheelsetOnTrack>;
 
 std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
-                                              const ProfileValue& wheel, const Material& material,
+                                              const ProfileValue& wheel, const ProfileValue* right_rail,
+                                              const ProfileValue* right_wheel, const Material& material,
                                               const py::object& friction, const std::string& theory,
                                               const std::optional<std::string>& shape, int grid, double tolerance,
                                               const SurfaceStrength& strength, bool fields) {
-  const WheelRailBodies bodies{.rail = rail.profile(),
-                               .wheel = wheel.profile(),
-                               .track = track,
-                               .wheelset = wheelset,
-                               .material = combine(material, material),
-                               .friction = inclined_friction_from(friction),
-                               .strength = strength};
-  return std::make_unique<PythonWheelset>(bodies, method_from(theory, shape, grid, tolerance, fields));
+  const WheelRailBodies left{.rail = rail.profile(),
+                             .wheel = wheel.profile(),
+                             .track = track,
+                             .wheelset = wheelset,
+                             .material = combine(material, material),
+                             .friction = inclined_friction_from(friction),
+                             .strength = strength};
+  WheelRailBodies right = left;
+  if (right_rail != nullptr) right.rail = right_rail->profile();
+  if (right_wheel != nullptr) right.wheel = right_wheel->profile();
+  return std::make_unique<PythonWheelset>(left, right, method_from(theory, shape, grid, tolerance, fields));
 }
 
 std::string table(const WheelsetSolution& self) {
@@ -218,11 +222,12 @@ void bind_wheelset_on_track(py::module_& module) {
                              "Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling "
                              "speed for a torque. May be used from many threads, one call at a time.")
       .def(py::init(&make_wheelset), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a,
-           "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
-           "shape"_a = py::none(), "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
-           "fields"_a = false,
-           "The arguments of WheelRail, of both sides alike; tolerance [-] of forces and moments over the load. Error\n"
-           "for values out of range and profiles that do not fit the track or the wheelset.")
+           "right_rail"_a = py::none(), "right_wheel"_a = py::none(), "material"_a = Material::from_young(210e9, 0.28),
+           "friction"_a = py::float_(0.3), "theory"_a = "fastsim2", "shape"_a = py::none(), "grid"_a = 24,
+           "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(), "fields"_a = false,
+           "The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with\n"
+           "profiles of its own, given as those of a left one. tolerance [-] is that of forces and moments over the\n"
+           "load. Error for values out of range and profiles that do not fit the track or the wheelset.")
       .def(
           "solve",
           [](PythonWheelset& self, const py::kwargs& given) {

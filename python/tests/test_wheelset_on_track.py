@@ -53,6 +53,17 @@ class WheelsetOnTrackTest(unittest.TestCase):
         alone = right.solve(**STATE, vertical=found.vertical, roll=found.roll, pitch_velocity=found.pitch_velocity)
         self.assertEqual(alone.force_y, found.right.force_y)
 
+    def test_profiles_of_both_sides_change_places_in_a_mirror(self):
+        new = microslip.read_profile(PROFILES / "60e1.prr")
+        other = microslip.Profile(new.y, new.z - 0.2 * new.y**2, "rail")  # with a rounder head
+        left, right = wheelset(rail=other, right_rail=new), wheelset(right_rail=other)
+        a = left.solve(lateral=0.002, yaw=0.001, forward_velocity=30.0, vertical_force=120e3)
+        b = right.solve(lateral=-0.002, yaw=-0.001, forward_velocity=30.0, vertical_force=120e3)
+        alike = self.pair.solve(lateral=0.002, yaw=0.001, forward_velocity=30.0, vertical_force=120e3)
+        self.assertAlmostEqual(a.force_y, -b.force_y, delta=1e-6 * abs(a.force_y))
+        self.assertAlmostEqual(a.roll, -b.roll, delta=1e-9)
+        self.assertGreater(abs(a.force_y - alike.force_y), 3e-3 * abs(a.force_y))
+
     def test_wear_and_fields_are_those_of_the_wheels(self):
         turned = {**STATE, "yaw": 0.004, "vertical_force": 120e3}
         found = wheelset(strength=microslip.SurfaceStrength(hardness=2.7e9), fields=True).solve(**turned)
