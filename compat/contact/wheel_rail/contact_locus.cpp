@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/contact_locus.hpp"
 
 #include "compat/contact/wheel_rail/space_curve.hpp"
+#include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/railway/profile_kinks.hpp"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace microslip::contact_program {
 namespace {
@@ -70,7 +72,9 @@ std::vector<std::size_t> jumps(const std::vector<Vec3<double>>& locus, const std
 /// The wheel's points next to the rail, and what lies below them.
 struct Locus {
   SpaceCurve wheel;
-  std::optional<SpaceCurve> roller; ///< the surface of a roller, which is not the same along the track
+  /// The surface of a roller or of a rail made of slices, which is not the same along the track; pieces that are parted
+  /// where the rail is interrupted.
+  std::vector<SpaceCurve> below = {};
 };
 
 SpaceCurve joined(std::vector<double> s, std::vector<Vec3<double>> points) {
@@ -89,7 +93,7 @@ double roller_height(const Placement& p, const ProfileCurve& rail, double x, dou
 
 /// Three steps of a fixed-point iteration for the points that lie next to a roller.
 Locus locus_on_roller(const Placement& p, const ProfileCurve& rail, const PointRange& range) {
-  const ProfileCurve& wheel = *p.wheel_profile;
+  const ProfileCurve& wheel = *p.wheel_profile.curve;
   const Rotation<double>& r = p.wheel.axes;
   std::vector<double> s;
   std::vector<Vec3<double>> on_wheel, on_roller;
@@ -113,14 +117,132 @@ Locus locus_on_roller(const Placement& p, const ProfileCurve& rail, const PointR
     on_wheel.push_back(p.wheel.outer(point));
     on_roller.push_back(below);
   }
-  return {joined(s, std::move(on_wheel)), joined(s, std::move(on_roller))};
+  return {joined(s, std::move(on_wheel)), {joined(s, std::move(on_roller))}};
+}
+
+/// A circle of the wheel over a rail made of slices.
+class CircleOverSlices {
+public:
+  CircleOverSlices(const Placement& p, const ProfilePoint& at, double slope)
+      : p_(p), at_(at), radius_(p.radius + at.z), slope_(slope) {}
+
+  /// The point of the circle next to the rail, with the rail's below it: where the wheel's slope along the track is the
+  /// rail's, or where the rail ends; of several the one with the least gap. Nothing if no rail lies below.
+  struct Contact {
+    Vec3<double> on_wheel, on_rail;
+  };
+  std::optional<Contact> nearest() const {
+    constexpr int stations = 33;
+    const double half = 0.5 * p_.radius;
+    std::optional<Contact> best;
+    const auto take = [&](double x) {
+      const auto found = contact(x);
+      if (!found) return;
+      if (!best || gap(*found) < gap(*best)) best = found;
+    };
+    double before = -half;
+    std::optional<double> slope_before;
+    for (int k = 0; k < stations; ++k) {
+      const double x = half * (2.0 * k / (stations - 1) - 1);
+      const auto slope = slope_difference(x);
+      if (slope_before && slope && *slope_before <= 0 && *slope > 0)
+        take(root(before, *slope_before, x, *slope));
+      else if (!slope_before && slope && *slope > 0 && k > 0)
+        take(end_of_rail(x, before));
+      else if (slope_before && !slope && *slope_before < 0)
+        take(end_of_rail(before, x));
+      before = x;
+      slope_before = slope;
+    }
+    return best;
+  }
+
+private:
+  Vec3<double> on_wheel(double x) const { return {x, at_.y, std::sqrt(radius_ * radius_ - x * x) - p_.radius}; }
+  static double gap(const Contact& c) { return c.on_rail.z - c.on_wheel.z; }
+
+  std::optional<Contact> contact(double x) const {
+    const Vec3<double> point = p_.wheel.outer(on_wheel(x));
+    const auto rail = rail_point(p_, point);
+    if (!rail) return {};
+    return Contact{point, rail->place};
+  }
+
+  /// Of the rail's and the wheel's surface along the track, times the height of the wheel's normal: < 0 where the gap
+  /// becomes smaller with x.
+  std::optional<double> slope_difference(double x) const {
+    if (std::abs(x) >= radius_) return {};
+    const Vec3<double> point = on_wheel(x);
+    const auto rail = rail_point(p_, p_.wheel.outer(point));
+    if (!rail) return {};
+    const Vec3<double> normal = p_.wheel.axes * Vec3<double>{x, -radius_ * slope_, p_.radius + point.z};
+    return normal.x + normal.z * rail->along;
+  }
+
+  /// By straight lines through the ends of the bracket, the staying one's value halved.
+  double root(double low, double at_low, double high, double at_high) const {
+    constexpr double tolerance = 1e-10; // mm
+    double x = low;
+    for (int k = 0; k < 80 && high - low > tolerance; ++k) {
+      const double next = low - at_low * (high - low) / (at_high - at_low);
+      if (std::abs(next - x) < tolerance) return next;
+      x = next;
+      const auto value = slope_difference(x);
+      if (!value) return x;
+      if (*value <= 0)
+        low = x, at_low = *value, at_high *= 0.5;
+      else
+        high = x, at_high = *value, at_low *= 0.5;
+    }
+    return x;
+  }
+
+  double end_of_rail(double on, double off) const {
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (on + off);
+      (slope_difference(middle) ? on : off) = middle;
+    }
+    return on;
+  }
+
+  const Placement& p_;
+  ProfilePoint at_;
+  double radius_, slope_;
+};
+
+Locus locus_on_slices(const Placement& p, const PointRange& range) {
+  const ProfileCurve& wheel = *p.wheel_profile.curve;
+  Locus locus{SpaceCurve({0}, {{}}, {}), {}};
+  std::vector<double> s, s_piece;
+  std::vector<Vec3<double>> on_wheel, piece;
+  const auto end_piece = [&] {
+    if (piece.size() > 1) locus.below.push_back(joined(s_piece, piece));
+    s_piece.clear(), piece.clear();
+  };
+  for (std::size_t k = range.first; k <= range.last; ++k) {
+    const ProfilePoint& at = wheel.points()[k];
+    s.push_back(wheel.s_of(k));
+    const double slope = slope_at(wheel, s.back());
+    const auto contact = CircleOverSlices(p, at, slope).nearest();
+    on_wheel.push_back(contact ? contact->on_wheel : p.wheel.outer(lowest_on_circle(p, at, slope)));
+    if (!contact) {
+      end_piece();
+      continue;
+    }
+    s_piece.push_back(s.back());
+    piece.push_back(contact->on_rail);
+  }
+  end_piece();
+  locus.wheel = joined(std::move(s), std::move(on_wheel));
+  return locus;
 }
 
 Locus contact_locus(const Placement& p, const ProfileCurve& rail) {
-  const ProfileCurve& wheel = *p.wheel_profile;
+  const ProfileCurve& wheel = *p.wheel_profile.curve;
   const double roll = std::atan2(p.wheel.axes.ey.z, p.wheel.axes.ez.z);
   const PointRange range = without_folds(wheel.moved(roll, 0, 0));
   if (p.on_roller()) return locus_on_roller(p, rail, range);
+  if (p.rail_profile.varies()) return locus_on_slices(p, range);
   std::vector<double> s;
   std::vector<Vec3<double>> points;
   for (std::size_t k = range.first; k <= range.last; ++k) {
@@ -130,16 +252,34 @@ Locus contact_locus(const Placement& p, const ProfileCurve& rail) {
   return {joined(std::move(s), std::move(points)), {}};
 }
 
-/// The rail's height, and its inclination across the track; none beyond it.
-std::optional<CurvePoint> rail_at(const ProfileCurve& rail, const Locus& locus, double y) {
+/// The rail's height, and its inclination across the track.
+struct RailAt {
+  double z, angle;
+};
+
+std::optional<double> height_below(const Locus& locus, double y) {
+  std::optional<double> top;
+  for (const SpaceCurve& piece : locus.below)
+    if (const auto point = piece.at_y(y); point && (!top || point->z < *top)) top = point->z;
+  return top;
+}
+
+/// None beyond the rail.
+std::optional<RailAt> rail_at(const Placement& p, const ProfileCurve& rail, const Locus& locus, double y,
+                              const std::optional<Vec3<double>>& on_wheel) {
+  if (p.rail_profile.varies()) {
+    const auto z = height_below(locus, y);
+    if (!z || !on_wheel) return {};
+    const auto point = rail_point(p, {on_wheel->x, y, *z});
+    return point ? std::optional(RailAt{*z, point->inclination}) : std::nullopt;
+  }
   const auto s = rail.s_at_y(y);
   if (!s) return {};
-  CurvePoint point = rail.at(*s);
-  if (!locus.roller) return point;
-  const auto on_roller = locus.roller->at_y(y);
-  if (!on_roller) return {};
-  point.value.z = on_roller->z;
-  return point;
+  const CurvePoint point = rail.at(*s);
+  const double angle = std::atan2(point.first.z, point.first.y);
+  if (!p.on_roller()) return RailAt{point.value.z, angle};
+  const auto z = height_below(locus, y);
+  return z ? std::optional(RailAt{*z, angle}) : std::nullopt;
 }
 
 } // namespace
@@ -158,17 +298,19 @@ GapLine find_gap_line(const Placement& p, const ProfileCurve& rail, double ds) {
   const Locus locus = contact_locus(p, rail);
   GapLine line;
   const double dy = share_of_ds * ds;
-  const auto count = static_cast<std::size_t>(std::floor((rail.greatest_y() - rail.least_y()) / dy + 1e-9)) + 1;
+  const auto [least_y, greatest_y] =
+      p.rail_profile.varies() ? whole_extent(p, rail) : std::pair(rail.least_y(), rail.greatest_y());
+  const auto count = static_cast<std::size_t>(std::floor((greatest_y - least_y) / dy + 1e-9)) + 1;
   line.overlaps = false;
   for (std::size_t k = 0; k < count; ++k) {
-    const double y = rail.least_y() + double(k) * dy;
-    const auto on_rail = rail_at(rail, locus, y);
+    const double y = least_y + double(k) * dy;
     const auto on_wheel = locus.wheel.at_y(y);
+    const auto on_rail = rail_at(p, rail, locus, y, on_wheel);
     line.y.push_back(y);
     line.x.push_back(on_wheel ? on_wheel->x : 0);
     line.z_wheel.push_back(on_wheel ? on_wheel->z : below_nothing);
-    line.z_rail.push_back(on_rail ? on_rail->value.z : nowhere);
-    line.angle.push_back(on_rail ? std::atan2(on_rail->first.z, on_rail->first.y) : 0);
+    line.z_rail.push_back(on_rail ? on_rail->z : nowhere);
+    line.angle.push_back(on_rail ? on_rail->angle : 0);
     line.gap.push_back(on_rail ? line.z_rail.back() - line.z_wheel.back() : nowhere);
     line.overlaps |= on_rail && on_wheel;
   }

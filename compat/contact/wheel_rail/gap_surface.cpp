@@ -1,6 +1,8 @@
 #include "compat/contact/wheel_rail/gap_surface.hpp"
 
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
+#include "compat/contact/wheel_rail/varied_rail.hpp"
+#include "compat/contact/wheel_rail/varied_wheel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +13,13 @@ namespace {
 
 constexpr double missing = 999, beyond = 777;
 
-/// The lower side of a round wheel, in the track's axes: `slices` across at the points of its profile.
-SurfaceMesh lower_side(const Placement& p, int slices, double half) {
-  const auto& profile = p.wheel_profile->points();
+/// The lower side of a round wheel, in the track's axes, at the points of its profile.
+SurfaceMesh lower_side(const Placement& p, double dx, bool steep) {
+  constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
+  const double half = p.radius * (p.radius < small_wheel || steep ? wide : narrow);
+  int slices = static_cast<int>(std::lround(2 * half / (1.5 * dx) + 2));
+  slices += slices % 2 == 0;
+  const auto& profile = p.wheel_profile.curve->points();
   std::vector<Vec3<double>> points;
   for (const ProfilePoint& at : profile)
     for (int i = 0; i < slices; ++i) {
@@ -23,39 +29,63 @@ SurfaceMesh lower_side(const Placement& p, int slices, double half) {
   return SurfaceMesh(slices, static_cast<int>(profile.size()), std::move(points));
 }
 
+/// From the second to the last but one point of a rail's profile; of slices as far within all of them.
+std::pair<double, double> extent_across(const Placement& p, const ProfileCurve& rail) {
+  const auto& points = rail.points();
+  const std::pair inner = {points[1].y, points[points.size() - 2].y};
+  if (!p.rail_profile.varies()) return inner;
+  const auto [least, greatest] = whole_extent(p, rail); // without as much at its ends
+  return {least + inner.first - rail.least_y(), greatest + inner.second - rail.greatest_y()};
+}
+
 } // namespace
 
 GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const PatchRules& sizes, bool steep)
     : dx_(sizes.dx) {
-  constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
-  const double half = p.radius * (p.radius < small_wheel || steep ? wide : narrow);
-  int slices = static_cast<int>(std::lround(2 * half / (1.5 * sizes.dx) + 2));
-  slices += slices % 2 == 0;
-  SurfaceMesh wheel = lower_side(p, slices, half);
+  SurfaceMesh wheel = p.wheel_profile.varies() ? varied_lower_side(p, sizes.dx) : lower_side(p, sizes.dx, steep);
   const auto [first, last] = wheel.range_of_x();
-  nx_ = slices;
+  nx_ = wheel.columns();
   for (int i = 0; i < nx_; ++i) x_.push_back(first + i * (last - first) / (nx_ - 1));
-  const auto& points = rail.points();
-  const double y0 = points[1].y, y1 = points[points.size() - 2].y, dy = (steep ? 0.3 : 0.75) * sizes.ds;
+  const auto [y0, y1] = extent_across(p, rail);
+  const double dy = (steep ? 0.3 : 0.75) * sizes.ds;
   ny_ = static_cast<int>(std::floor((y1 - y0) / dy + 1e-9)) + 1;
-  for (int j = 0; j < ny_; ++j) {
-    y_.push_back(y0 + j * dy);
-    const auto s = rail.s_at_y(y_.back());
-    const CurvePoint on_rail = s ? rail.at(*s) : CurvePoint();
-    z_rail_.push_back(s ? on_rail.value.z : missing);
-    angle_.push_back(std::atan2(on_rail.first.z, on_rail.first.y));
+  for (int j = 0; j < ny_; ++j) y_.push_back(y0 + j * dy);
+  find_rail(p, rail);
+  for (int j = 0; j < ny_; ++j)
     for (int i = 0; i < nx_; ++i) {
-      const auto on_wheel = s ? wheel.height(x_[static_cast<std::size_t>(i)], y_.back()) : std::nullopt;
-      gap_.push_back(on_wheel ? on_rail.value.z - *on_wheel : missing);
+      const RailSample& on_rail = rail_at(i, j);
+      const bool is_there = on_rail.z < beyond;
+      const auto on_wheel =
+          is_there ? wheel.height(x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)]) : std::nullopt;
+      gap_.push_back(on_wheel ? on_rail.z - *on_wheel : missing);
       overlaps_ |= on_wheel.has_value();
     }
+}
+
+/// A prismatic rail has one column of samples, one made of slices has one for each x.
+void GapSurface::find_rail(const Placement& p, const ProfileCurve& rail) {
+  const auto add_column = [&](const ProfileCurve* section) {
+    for (const double y : y_) {
+      const auto s = section ? section->s_at_y(y) : std::nullopt;
+      if (!s) {
+        rail_.push_back({missing, 0});
+        continue;
+      }
+      const CurvePoint point = section->at(*s);
+      rail_.push_back({point.value.z, std::atan2(point.first.z, point.first.y)});
+    }
+  };
+  if (!p.rail_profile.varies()) return add_column(&rail);
+  for (const double x : x_) {
+    const auto section = rail_section(p, x);
+    add_column(section ? &*section : nullptr);
   }
 }
 
 LeastGap GapSurface::least() const {
   const auto at = static_cast<int>(std::min_element(gap_.begin(), gap_.end()) - gap_.begin());
   const int i = at % nx_, j = at / nx_;
-  LeastGap least{gap(i, j), angle_[static_cast<std::size_t>(j)], z_rail_[static_cast<std::size_t>(j)] - gap(i, j), 0};
+  LeastGap least{gap(i, j), rail_at(i, j).angle, rail_at(i, j).z - gap(i, j), 0};
   const int k = std::clamp(j, 1, ny_ - 2), n = std::min({3, k, ny_ - 1 - k});
   const double step = y_[static_cast<std::size_t>(k + n)] - y_[static_cast<std::size_t>(k)];
   least.curvature = (gap(i, k + n) + gap(i, k - n) - 2 * gap(i, k)) / (2 * step * step);
@@ -127,7 +157,7 @@ GapSurface::Box GapSurface::box_around(int i, int j, double depth) const {
           std::min(box.j1 + 1, ny_ - 1)};
 }
 
-GapRegion GapSurface::region(const Box& box, double depth) const {
+GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
   GapRegion r;
   for (int j = box.j0; j <= box.j1; ++j)
     for (int i = box.i0; i <= box.i1; ++i) {
@@ -136,7 +166,7 @@ GapRegion GapSurface::region(const Box& box, double depth) const {
       const double weight = dx_ * std::max(overlap * overlap, 1e-10);
       r.x += weight * x_[static_cast<std::size_t>(i)];
       r.y += weight * y_[static_cast<std::size_t>(j)];
-      r.angle += weight * angle_[static_cast<std::size_t>(j)];
+      r.angle += weight * rail_at(i, j).angle;
       r.weight += weight;
     }
   r.x /= r.weight;
@@ -148,8 +178,8 @@ GapRegion GapSurface::region(const Box& box, double depth) const {
   r.x1 = along(box.i1);
   r.y0 = y_[across(box.j0)];
   r.y1 = y_[across(box.j1)];
-  r.z0 = z_rail_[across(box.j0)];
-  r.z1 = z_rail_[across(box.j1)];
+  r.z0 = rail_at(middle, box.j0).z;
+  r.z1 = rail_at(middle, box.j1).z;
   return r;
 }
 
@@ -159,7 +189,7 @@ std::vector<GapRegion> GapSurface::regions(double depth) const {
   for (const auto& [i, j] : minima(depth)) {
     if (std::any_of(taken.begin(), taken.end(), [i = i, j = j](const Box& b) { return b.holds(i, j); })) continue;
     taken.push_back(box_around(i, j, depth));
-    found.push_back(region(taken.back(), depth));
+    found.push_back(region(taken.back(), i, depth));
   }
   return found;
 }

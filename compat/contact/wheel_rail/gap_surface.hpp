@@ -8,10 +8,10 @@
 namespace microslip::contact_program {
 
 /// The gap between wheel and rail over the whole of the wheel's lower side, seen from above: CONTACT's search by brute
-/// force, on a grid of 1.5 DX by .75 DS, or for steep slopes of .3 DS.
+/// force, on a grid of 1.5 DX, for wheels that are not round 4 DX, by .75 DS, or for steep slopes of .3 DS.
 class GapSurface {
 public:
-  /// With the wheelset at Z_WS = 0, over a rail that is the same all along. `rail` in track coordinates.
+  /// With the wheelset at Z_WS = 0. `rail` in track coordinates, of slices the first one.
   GapSurface(const Placement& placement, const ProfileCurve& rail, const PatchRules& sizes, bool steep);
 
   bool overlaps() const { return overlaps_; }
@@ -26,15 +26,23 @@ private:
   };
 
   double gap(int i, int j) const { return gap_[static_cast<std::size_t>(j) * nx_ + i]; }
+  struct RailSample {
+    double z, angle; ///< z beyond 777 where there is no rail
+  };
+  const RailSample& rail_at(int i, int j) const {
+    const auto row = static_cast<std::size_t>(j);
+    return rail_.size() == y_.size() ? rail_[row] : rail_[static_cast<std::size_t>(i) * y_.size() + row];
+  }
+  void find_rail(const Placement& placement, const ProfileCurve& rail);
   std::vector<std::pair<int, int>> minima(double depth) const;
   Box box_around(int i, int j, double depth) const;
-  GapRegion region(const Box& box, double depth) const;
+  GapRegion region(const Box& box, int middle, double depth) const;
 
   int nx_ = 0, ny_ = 0;
   double dx_ = 0; ///< of the elements
   std::vector<double> x_, y_;
-  std::vector<double> z_rail_, angle_; ///< over y
-  std::vector<double> gap_;            ///< x fastest
+  std::vector<RailSample> rail_; ///< over y, and if it varies for each x
+  std::vector<double> gap_;      ///< x fastest
   bool overlaps_ = false;
 };
 

@@ -49,19 +49,21 @@ GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
   return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
 }
 
-Placement place(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
-                std::shared_ptr<const ProfileCurve> wheel, double z, const RailDeflection& deflection) {
+Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, double z,
+                const RailDeflection& deflection) {
   const WheelsetPosition& position = right.position;
   const WheelDeflection& flexible = right.deflection;
   const WheelsetDimensions& wheelset = right.wheelset;
   Placement p;
   p.radius = wheelset.nominal_radius;
   if (right.digits.is_roller()) p.roller_radius = right.track.roller_radius;
-  p.rail = place_rail(right, *rail, deflection);
+  p.place = right.digits.is_roller() ? 0 : position.s;
+  p.pitch = position.pitch;
+  p.rail = place_rail(right, *rail.curve, deflection);
   const double x = right.digits.is_roller() ? position.s : 0;
   p.wheelset = {{x, position.y, z - p.radius}, rotation_about_x(position.roll) * rotation_about_z(position.yaw)};
   p.wheel_on_axle = {{flexible.dx, wheelset.flange_back_distance / 2 - wheelset.flange_back_position + flexible.dy,
-                      p.radius - tape_height(wheelset, *wheel) + flexible.dz},
+                      p.radius - tape_height(wheelset, *wheel.curve) + flexible.dz},
                      rotation_about_x(flexible.droll) * rotation_about_z(flexible.dyaw)};
   p.wheel = p.wheelset * p.wheel_on_axle;
   p.rail_profile = std::move(rail);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "compat/contact/wheel_rail/profile_curve.hpp"
+#include "compat/contact/wheel_rail/profile_shape.hpp"
 #include "compat/contact/wheel_rail/records.hpp"
 #include "microslip/railway/frame.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
-
-#include <memory>
 
 namespace microslip::contact_program {
 
@@ -22,19 +20,21 @@ struct RailDeflection {
 
 /// A right wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
 struct Placement {
-  std::shared_ptr<const ProfileCurve> rail_profile, wheel_profile;
+  ProfileShape rail_profile, wheel_profile;
   Frame<double> rail;     ///< the rail's profile
   Frame<double> wheelset; ///< its origin on the axle
   Frame<double> wheel_on_axle;
   Frame<double> wheel; ///< the wheel's profile; the axle is at z = -radius
   double radius = 0;   ///< NOMRADW
   double roller_radius = 0;
+  double place = 0; ///< S_WS, from which the slices of a rail count
+  double pitch = 0; ///< PITCH_WS [rad], from which those of a wheel count
 
   bool on_roller() const { return roller_radius != 0; }
 };
 
 /// `z` is Z_WS [mm]. Throws Error where the gauge cannot be measured or the wheel's tape circle is not on the profile.
-Placement place(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
-                std::shared_ptr<const ProfileCurve> wheel, double z, const RailDeflection& deflection = {});
+Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, double z,
+                const RailDeflection& deflection = {});
 
 } // namespace microslip::contact_program

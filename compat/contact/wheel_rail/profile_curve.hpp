@@ -16,6 +16,7 @@ public:
   ProfileCurve(ProfileRole role, const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks);
 
   CurvePoint at(double s) const { return profile_.at(s + origin_); }
+  const Profile& profile() const { return profile_; }
   double start() const { return -origin_; }
   double end() const { return profile_.length() - origin_; }
   const std::vector<ProfilePoint>& points() const { return points_; }

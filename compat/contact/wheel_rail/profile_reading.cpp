@@ -1,9 +1,11 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 
 #include "io/profile_formats.hpp"
+#include "io/slices_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/profile_kinks.hpp"
 #include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile_slices.hpp"
 #include "microslip/railway/profile_smoothing.hpp"
 
 #include <algorithm>
@@ -87,7 +89,6 @@ private:
   }
 
   void read() {
-    if (is_variable(record_)) fail("a profile that varies");
     format_ = format_of(record_.file);
     ProfileFile file = parse_profile_file(format_, read_profile_text(record_.file), record_.file);
     if (file.role && *file.role != role_) fail("is not the profile of a " + std::string(to_string(role_)));
@@ -142,8 +143,7 @@ private:
 } // namespace
 
 bool is_variable(const ProfileRecord& record) {
-  const std::string ending = extension(record.file);
-  return ending == ".slcs" || ending == ".slcw";
+  return names_slices(record.file);
 }
 
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role) {
@@ -153,6 +153,29 @@ std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& reco
 std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoint> points, const ProfileRecord& record,
                                                           ProfileRole role) {
   return CurveReading(record, role).curve_through(std::move(points));
+}
+
+ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
+  if (!is_variable(record)) return {read_profile_curve(record, role)};
+  constexpr double spacing = 0.5; // mm
+  const SlicesFile file = read_slices(record.file);
+  if (file.role != role) throw Error(record.file + ": holds slices of a " + std::string(to_string(file.role)));
+  ProfileShape shape;
+  std::vector<ProfileSlice> slices;
+  for (const SliceEntry& entry : file.slices) {
+    ProfileRecord own = record;
+    own.file = entry.file;
+    const auto curve = read_profile_curve(own, role);
+    if (!shape.curve) shape.curve = curve;
+    slices.push_back({entry.u, curve->profile(), entry.features});
+  }
+  try {
+    shape.surface =
+        std::make_shared<ProfileSurface>(join_slices(slices, {file.method, file.kinks, file.waves, spacing}));
+  } catch (const Error& error) {
+    throw Error(record.file + ": " + error.what());
+  }
+  return shape;
 }
 
 } // namespace microslip::contact_program

@@ -1,18 +1,20 @@
 #pragma once
 
-#include "compat/contact/wheel_rail/profile_curve.hpp"
+#include "compat/contact/wheel_rail/profile_shape.hpp"
 #include "compat/contact/wheel_rail/records.hpp"
-
-#include <memory>
 
 namespace microslip::contact_program {
 
 /// The profile of a file as CONTACT lays its spline through it: close points and zig-zags out, mirrored and scaled to
-/// mm, cut at kinks, smoothed. Throws Error, with the file's name, for what cannot be read, for less than two points, a
-/// length outside 5 to 500 mm, and variable profiles (.slcs, .slcw).
+/// mm, cut at kinks, smoothed. Throws Error, with the file's name, for what cannot be read, for less than two points and
+/// a length outside 5 to 500 mm.
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role);
 
-/// The same of points that are given in place of a file: columns of y and z, whose `file` is a name for messages.
+/// The same; a file of slices (.slcs, .slcw) names one such profile for each of them, from its own folder on, and the
+/// surface joins them.
+ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role);
+
+/// A profile of points that are given in place of a file: columns of y and z, whose `file` is a name for messages.
 std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoint> points, const ProfileRecord& record,
                                                           ProfileRole role);
 

@@ -35,9 +35,14 @@ constexpr Refusal refusals[] = {
      [](const Case&, const WheelRailData& d) {
        return d.search == ContactSearch::oblique || d.search == ContactSearch::oblique_brute_force;
      }},
-    {".slcs", "a rail that varies along the track",
-     [](const Case&, const WheelRailData& d) { return is_variable(d.rail); }},
-    {".slcw", "a wheel that is not round", [](const Case&, const WheelRailData& d) { return is_variable(d.wheel); }},
+    {".slcs", "a rail that varies along the track, placed by the gauge: GAUGHT must be <= 0, as in CONTACT",
+     [](const Case&, const WheelRailData& d) {
+       return is_variable(d.rail) && d.track.by_gauge() && !d.digits.is_roller();
+     }},
+    {".slcs, .slcw", "profiles that vary, on a roller",
+     [](const Case&, const WheelRailData& d) {
+       return d.digits.is_roller() && (is_variable(d.rail) || is_variable(d.wheel));
+     }},
 };
 
 } // namespace

@@ -16,6 +16,7 @@ public:
   /// z over (x, y), by Newton's method from the place that was found last; none off the mesh.
   std::optional<double> height(double x, double y);
 
+  int columns() const { return nx_; }
   /// The least and the greatest x of its points.
   std::pair<double, double> range_of_x() const;
 

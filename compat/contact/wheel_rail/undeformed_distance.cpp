@@ -1,6 +1,8 @@
 #include "compat/contact/wheel_rail/undeformed_distance.hpp"
 
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
+#include "compat/contact/wheel_rail/varied_rail.hpp"
+#include "compat/contact/wheel_rail/varied_wheel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +14,12 @@ namespace {
 
 constexpr double missing = 999;
 
-/// Heights of a rail that is the same all along, over s of the frame: where the turned spline passes there.
+/// Heights of a rail's profile, over s of the frame: where the turned spline passes there.
 class RailHeights {
 public:
-  RailHeights(const PatchFrame& frame, const ProfileCurve& rail)
-      : rail_(rail), frame_(frame.grid), start_(frame.s_rail - frame_.inner(frame.reference.origin).y) {}
+  /// `s_rail` is that of the patch's reference. Both must outlive the heights.
+  RailHeights(const PatchFrame& frame, const ProfileCurve& rail, double s_rail)
+      : rail_(rail), frame_(frame.grid), start_(s_rail - frame_.inner(frame.reference.origin).y) {}
 
   /// From the parameter where the last height was found; nothing beyond the rail or where its surface turns back.
   std::optional<double> at(double s) {
@@ -78,7 +81,7 @@ int steps(double length, double size) {
 
 /// The wheel's surface around a patch, in the frame of its elements.
 SurfaceMesh wheel_mesh(const PatchFrame& f, const Placement& p) {
-  const ProfileCurve& profile = *p.wheel_profile;
+  const ProfileCurve& profile = *p.wheel_profile.curve;
   const WheelBox box = box_on_wheel(f, p.wheel);
   const Vec3<double> middle = p.wheel.inner(f.grid.origin);
   const double s_middle = profile.nearest_s_at_y(middle.y);
@@ -100,7 +103,7 @@ SurfaceMesh wheel_mesh(const PatchFrame& f, const Placement& p) {
 
 /// A roller's surface around a patch, over the points of its profile, in the frame of its elements.
 SurfaceMesh roller_mesh(const PatchFrame& f, const Placement& p) {
-  const ProfileCurve& profile = *p.rail_profile;
+  const ProfileCurve& profile = *p.rail_profile.curve;
   const double middle = profile.nearest_s_at_y(p.rail.inner(f.reference.origin).y);
   const double half = 0.55 * f.my * f.ds + std::abs(f.s0 + 0.5 * f.my * f.ds - f.grid.inner(f.reference.origin).y);
   const std::size_t n = profile.points().size();
@@ -122,29 +125,62 @@ SurfaceMesh roller_mesh(const PatchFrame& f, const Placement& p) {
   return SurfaceMesh(below + above + 1, static_cast<int>(last - first + 1), std::move(points));
 }
 
-/// The rail's surface over the elements' plane.
+/// The rail's surface over the elements' plane, row by row.
 class RailSurface {
 public:
-  RailSurface(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) : rail_(f, rail) {
+  RailSurface(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) : rail_(f, rail, f.s_rail) {
     if (p.on_roller()) roller_ = roller_mesh(f, p);
   }
-  void go_to_row(double s) { height_ = rail_.at(s); }
-  std::optional<double> height(double x, double s) { return roller_ ? roller_->height(x, s) : height_; }
+  void go_to_row(double s) {
+    height_ = rail_.at(s);
+    if (height_) angle_ = rail_.angle();
+  }
+  /// At the column i of the row.
+  std::optional<double> height(int, double x, double s) { return roller_ ? roller_->height(x, s) : height_; }
   /// Of the row; none beyond the rail.
-  std::optional<double> angle() const { return height_ ? std::optional(rail_.angle()) : std::nullopt; }
+  std::optional<double> angle() const { return height_ ? std::optional(angle_) : std::nullopt; }
 
 private:
   RailHeights rail_;
   std::optional<SurfaceMesh> roller_;
   std::optional<double> height_;
+  double angle_ = 0;
 };
 
-} // namespace
+/// The same of a rail made of slices: each column of elements has a section of its own.
+class VariedRailSurface {
+public:
+  VariedRailSurface(const PatchFrame& f, const Placement& p)
+      : middle_(static_cast<int>(std::lround((f.grid.inner(f.reference.origin).x - f.x0) / f.dx - 0.5))) {
+    sections_.reserve(static_cast<std::size_t>(f.mx));
+    for (int i = 0; i < f.mx; ++i) {
+      auto section = rail_section(p, f.grid.origin.x + f.x0 + (i + 0.5) * f.dx);
+      columns_.emplace_back();
+      sections_.push_back(std::move(section));
+      const auto& rail = sections_.back();
+      if (rail) columns_.back().emplace(f, *rail, rail->nearest_s_at_y(f.reference.origin.y));
+    }
+  }
+  void go_to_row(double s) { s_ = s; }
+  std::optional<double> height(int i, double, double s) {
+    auto& column = columns_[static_cast<std::size_t>(i)];
+    return column ? column->at(s) : std::nullopt;
+  }
+  std::optional<double> angle() {
+    const bool has_middle = middle_ >= 0 && middle_ < static_cast<int>(columns_.size());
+    if (!has_middle || !height(middle_, 0, s_)) return {};
+    return columns_[static_cast<std::size_t>(middle_)]->angle();
+  }
 
-UndeformedDistance undeformed_distance(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) {
+private:
+  int middle_; ///< the column at the patch's reference
+  double s_ = 0;
+  std::vector<std::optional<ProfileCurve>> sections_;
+  std::vector<std::optional<RailHeights>> columns_;
+};
+
+template <class Rail, class Wheel> UndeformedDistance distance_of(const PatchFrame& f, Rail rail_surface, Wheel wheel) {
   UndeformedDistance h;
-  RailSurface rail_surface(f, p, rail);
-  SurfaceMesh wheel = wheel_mesh(f, p);
   double least = missing, first_angle = 1e30, last_angle = -1e30;
   for (int j = 0; j < f.my; ++j) {
     const double s = f.s0 + (j + 0.5) * f.ds;
@@ -152,7 +188,7 @@ UndeformedDistance undeformed_distance(const PatchFrame& f, const Placement& p, 
     bool overlaps = false;
     for (int i = 0; i < f.mx; ++i) {
       const double x = f.x0 + (i + 0.5) * f.dx;
-      const auto on_rail = rail_surface.height(x, s);
+      const auto on_rail = rail_surface.height(i, x, s);
       const auto on_wheel = on_rail ? wheel.height(x, s) : std::nullopt;
       h.values.push_back(on_wheel ? *on_rail - *on_wheel : missing);
       least = std::min(least, h.values.back());
@@ -167,6 +203,18 @@ UndeformedDistance undeformed_distance(const PatchFrame& f, const Placement& p, 
   h.approach = -least;
   h.turn = std::max(0.0, last_angle - first_angle);
   return h;
+}
+
+template <class Rail> UndeformedDistance distance_from(const PatchFrame& f, const Placement& p, Rail rail) {
+  if (p.wheel_profile.varies()) return distance_of(f, std::move(rail), VariedWheelHeights(f, p));
+  return distance_of(f, std::move(rail), wheel_mesh(f, p));
+}
+
+} // namespace
+
+UndeformedDistance undeformed_distance(const PatchFrame& f, const Placement& p, const ProfileCurve& rail) {
+  if (p.rail_profile.varies()) return distance_from(f, p, VariedRailSurface(f, p));
+  return distance_from(f, p, RailSurface(f, p, rail));
 }
 
 } // namespace microslip::contact_program

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/wheel_geometry.hpp"
 
+#include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>
@@ -18,15 +19,15 @@ double place_on_track(const WheelRailData& data) {
   return data.digits.is_roller() ? 0 : data.position.s;
 }
 
-WheelGeometry::WheelGeometry(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
-                             std::shared_ptr<const ProfileCurve> wheel, GridOrigin origin, int most_elements,
-                             const RailDeflection& deflection)
+WheelGeometry::WheelGeometry(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, GridOrigin origin,
+                             int most_elements, const RailDeflection& deflection)
     : data_(right), rail_(std::move(rail)), wheel_(std::move(wheel)), origin_(origin), most_elements_(most_elements),
       deflection_(deflection) {
   const Placement at_zero = placement(0);
   const Vec3<double>& place = at_zero.rail.origin;
-  rail_in_track_ = std::make_shared<ProfileCurve>(rail_->moved(roll_of(at_zero.rail), place.y, place.z));
-  if (right.search == ContactSearch::brute_force || right.search == ContactSearch::steep)
+  rail_in_track_ = std::make_shared<ProfileCurve>(rail_.curve->moved(roll_of(at_zero.rail), place.y, place.z));
+  const bool brute_force = right.search == ContactSearch::brute_force || right.search == ContactSearch::steep;
+  if (brute_force || wheel_.varies())
     brute_force_.emplace(at_zero, *rail_in_track_, data_.grid, right.search == ContactSearch::steep);
   else
     at_zero_ = find_gap_line(at_zero, *rail_in_track_, data_.grid.ds);
@@ -36,9 +37,9 @@ Placement WheelGeometry::placement(double z) const {
   return place(data_, rail_, wheel_, z, deflection_);
 }
 
-/// A wheel that is lowered over a prismatic rail has the same locus.
+/// A round wheel that is lowered over a rail has the same locus, but not over a roller, whose slope depends on height.
 GapLine WheelGeometry::line(double z) const {
-  return data_.digits.is_roller() ? find_gap_line(placement(z), rail(), data_.grid.ds) : at_zero_->lowered(z);
+  return data_.digits.is_roller() ? find_gap_line(placement(z), *rail_in_track_, data_.grid.ds) : at_zero_->lowered(z);
 }
 
 double WheelGeometry::curvature() const {
@@ -63,11 +64,20 @@ std::vector<GapRegion> WheelGeometry::regions(double z) const {
   return brute_force_->regions(z);
 }
 
+/// The rail's profile in the track's axes; of slices that in the middle of a patch.
+std::shared_ptr<const ProfileCurve> WheelGeometry::rail_at(double x) const {
+  if (!rail_.varies()) return rail_in_track_;
+  auto section = rail_section(placement(0), x);
+  if (!section) throw Error("the rail is interrupted at x = " + std::to_string(x) + " mm, in the middle of a patch");
+  return std::make_shared<ProfileCurve>(std::move(*section));
+}
+
 std::vector<PatchFrame> WheelGeometry::patches(double z) {
   const Placement placed = placement(z);
   std::vector<PatchFrame> frames;
   for (const PatchRegion& patch : make_patches(regions(z), data_.grid))
-    frames.push_back(lay_out_patch(patch, placed, rail(), data_.grid, origin_, place_on_track(data_), most_elements_));
+    frames.push_back(lay_out_patch(patch, placed, *rail_at(patch.whole.x), data_.grid, origin_, place_on_track(data_),
+                                   most_elements_));
   return frames;
 }
 

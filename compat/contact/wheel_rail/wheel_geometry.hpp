@@ -12,18 +12,16 @@ namespace microslip::contact_program {
 class WheelGeometry {
 public:
   /// Throws Error as place() does.
-  WheelGeometry(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
-                std::shared_ptr<const ProfileCurve> wheel, GridOrigin origin, int most_elements,
+  WheelGeometry(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, GridOrigin origin, int most_elements,
                 const RailDeflection& deflection = {});
 
   Placement placement(double z) const;
-  const ProfileCurve& rail() const { return *rail_in_track_; }
   /// With the wheelset at Z_WS = 0.
   LeastGap least_gap_at_zero() const;
   /// The patches with the wheelset at `z`.
   std::vector<PatchFrame> patches(double z);
   UndeformedDistance distance(const PatchFrame& frame, double z) const {
-    return undeformed_distance(frame, placement(z), rail());
+    return undeformed_distance(frame, placement(z), *rail_in_track_);
   }
   bool overlaps() const;
 
@@ -31,15 +29,16 @@ private:
   GapLine line(double z) const;
   std::vector<GapRegion> regions(double z) const;
   double curvature() const;
+  std::shared_ptr<const ProfileCurve> rail_at(double x) const;
 
   const WheelRailData& data_;
-  std::shared_ptr<const ProfileCurve> rail_, wheel_;
+  ProfileShape rail_, wheel_;
   GridOrigin origin_;
   int most_elements_;
   RailDeflection deflection_;
-  std::shared_ptr<const ProfileCurve> rail_in_track_;
-  std::optional<GapLine> at_zero_;        ///< the gap with Z_WS = 0,
-  std::optional<GapSurface> brute_force_; ///< or that over the whole surface
+  std::shared_ptr<const ProfileCurve> rail_in_track_; ///< of slices the first one
+  std::optional<GapLine> at_zero_;                    ///< the gap with Z_WS = 0,
+  std::optional<GapSurface> brute_force_;             ///< or that over the whole surface
 };
 
 /// S_WS; rollers have none.

@@ -102,13 +102,13 @@ void append_new(std::vector<std::string>& to, const std::vector<std::string>& fr
 
 } // namespace
 
-std::shared_ptr<const ProfileCurve> WheelRailSolver::profile(const ProfileRecord& record, ProfileRole role) {
-  if (record.curve) return record.curve;
-  for (const auto& [known, curve] : profiles_)
-    if (known == record) return curve;
-  auto curve = read_profile_curve(record, role);
-  profiles_.emplace_back(record, curve);
-  return curve;
+ProfileShape WheelRailSolver::profile(const ProfileRecord& record, ProfileRole role) {
+  if (record.curve) return {record.curve};
+  for (const auto& [known, shape] : profiles_)
+    if (known == record) return shape;
+  ProfileShape shape = read_profile_shape(record, role);
+  profiles_.emplace_back(record, shape);
+  return shape;
 }
 
 Outcome WheelRailSolver::run(const Case& c, const Progress& progress) {

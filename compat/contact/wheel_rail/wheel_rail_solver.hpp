@@ -32,7 +32,7 @@ private:
     std::optional<PatchBox> contact = {};
   };
 
-  std::shared_ptr<const ProfileCurve> profile(const ProfileRecord& record, ProfileRole role);
+  ProfileShape profile(const ProfileRecord& record, ProfileRole role);
   Outcome solve(const Case& c, const Progress& progress);
   Outcome solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress);
   Outcome find_deflection(const Case& right, const Progress& progress);
@@ -46,7 +46,7 @@ private:
   void finish(const Case& c, WheelOutcome& wheel, const Progress& progress);
   void follow(const std::vector<PatchFrame>& frames);
 
-  std::vector<std::pair<ProfileRecord, std::shared_ptr<const ProfileCurve>>> profiles_;
+  std::vector<std::pair<ProfileRecord, ProfileShape>> profiles_;
   std::vector<Track> tracks_; ///< of the patches of the case before, or of the step before in this case
   WheelEffort effort_;
   std::optional<double> last_z_;   ///< Z_WS of the case before

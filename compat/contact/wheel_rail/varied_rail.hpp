@@ -1,0 +1,27 @@
+#pragma once
+
+#include "compat/contact/wheel_rail/placement.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace microslip::contact_program {
+
+/// The cross-section of a rail made of slices at x [mm] of the track: the natural spline through its surface's points,
+/// in the track's axes, with s as in the rail's own. Nothing where the rail is interrupted.
+std::optional<ProfileCurve> rail_section(const Placement& placement, double x);
+
+/// From the least to the greatest y [mm] of all its slices, across the track. `first` is the first of them there.
+std::pair<double, double> whole_extent(const Placement& placement, const ProfileCurve& first);
+
+/// A point of the upper side of such a rail.
+struct RailPoint {
+  Vec3<double> place;     ///< in the track's axes [mm]
+  double along = 0;       ///< its slope dz/dx at the same y of the rail's profile
+  double inclination = 0; ///< across the track [rad]
+};
+
+/// Over or under a point of the track, along the z axis of the rail's profile; nothing beyond the rail.
+std::optional<RailPoint> rail_point(const Placement& placement, const Vec3<double>& at);
+
+} // namespace microslip::contact_program
