@@ -82,6 +82,16 @@ SpaceCurve joined(std::vector<double> s, std::vector<Vec3<double>> points) {
   return SpaceCurve(std::move(s), std::move(points), cuts);
 }
 
+/// The same over the length of the polygon through the points.
+SpaceCurve joined(std::vector<Vec3<double>> points) {
+  std::vector<double> s = {0};
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const Vec3<double> step = points[k] - points[k - 1];
+    s.push_back(s.back() + std::sqrt(dot(step, step)));
+  }
+  return joined(std::move(s), std::move(points));
+}
+
 /// The height of a roller over a point of the track, its profile being lower by its fall from the axle's plane on.
 double roller_height(const Placement& p, const ProfileCurve& rail, double x, double y, double& slope) {
   const double sign = p.roller_radius < 0 ? -1 : 1;
@@ -117,7 +127,7 @@ Locus locus_on_roller(const Placement& p, const ProfileCurve& rail, const PointR
     on_wheel.push_back(p.wheel.outer(point));
     on_roller.push_back(below);
   }
-  return {joined(s, std::move(on_wheel)), {joined(s, std::move(on_roller))}};
+  return {joined(s, std::move(on_wheel)), {joined(std::move(on_roller))}};
 }
 
 /// A circle of the wheel over a rail made of slices.
@@ -213,11 +223,11 @@ private:
 Locus locus_on_slices(const Placement& p, const PointRange& range) {
   const ProfileCurve& wheel = *p.wheel_profile.curve;
   Locus locus{SpaceCurve({0}, {{}}, {}), {}};
-  std::vector<double> s, s_piece;
+  std::vector<double> s;
   std::vector<Vec3<double>> on_wheel, piece;
   const auto end_piece = [&] {
-    if (piece.size() > 1) locus.below.push_back(joined(s_piece, piece));
-    s_piece.clear(), piece.clear();
+    if (piece.size() > 1) locus.below.push_back(joined(piece));
+    piece.clear();
   };
   for (std::size_t k = range.first; k <= range.last; ++k) {
     const ProfilePoint& at = wheel.points()[k];
@@ -229,7 +239,6 @@ Locus locus_on_slices(const Placement& p, const PointRange& range) {
       end_piece();
       continue;
     }
-    s_piece.push_back(s.back());
     piece.push_back(contact->on_rail);
   }
   end_piece();

@@ -48,8 +48,9 @@ GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Patch
   for (int i = 0; i < nx_; ++i) x_.push_back(first + i * (last - first) / (nx_ - 1));
   const auto [y0, y1] = extent_across(p, rail);
   const double dy = (steep ? 0.3 : 0.75) * sizes.ds;
-  ny_ = static_cast<int>(std::floor((y1 - y0) / dy + 1e-9)) + 1;
-  for (int j = 0; j < ny_; ++j) y_.push_back(y0 + j * dy);
+  const double steps = std::floor((y1 - y0) / dy + 1e-9);
+  ny_ = static_cast<int>(steps) + 1;
+  for (int j = 0; j < ny_; ++j) y_.push_back(0.5 * (y0 + y1 - steps * dy) + j * dy); // in the middle of the range
   find_rail(p, rail);
   for (int j = 0; j < ny_; ++j)
     for (int i = 0; i < nx_; ++i) {

@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace microslip::contact_program {
@@ -9,6 +10,23 @@ std::pair<double, double> SurfaceMesh::range_of_x() const {
   const auto [low, high] =
       std::minmax_element(points_.begin(), points_.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   return {low->x, high->x};
+}
+
+/// At the border of the mesh the points go on along straight lines.
+double SurfaceMesh::bicubic(int i, int j, double u, double v) const {
+  const auto cubic = [](const std::array<double, 4>& p, double t) {
+    const double a = 0.5 * (p[2] - p[0]), b = 0.5 * (p[3] - p[1]), d = p[2] - p[1];
+    return p[1] + t * (a + t * (3 * d - 2 * a - b + t * (a + b - 2 * d)));
+  };
+  const auto along_row = [&](int row) {
+    const auto z = [&](int column) { return point(column, row).z; };
+    return cubic({i > 0 ? z(i - 1) : 2 * z(i) - z(i + 1), z(i), z(i + 1), i + 2 < nx_ ? z(i + 2) : 2 * z(i + 1) - z(i)},
+                 u);
+  };
+  const double below = along_row(j), above = along_row(j + 1);
+  return cubic(
+      {j > 0 ? along_row(j - 1) : 2 * below - above, below, above, j + 2 < ny_ ? along_row(j + 2) : 2 * above - below},
+      v);
 }
 
 std::optional<double> SurfaceMesh::height(double x, double y) {
@@ -42,6 +60,7 @@ std::optional<double> SurfaceMesh::height(double x, double y) {
     const int j = std::clamp(j_ + int(std::clamp(steps(v), -most, most)), 0, ny_ - 2);
     if (i == i_ && j == j_) {
       if (std::min(u, v) < -slack || std::max(u, v) > 1 + slack) return {};
+      if (interpolation_ == MeshInterpolation::bicubic) return bicubic(i, j, u, v);
       return (1 - v) * ((1 - u) * a.z + u * b.z) + v * ((1 - u) * c.z + u * d.z);
     }
     i_ = i;

@@ -8,10 +8,16 @@
 
 namespace microslip::contact_program {
 
-/// A surface given by nx x ny points, x fastest, over which z is interpolated bilinearly in each of its quadrangles.
+/// How z is interpolated in a quadrangle of a mesh; its place there is found bilinearly. Bicubic: from values and
+/// slopes at the corners, these from the differences of their neighbours (Catmull-Rom).
+enum class MeshInterpolation { bilinear, bicubic };
+
+/// A surface given by nx x ny points, x fastest, over which z is interpolated in each of its quadrangles.
 class SurfaceMesh {
 public:
-  SurfaceMesh(int nx, int ny, std::vector<Vec3<double>> points) : nx_(nx), ny_(ny), points_(std::move(points)) {}
+  SurfaceMesh(int nx, int ny, std::vector<Vec3<double>> points,
+              MeshInterpolation interpolation = MeshInterpolation::bilinear)
+      : nx_(nx), ny_(ny), points_(std::move(points)), interpolation_(interpolation) {}
 
   /// z over (x, y), by Newton's method from the place that was found last; none off the mesh.
   std::optional<double> height(double x, double y);
@@ -21,10 +27,12 @@ public:
   std::pair<double, double> range_of_x() const;
 
 private:
+  double bicubic(int i, int j, double u, double v) const;
   const Vec3<double>& point(int i, int j) const { return points_[static_cast<std::size_t>(j) * nx_ + i]; }
 
   int nx_, ny_;
   std::vector<Vec3<double>> points_;
+  MeshInterpolation interpolation_;
   int i_ = -1, j_ = -1; ///< the quadrangle that was found last
 };
 

@@ -55,7 +55,7 @@ private:
 
 /// The patch's extent in the axes of the wheel's profile.
 struct WheelBox {
-  double x0 = 1e30, x1 = -1e30, y0 = 1e30, y1 = -1e30;
+  double x0 = 1e30, x1 = -1e30, y0 = 1e30, y1 = -1e30, z0 = 1e30, z1 = -1e30;
 };
 
 WheelBox box_on_wheel(const PatchFrame& f, const Frame<double>& wheel) {
@@ -67,6 +67,9 @@ WheelBox box_on_wheel(const PatchFrame& f, const Frame<double>& wheel) {
     for (const double along : {x + f.x0, x + f.x1()}) {
       corner.x = along;
       const Vec3<double> p = wheel.inner(corner);
+      const double dz = f.ds * std::abs(slope);
+      box.z0 = std::min(box.z0, p.z - dz);
+      box.z1 = std::max(box.z1, p.z + dz);
       box.x0 = std::min(box.x0, p.x - 2 * f.dx);
       box.x1 = std::max(box.x1, p.x + 2 * f.dx);
       box.y0 = std::min(box.y0, p.y - 2 * f.ds);
@@ -99,6 +102,23 @@ SurfaceMesh wheel_mesh(const PatchFrame& f, const Placement& p) {
     }
   }
   return SurfaceMesh(behind + ahead + 1, below + above + 1, std::move(points));
+}
+
+/// The surface of a wheel that is not round, at steps of about DX around it and at the points of its slices.
+SurfaceMesh varied_wheel_mesh(const PatchFrame& f, const Placement& p) {
+  const WheelBox box = box_on_wheel(f, p.wheel);
+  const double first = -p.pitch + std::atan(box.x0 / (p.radius + box.z0)),
+               last = -p.pitch + std::atan(box.x1 / (p.radius + box.z1));
+  int count = steps((last - first) * p.radius, f.dx) + 2;
+  count += count % 2 == 0;
+  const std::size_t width = p.wheel_profile.surface->last_v() + 1;
+  std::vector<Vec3<double>> points;
+  for (std::size_t v = 0; v < width; ++v)
+    for (int i = 0; i < count; ++i) {
+      const auto at = wheel_point(p, first + (last - first) * i / (count - 1), double(v));
+      points.push_back(f.grid.inner(p.wheel.outer(at ? at->value : Vec3<double>{0, 0, -missing})));
+    }
+  return SurfaceMesh(count, static_cast<int>(width), std::move(points), MeshInterpolation::bicubic);
 }
 
 /// A roller's surface around a patch, over the points of its profile, in the frame of its elements.
@@ -206,7 +226,7 @@ template <class Rail, class Wheel> UndeformedDistance distance_of(const PatchFra
 }
 
 template <class Rail> UndeformedDistance distance_from(const PatchFrame& f, const Placement& p, Rail rail) {
-  if (p.wheel_profile.varies()) return distance_of(f, std::move(rail), VariedWheelHeights(f, p));
+  if (p.wheel_profile.varies()) return distance_of(f, std::move(rail), varied_wheel_mesh(f, p));
   return distance_of(f, std::move(rail), wheel_mesh(f, p));
 }
 

@@ -14,8 +14,9 @@ struct UndeformedDistance {
 };
 
 /// As CONTACT has it: the wheel's profile at steps of DS, revolved at steps of DX, and interpolated bilinearly to the
-/// elements' centres; the rail's spline. `rail` in track coordinates. The surface of a wheel that is not round is met
-/// where it is, and a rail made of slices has a section of its own for each column of elements.
+/// elements' centres; the rail's spline. `rail` in track coordinates. A wheel that is not round is sampled at
+/// the points of its slices and interpolated bicubically, and a rail made of slices has a section of its own for each
+/// column of elements.
 UndeformedDistance undeformed_distance(const PatchFrame& frame, const Placement& placement, const ProfileCurve& rail);
 
 } // namespace microslip::contact_program
