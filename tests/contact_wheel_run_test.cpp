@@ -180,11 +180,14 @@ TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {
 
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
   std::istringstream stream(with(first_wheel, " 0022033", " 0042033") +
-                            with(with(first_wheel, "'rail.prr'", "'rail.slcs'"), "'wheel.prw'", "'none.prw'"));
+                            with(with(first_wheel, "'rail.prr'", "'rail.slcs'"), "-1. 200. 0. 0. ", "14. 0 400. 0. "));
   InputReader reader(stream, (folder_.path() / "a.inp").string());
   contact_program::Run runs;
   EXPECT_EQ(runs.run(*reader.next()).reasons, std::vector<std::string>{"D = 4 (conformal contact)"});
-  EXPECT_EQ(runs.run(*reader.next()).reasons, std::vector<std::string>{".slcs (a rail that varies along the track)"});
+  EXPECT_EQ(runs.run(*reader.next()).reasons,
+            std::vector<std::string>{
+                ".slcs (a rail that varies along the track, placed by the gauge: GAUGHT must be <= 0, as "
+                "in CONTACT)"});
 }
 
 /// Places, angles and creepages of the Manchester benchmark, A-2.2, as CONTACT prints them, right wheel at 6 mm.

@@ -23,8 +23,8 @@ struct SurfaceSlice {
   bool holds(std::size_t v) const { return v >= first && v <= last(); }
 };
 
-/// How the surface follows its slices: through them, or as a cubic B-spline that has them for control points, which
-/// smooths what is short beside their distances.
+/// How the surface follows its slices: through them, or as a cubic B-spline with knots at their u that has them for
+/// control points. That smooths what is short beside their distances, and bends straight lines where these change.
 enum class SliceMethod { interpolating, approximating };
 
 /// A wave added to z: amplitude sin(wavenumber u + phase). Corrugation of a rail; with whole wavenumbers [1/rad] the

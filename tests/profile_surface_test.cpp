@@ -1,0 +1,276 @@
+// Profiles that vary: tensor splines through their slices.
+
+#include "microslip/error.hpp"
+#include "microslip/railway/profile_slices.hpp"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Field = std::function<ProfilePoint(double u, double v)>;
+
+/// Slices at these u whose points at whole v are those of a field.
+std::vector<SurfaceSlice> slices_of(const Field& field, const std::vector<double>& u, int points) {
+  std::vector<SurfaceSlice> slices;
+  for (const double at : u) {
+    slices.push_back({at, 0, {}});
+    for (int v = 0; v < points; ++v) slices.back().points.push_back(field(at, v));
+  }
+  return slices;
+}
+
+std::vector<double> equal_steps(double first, double last, int count) {
+  std::vector<double> u;
+  for (int k = 0; k < count; ++k) u.push_back(first + (last - first) * k / (count - 1));
+  return u;
+}
+
+TEST(ProfileSurface, ReproducesCubicsWithTheirDerivatives) {
+  const auto a = [](double u) { return 1 + u * (0.5 + u * (-0.2 + 0.1 * u)); };
+  const auto da = [](double u) { return 0.5 + u * (-0.4 + 0.3 * u); };
+  const auto dda = [](double u) { return -0.4 + 0.6 * u; };
+  const auto b = [](double v) { return 2 - v * (0.3 - v * (0.05 - 0.004 * v)); };
+  const auto db = [](double v) { return -0.3 + v * (0.1 - 0.012 * v); };
+  const auto ddb = [](double v) { return 0.1 - 0.024 * v; };
+  const ProfileSurface surface(slices_of(
+      [&](double u, double v) {
+        return ProfilePoint{v, a(u) * b(v)};
+      },
+      {0, 0.5, 1.2, 1.7, 2.5}, 9));
+  for (const double u : {0.0, 0.3, 0.5, 1.0, 1.7, 2.2, 2.5})
+    for (const double v : {0.0, 0.4, 3.0, 5.7, 8.0}) {
+      const auto s = surface.at(u, v);
+      ASSERT_TRUE(s);
+      EXPECT_NEAR(s->value.y, v, 1e-12);
+      EXPECT_NEAR(s->value.z, a(u) * b(v), 1e-11);
+      EXPECT_NEAR(s->du.z, da(u) * b(v), 1e-11) << u << " " << v;
+      EXPECT_NEAR(s->dv.z, a(u) * db(v), 1e-11);
+      EXPECT_NEAR(s->duu.z, dda(u) * b(v), 1e-10);
+      EXPECT_NEAR(s->duv.z, da(u) * db(v), 1e-10);
+      EXPECT_NEAR(s->dvv.z, a(u) * ddb(v), 1e-10);
+    }
+}
+
+TEST(ProfileSurface, DerivativesAreThoseOfDifferences) {
+  const Field field = [](double u, double v) { return ProfilePoint{v + 0.1 * std::sin(u), std::cos(0.3 * v + u)}; };
+  for (const SliceMethod method : {SliceMethod::interpolating, SliceMethod::approximating}) {
+    const ProfileSurface surface(slices_of(field, equal_steps(0, 3, 12), 14), {method, {}, {{0.1, 2, 0.4}}});
+    const double h = 1e-5, u = 1.37, v = 6.31;
+    const SurfacePoint s = *surface.at(u, v);
+    const auto at = [&](double du, double dv) { return surface.at(u + du, v + dv)->value; };
+    EXPECT_NEAR(s.du.y, (at(h, 0).y - at(-h, 0).y) / (2 * h), 1e-9);
+    EXPECT_NEAR(s.du.z, (at(h, 0).z - at(-h, 0).z) / (2 * h), 1e-9);
+    EXPECT_NEAR(s.dv.z, (at(0, h).z - at(0, -h).z) / (2 * h), 1e-9);
+    EXPECT_NEAR(s.duu.z, (at(h, 0).z - 2 * at(0, 0).z + at(-h, 0).z) / (h * h), 1e-4);
+    EXPECT_NEAR(s.duv.z, (at(h, h).z - at(h, -h).z - at(-h, h).z + at(-h, -h).z) / (4 * h * h), 1e-4);
+    EXPECT_NEAR(s.dvv.z, (at(0, h).z - 2 * at(0, 0).z + at(0, -h).z) / (h * h), 1e-4);
+  }
+}
+
+TEST(ProfileSurface, BetweenTwoSlicesIsLinear) {
+  const ProfileSurface surface(slices_of(
+      [](double u, double v) {
+        return ProfilePoint{v, u * std::sin(v)};
+      },
+      {1, 4}, 6));
+  for (const double v : {0.0, 2.0, 5.0}) EXPECT_NEAR(surface.at(2.5, v)->value.z, 2.5 * std::sin(v), 1e-14);
+  EXPECT_NEAR(surface.at(2.5, 3)->du.z, std::sin(3), 1e-14);
+}
+
+TEST(ProfileSurface, GoesOnAsItIsBeyondItsEnds) {
+  const ProfileSurface surface(slices_of([](double u, double v) { return ProfilePoint{v, u * u}; }, {0, 1, 2, 3}, 4));
+  EXPECT_EQ(surface.at(7, 1.5)->value.z, 9);
+  EXPECT_EQ(surface.at(7, 1.5)->du.z, 0);
+  EXPECT_EQ(surface.at(-7, 1.5)->value.z, 0);
+  EXPECT_FALSE(surface.at(1, -0.1));
+  EXPECT_FALSE(surface.at(1, 3.1));
+  EXPECT_NEAR(surface.at(3, 1.5)->du.z, 6, 1e-12) << "at the last slice it is that of the inside";
+}
+
+TEST(ProfileSurface, InterpolationConvergesWithOrderFour) {
+  const auto error = [](int n) {
+    const ProfileSurface surface(slices_of(
+        [](double u, double v) {
+          return ProfilePoint{v, std::sin(u)};
+        },
+        equal_steps(0, 3, n + 1), 4));
+    double worst = 0;
+    for (const double u : equal_steps(0, 3, 500))
+      worst = std::max(worst, std::abs(surface.at(u, 1)->value.z - std::sin(u)));
+    return worst;
+  };
+  EXPECT_NEAR(std::log2(error(60) / error(120)), 4, 0.3);
+}
+
+/// A B-spline with slices at equal distances for control points keeps straight lines, and a third of what alternates
+/// from slice to slice: (1, 4, 1)/6.
+TEST(ProfileSurface, ApproximationSmoothsWhatAlternates) {
+  const std::vector<double> u = equal_steps(0, 7, 8);
+  const SurfaceOptions approximating{SliceMethod::approximating, {}, {}};
+  const ProfileSurface line(slices_of(
+                                [](double t, double v) {
+                                  return ProfilePoint{v, 2 + 3 * t};
+                                },
+                                u, 4),
+                            approximating);
+  for (const double t : {0.5, 2.5, 4.0, 6.1}) EXPECT_NEAR(line.at(t, 1.5)->value.z, 2 + 3 * t, 1e-12);
+  const ProfileSurface wave(slices_of(
+                                [](double t, double v) {
+                                  return ProfilePoint{v, std::cos(pi * t)};
+                                },
+                                equal_steps(0, 20, 21), 4),
+                            approximating);
+  EXPECT_NEAR(wave.at(10, 1.5)->value.z, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(wave.at(11, 1.5)->value.z, -1.0 / 3, 1e-12);
+}
+
+/// The points 3 to 5 are there from the third slice to the fifth only.
+TEST(ProfileSurface, IsInterruptedWhereSlicesAreShorter) {
+  auto slices = slices_of([](double u, double v) { return ProfilePoint{v, 0.1 * u + v * v}; }, equal_steps(0, 6, 7), 6);
+  for (const std::size_t k : {0u, 1u, 5u, 6u}) slices[k].points.resize(3);
+  const ProfileSurface surface(slices);
+  EXPECT_TRUE(surface.at(0.5, 1.5));
+  EXPECT_FALSE(surface.at(0.5, 4));
+  EXPECT_FALSE(surface.at(1.5, 4)) << "from slice to slice only between what both have";
+  EXPECT_TRUE(surface.at(3, 2.5));
+  EXPECT_TRUE(surface.at(2, 4)) << "at the slice itself";
+  EXPECT_NEAR(surface.at(2.7, 4.5)->value.z, 0.27 + 4.5 * 4.5, 1e-12);
+  EXPECT_NEAR(surface.at(2.7, 4.5)->du.z, 0.1, 1e-12);
+  EXPECT_EQ(surface.section(1.5).points.size(), 3u);
+  EXPECT_EQ(surface.section(2.5).points.size(), 6u);
+}
+
+TEST(ProfileSurface, KinksCutItIntoSections) {
+  const auto roof = [](double, double v) { return ProfilePoint{v, std::abs(v - 5)}; };
+  SurfaceOptions options;
+  options.kinks = {5};
+  const ProfileSurface cut(slices_of(roof, {0, 1}, 11), options), smooth(slices_of(roof, {0, 1}, 11));
+  EXPECT_NEAR(cut.at(0.5, 4.5)->value.z, 0.5, 1e-14);
+  EXPECT_NEAR(cut.at(0.5, 5.2)->dv.z, 1, 1e-14);
+  EXPECT_GT(std::abs(smooth.at(0.5, 4.5)->value.z - 0.5), 1e-2);
+}
+
+/// Of order five; the slices leave a gap at pi that is as wide as their distances.
+TEST(ProfileSurface, AWheelIsClosed) {
+  const Field polygon = [](double u, double v) { return ProfilePoint{v, 0.1 * std::cos(5 * u)}; };
+  SurfaceOptions options;
+  options.is_wheel = true;
+  const int n = 100;
+  const ProfileSurface wheel(slices_of(polygon, equal_steps(-pi + pi / n, pi - pi / n, n), 4), options);
+  for (const double u : {-pi, -3.1, 0.3, 3.1, pi, 2 * pi + 0.3}) {
+    EXPECT_NEAR(wheel.at(u, 1)->value.z, 0.1 * std::cos(5 * u), 5e-6) << u;
+    EXPECT_NEAR(wheel.at(u, 1)->du.z, -0.5 * std::sin(5 * u), 2e-4) << u;
+  }
+  const ProfileSurface part(slices_of(polygon, equal_steps(-1, 1, 20), 4), options);
+  EXPECT_EQ(part.at(2, 1)->value.z, part.at(1, 1)->value.z);
+}
+
+TEST(ProfileSurface, WavesAreAddedToTheHeight) {
+  const auto flat = slices_of([](double, double v) { return ProfilePoint{v, 1}; }, {0, 1}, 4);
+  const ProfileSurface surface(flat, {SliceMethod::interpolating, {}, {{0.2, 3, 0.5}, {0.1, 7, 0}}});
+  const double u = 40.3; // waves go on beyond the slices
+  EXPECT_NEAR(surface.at(u, 1)->value.z, 1 + 0.2 * std::sin(3 * u + 0.5) + 0.1 * std::sin(7 * u), 1e-14);
+  EXPECT_NEAR(surface.at(u, 1)->du.z, 0.6 * std::cos(3 * u + 0.5) + 0.7 * std::cos(7 * u), 1e-14);
+  EXPECT_NEAR(surface.section(u).points[2].z, surface.at(u, 2)->value.z, 1e-14);
+}
+
+TEST(ProfileSurface, FindsWhereTheSectionHasAHeight) {
+  const ProfileSurface ascending(slices_of(
+      [](double u, double v) {
+        return ProfilePoint{v + 0.2 * std::sin(v) + u, v};
+      },
+      {0, 1, 2, 3}, 20));
+  for (const double v : {0.0, 0.3, 7.0, 18.9, 19.0}) {
+    const double y = ascending.at(1.4, v)->value.y;
+    const auto found = ascending.v_at_y(1.4, y);
+    ASSERT_EQ(found.size(), 1u) << v;
+    EXPECT_NEAR(found[0], v, 1e-12);
+  }
+  EXPECT_TRUE(ascending.v_at_y(1.4, -1).empty());
+  const ProfileSurface arc(slices_of(
+      [](double, double v) {
+        return ProfilePoint{std::sin(0.3 * v), std::cos(0.3 * v)};
+      },
+      {0, 1}, 11));
+  const auto twice = arc.v_at_y(0.5, 0.8);
+  ASSERT_EQ(twice.size(), 2u);
+  EXPECT_NEAR(twice[0], std::asin(0.8) / 0.3, 1e-4);
+  EXPECT_NEAR(twice[1], (pi - std::asin(0.8)) / 0.3, 1e-4);
+}
+
+TEST(ProfileSurface, RefusesWhatIsNoSurface) {
+  EXPECT_THROW(ProfileSurface({}), Error);
+  const auto slices = slices_of([](double, double v) { return ProfilePoint{v, 0}; }, {0, 0}, 4);
+  EXPECT_THROW(ProfileSurface{slices}, Error);
+  EXPECT_THROW(ProfileSurface({{0, 0, {{0, 0}}}}), Error);
+  EXPECT_THROW(ProfileSurface({{0, 0, {{0, 0}, {1, NAN}}}}), Error);
+}
+
+// Slices with features
+
+Profile line_profile(double length, ProfileRole role = ProfileRole::rail) {
+  std::vector<ProfilePoint> points;
+  for (int k = 0; k <= 10; ++k) points.push_back({length * k / 10, 0});
+  return {role, points};
+}
+
+/// Part lengths 1 and 2 in one slice, 3 and 1 in the other: lines of equal v join the features.
+TEST(JoinedSlices, LinesOfEqualVJoinFeatures) {
+  SliceOptions options;
+  options.spacing = 0.5;
+  const auto surface = join_slices({{0, line_profile(3), {0, 1, 99}}, {10, line_profile(4), {0, 3, 99}}}, options);
+  EXPECT_EQ(surface.last_v(), 12u) << "1 + int(3/.5) and 1 + int(2/.5) pieces";
+  EXPECT_NEAR(surface.at(0, 7)->value.y, 1, 1e-12);
+  EXPECT_NEAR(surface.at(10, 7)->value.y, 3, 1e-12);
+  EXPECT_NEAR(surface.at(5, 7)->value.y, 2, 1e-12);
+  EXPECT_NEAR(surface.at(5, 12)->value.y, 3.5, 1e-12);
+}
+
+/// A wheel's features count from the field side, its v from the gauge side.
+TEST(JoinedSlices, WheelsCountFromTheFieldSide) {
+  SliceOptions options;
+  options.spacing = 0.5;
+  const auto wheel = ProfileRole::wheel;
+  const auto surface =
+      join_slices({{0, line_profile(3, wheel), {0, 1, 99}}, {1, line_profile(3, wheel), {0, 1, 99}}}, options);
+  EXPECT_NEAR(surface.at(0.5, 0)->value.y, 0, 1e-12);
+  EXPECT_NEAR(surface.at(0.5, 5)->value.y, 2, 1e-12);
+}
+
+TEST(JoinedSlices, PartsThatSlicesLackAreInterrupted) {
+  SliceOptions options;
+  options.spacing = 0.5;
+  const auto surface = join_slices(
+      {{0, line_profile(2), {-1, 0, 99}}, {1, line_profile(2), {-1, 0, 99}}, {2, line_profile(5), {0, 3, 99}}},
+      options);
+  EXPECT_FALSE(surface.at(0.5, 2));
+  EXPECT_FALSE(surface.at(1.5, 2));
+  EXPECT_TRUE(surface.at(1.5, 9));
+  EXPECT_NEAR(surface.at(2, 2)->value.y, 3 * 2.0 / 7, 1e-12);
+}
+
+TEST(JoinedSlices, FeaturesThatCannotBeAreNamed) {
+  const auto message = [](std::vector<double> features) {
+    try {
+      join_slices({{0, line_profile(3), {0, 1, 99}}, {1, line_profile(3), std::move(features)}}, {});
+      return std::string();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(message({0, 1}), "slice 2: has other features than the first slice");
+  EXPECT_EQ(message({-1, -1, 2}), "slice 2: has fewer than two features");
+  EXPECT_NE(message({0, 5, 99}).find("feature 3 at 3.000000 does not lie behind the one before, at 5.000000"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace microslip
