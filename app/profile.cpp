@@ -7,10 +7,12 @@
 #include "app/option_text.hpp"
 #include "app/pictures.hpp"
 #include "app/profile_options.hpp"
+#include "app/profile_slices.hpp"
 #include "app/quantity_table.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_writer.hpp"
 #include "io/result_file.hpp"
+#include "io/slices_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
 
@@ -291,7 +293,17 @@ std::vector<std::string> write_files(const ProfileArguments& arguments, const Pr
   return files;
 }
 
+/// A file of slices is shown as a whole; the other things are done with each of its profiles.
+void run_slices(const ProfileArguments& arguments) {
+  if (!arguments.folder.empty() || !arguments.converted.empty())
+    throw Error(arguments.file.string() + ": --output and --convert need the file of one profile, not of slices");
+  std::optional<ProfileRole> role;
+  if (!arguments.role.empty()) role = from_word<ProfileRole>("--role", arguments.role);
+  show_slices(arguments.file, file_options(arguments.options, role), arguments.json);
+}
+
 void run(const ProfileArguments& arguments) {
+  if (names_slices(arguments.file)) return run_slices(arguments);
   const auto findings = find(arguments);
   if (!arguments.json) print_text(findings);
   const auto files = write_files(arguments, findings);
@@ -307,7 +319,9 @@ void run(const ProfileArguments& arguments) {
 void add_profile_command(CLI::App& program) {
   auto* command = program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail");
   const auto arguments = std::make_shared<ProfileArguments>();
-  command->add_option("FILE", arguments->file, "Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z")
+  command
+      ->add_option("FILE", arguments->file,
+                   "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw")
       ->required()
       ->type_name("");
   command

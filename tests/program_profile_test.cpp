@@ -8,6 +8,8 @@
 #include "tests/program_run.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,24 @@ TEST(ProgramProfile, PrintsTheDimensions) {
     EXPECT_NE(printed.output.find(text), std::string::npos) << text << "\n" << printed.output;
   EXPECT_TRUE(folder.entries().empty());
   EXPECT_NE(run_program(folder, "profile " + rail).output.find("y of the gauge point"), std::string::npos);
+}
+
+TEST(ProgramProfile, ShowsTheSlicesOfAProfileThatVaries) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "rail.slcs")
+      << "0 1000\n2\n0\n1 1\n-.1 '" << rail << "'\n.3 '" << rail << "'\n1\n.02 .05 0\n";
+  const std::string file = (folder.path() / "rail.slcs").string();
+  const auto printed = run_program(folder, "profile " + file);
+  EXPECT_EQ(printed.exit_code, 0) << printed.errors;
+  EXPECT_NE(printed.output.find("rail of 2 slices, interpolated"), std::string::npos) << printed.output;
+  const Json json = document(folder, file);
+  EXPECT_EQ(json["slices"].size(), 2u);
+  EXPECT_DOUBLE_EQ(json["slices"][1]["u"].get<double>(), 0.3);
+  EXPECT_DOUBLE_EQ(json["slices"][0]["length"].get<double>(), read_profile(rail).profile.length());
+  EXPECT_NEAR(json["waves"][0]["wavenumber"].get<double>(), 2 * std::numbers::pi / 0.05, 1e-9);
+  const auto refused = run_program(folder, "profile " + file + " -o out");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.errors.find("need the file of one profile, not of slices"), std::string::npos) << refused.errors;
 }
 
 TEST(ProgramProfile, DocumentHasTheNumbersOfTheLibrary) {

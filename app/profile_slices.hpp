@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/profile_file.hpp"
+
+#include <filesystem>
+
+namespace microslip {
+
+/// Reads and checks a file of slices with the profiles it names, and prints what it holds, as a table or as JSON.
+void show_slices(const std::filesystem::path& file, const ProfileFileOptions& options, bool json);
+
+} // namespace microslip

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "io/profile_file.hpp"
+#include "io/slices_file.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace microslip {
+
+/// A profile that varies, of a file of slices, in the axes and units of a Profile.
+struct SlicedProfile {
+  SlicesFile file;
+  std::vector<PreparedProfile> slices;
+  ProfileSurface surface; ///< u in m along the track or in rad around the wheel, z up
+};
+
+/// Reads the file and the profiles it names, all with these options; their role is the file's. Features count along the
+/// profiles as they are after the treatment. Throws Error with the name of the file that is wrong.
+SlicedProfile read_sliced_profile(const std::filesystem::path& path, ProfileFileOptions options = {});
+
+} // namespace microslip
