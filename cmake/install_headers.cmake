@@ -6,7 +6,7 @@ set(public_headers
   microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
   microslip/damage/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp microslip/railway/conicity.hpp microslip/railway/derailment.hpp microslip/railway/profile.hpp
   microslip/railway/profile_dimensions.hpp microslip/railway/profile_preparation.hpp
-  microslip/railway/profile_smoothing.hpp microslip/railway/wheel_rail.hpp
+  microslip/railway/profile_slices.hpp microslip/railway/profile_smoothing.hpp microslip/railway/wheel_rail.hpp
   microslip/railway/wheel_rail_quantities.hpp microslip/railway/wheelset_on_track.hpp microslip/railway/wheelset_quantities.hpp
   microslip/rolling/*.hpp microslip/simplified/*.hpp microslip/thermal/*.hpp)
 
