@@ -39,14 +39,18 @@ std::string with_unit(const std::string& name) {
 void print_totals(const Case& c, const Outcome& outcome, char lateral) {
   const contact_program::PrintedTotals& t = outcome.totals;
   Lines forces, relative, counts;
-  forces.add("FN [N]", t.fn);
-  forces.add("FX [N]", t.fx);
-  forces.add(fmt::format("F{} [N]", lateral), t.fy);
+  const char* sum = t.integral_fn ? "BAR_" : ""; // over a curved patch
+  forces.add(fmt::format("{}FN [N]", sum), t.fn);
+  forces.add(fmt::format("{}FX [N]", sum), t.fx);
+  forces.add(fmt::format("{}F{} [N]", sum, lateral), t.fy);
   forces.add(lateral == 'S' ? "MN [N mm]" : "MZ [N mm]", t.mz);
   forces.add("ELAST.EN. [J]", t.elastic_energy);
   forces.add(c.digits.rolls() ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
   forces.print();
-  relative.add("FN/G [mm2]", t.fn_over_g);
+  if (t.integral_fn)
+    relative.add("TILDE_FN [N]", *t.integral_fn);
+  else
+    relative.add("FN/G [mm2]", t.fn_over_g);
   relative.add(with_unit(t.x_name), t.x);
   relative.add(with_unit(t.y_name), t.y);
   relative.add("APPROACH [mm]", t.approach);

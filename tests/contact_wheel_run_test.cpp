@@ -56,6 +56,36 @@ protected:
     return outcomes;
   }
 
+  /// A right wheel with these digits, and its mirror image.
+  void expect_mirror_images(const char* digits) {
+    SCOPED_TRACE(digits);
+    std::string text = with(with(first_wheel, " 0022033", digits), "'rail.prr'", "'convex.prr'");
+    text = with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0");
+    text = with(text, " 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. ");
+    const auto negated = with(with(text, " 0 3. .1 .002 .01 0", " 0 -3. .1 -.002 -.01 0"), " 100. 1. 0 .1 .2 -1. ",
+                              " 100. -1. 0 -.1 -.2 -1. ");
+    const auto right = run(text), left = run(with(negated, " 1203000", " 0203000"));
+    const WheelOutcome &r = *right.at(0).wheel, &l = *left.at(0).wheel;
+    ASSERT_EQ(r.patches.size(), 1u);
+    ASSERT_EQ(l.patches.size(), 1u);
+    EXPECT_NEAR(r.track.force.x, l.track.force.x, 1e-6);
+    EXPECT_NEAR(r.track.force.y, -l.track.force.y, 1e-6);
+    EXPECT_NEAR(r.track.moment.x, -l.track.moment.x, 1e-4);
+    EXPECT_NEAR(r.track.moment.y, l.track.moment.y, 1e-4);
+    EXPECT_NE(r.patches[0].location.angle, 0);
+    EXPECT_NEAR(r.patches[0].location.angle, -l.patches[0].location.angle, 1e-12);
+    EXPECT_NEAR(r.patches[0].contact.phi, -l.patches[0].contact.phi, 1e-15);
+    const Outcome &a = *r.patches[0].solution, &b = *l.patches[0].solution;
+    const int mx = a.step.grid.mx, my = a.step.grid.my;
+    EXPECT_NEAR(a.step.grid.y0, -b.step.grid.y(my - 1), 1e-15);
+    for (const int j : {my / 3, my / 2}) {
+      const auto there = static_cast<std::size_t>(j) * mx + mx / 2,
+                 here = static_cast<std::size_t>(my - 1 - j) * mx + mx / 2;
+      EXPECT_EQ(a.solution.normal.pressure[there], b.solution.normal.pressure[here]);
+      EXPECT_EQ(a.solution.tangential.tractions.py[there], 0 - b.solution.tangential.tractions.py[here]);
+    }
+  }
+
   /// Hertz's solution for a sphere of 100 mm.
   static HertzContact hertz(double approach) {
     return hertz_from_approach({5, 5}, combine({82e9, 0.28}, {82e9, 0.28}), approach);
@@ -108,33 +138,41 @@ TEST_F(WheelOnPlane, OnALargeRollerIsAWheelOnARail) {
   EXPECT_NEAR(a.patches.at(0).contact.x, b.patches.at(0).contact.x, 1e-5);
 }
 
-/// Off the middle of a convex rail, so that patches are inclined and yawed.
+/// Off the middle of a convex rail, so that patches are inclined and yawed; planar, with the slip of the true surfaces,
+/// and conformal.
 TEST_F(WheelOnPlane, LeftIsTheMirrorImageOfRight) {
+  for (const char* digits : {" 0022033", " 0032033", " 0042033"}) expect_mirror_images(digits);
+}
+
+/// The contact spans 3 degrees: its surface is flat but for the square of that.
+TEST_F(WheelOnPlane, SmallConformalContactsArePlanar) {
   std::string text = with(first_wheel, "'rail.prr'", "'convex.prr'");
   text = with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0");
-  text = with(text, " 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. ");
-  const auto negated = with(with(text, " 0 3. .1 .002 .01 0", " 0 -3. .1 -.002 -.01 0"), " 100. 1. 0 .1 .2 -1. ",
-                            " 100. -1. 0 -.1 -.2 -1. ");
-  const auto right = run(text), left = run(with(negated, " 1203000", " 0203000"));
-  const WheelOutcome &r = *right.at(0).wheel, &l = *left.at(0).wheel;
-  ASSERT_EQ(r.patches.size(), 1u);
-  ASSERT_EQ(l.patches.size(), 1u);
-  EXPECT_NEAR(r.track.force.x, l.track.force.x, 1e-6);
-  EXPECT_NEAR(r.track.force.y, -l.track.force.y, 1e-6);
-  EXPECT_NEAR(r.track.moment.x, -l.track.moment.x, 1e-4);
-  EXPECT_NEAR(r.track.moment.y, l.track.moment.y, 1e-4);
-  EXPECT_NE(r.patches[0].location.angle, 0);
-  EXPECT_NEAR(r.patches[0].location.angle, -l.patches[0].location.angle, 1e-12);
-  EXPECT_NEAR(r.patches[0].contact.phi, -l.patches[0].contact.phi, 1e-15);
-  const Outcome &a = *r.patches[0].solution, &b = *l.patches[0].solution;
-  const int mx = a.step.grid.mx, my = a.step.grid.my;
-  EXPECT_NEAR(a.step.grid.y0, -b.step.grid.y(my - 1), 1e-15);
-  for (const int j : {my / 3, my / 2}) {
-    const auto there = static_cast<std::size_t>(j) * mx + mx / 2,
-               here = static_cast<std::size_t>(my - 1 - j) * mx + mx / 2;
-    EXPECT_EQ(a.solution.normal.pressure[there], b.solution.normal.pressure[here]);
-    EXPECT_EQ(a.solution.tangential.tractions.py[there], 0 - b.solution.tangential.tractions.py[here]);
-  }
+  const Outcome planar = run(with(text, " 0022033", " 0032033")).at(0),
+                conformal = run(with(text, " 0022033", " 0042033")).at(0);
+  const WheelOutcome &a = *planar.wheel, &b = *conformal.wheel;
+  EXPECT_FALSE(a.patches.at(0).solution->totals.integral_fn);
+  const double fn = a.patches[0].solution->totals.fn;
+  EXPECT_NEAR(*b.patches.at(0).solution->totals.integral_fn / fn, 1, 2e-3);
+  EXPECT_NEAR(a.track.force.z / b.track.force.z, 1, 2e-3);
+  EXPECT_NEAR(a.track.force.x, b.track.force.x, 0.005 * 0.3 * fn);
+  EXPECT_NEAR(a.track.force.y, b.track.force.y, 0.005 * 0.3 * fn);
+}
+
+/// A wheel in a groove: pressures push along the groove's radii, so the vertical force is less than their integral, and
+/// all lateral forces and turns cancel.
+TEST_F(WheelOnPlane, InAGrooveTheForceIsLessThanTheIntegralOfThePressure) {
+  write("groove.prr", 0, [](double y) { return std::abs(y) < 10.1 ? std::sqrt(10.2 * 10.2 - y * y) - 10.2 : -8.7; });
+  write("tyre.prw", 1, [](double y) { return std::abs(y) < 9.9 ? std::sqrt(100 - y * y) - 10 : -9.9; });
+  std::string text = with(with(first_wheel, "'rail.prr'", "'groove.prr'"), "'wheel.prw'", "'tyre.prw'");
+  text = with(with(text, " 1203000", " 1200100"), " 0 0 .16 ", " 0 0 20e3 ");
+  const Outcome outcome = run(with(text, " 0022033", " 0042033")).at(0);
+  const WheelOutcome& w = *outcome.wheel;
+  const PrintedTotals& t = w.patches.at(0).solution->totals;
+  EXPECT_NEAR(t.fn, 20e3, 0.1);
+  EXPECT_NEAR(w.track.force.y, 0, 1e-3 * t.fn);
+  EXPECT_GT(*t.integral_fn, 1.01 * t.fn);
+  EXPECT_LT(*t.integral_fn, t.fn / std::cos(0.8));
 }
 
 /// A wheel that is shifted in two halves is where it is after the whole shift.
@@ -179,11 +217,12 @@ TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {
 }
 
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
-  std::istringstream stream(with(first_wheel, " 0022033", " 0042033") +
+  std::istringstream stream(with(first_wheel, " 0022033", " 0072033") +
                             with(with(first_wheel, "'rail.prr'", "'rail.slcs'"), "-1. 200. 0. 0. ", "14. 0 400. 0. "));
   InputReader reader(stream, (folder_.path() / "a.inp").string());
   contact_program::Run runs;
-  EXPECT_EQ(runs.run(*reader.next()).reasons, std::vector<std::string>{"D = 4 (conformal contact)"});
+  EXPECT_EQ(runs.run(*reader.next()).reasons,
+            std::vector<std::string>{"D = 7 (patches at the first point of contact)"});
   EXPECT_EQ(runs.run(*reader.next()).reasons,
             std::vector<std::string>{
                 ".slcs (a rail that varies along the track, placed by the gauge: GAUGHT must be <= 0, as "

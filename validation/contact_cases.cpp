@@ -4,6 +4,7 @@
 #include "compat/contact/set_up.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
+#include "validation/contact_output.hpp"
 #include "validation/report.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,12 +31,29 @@ using contact_program::Outcome;
 constexpr const char* printed_file = MICROSLIP_REFERENCE_DATA "/contact_results.csv";
 constexpr const char* input_folder = MICROSLIP_REFERENCE_DATA "/../contact-cases";
 constexpr double relative_difference = 0.005, of_friction_limit = 0.002; ///< that are allowed
-constexpr const char* input_files[] = {"bentall",          "carter2d",  "catt_to_cart", "cattaneo",
-                                       "ertz_temperature", "fastsim",   "plastic_3bl",  "spence35",
-                                       "subsurf",          "tractcurv", "veldep_fric",  "visc_cylindr"};
+constexpr const char* input_files[] = {"bentall",          "carter2d",    "catt_to_cart", "cattaneo", "conformal",
+                                       "ertz_temperature", "fastsim",     "plastic_3bl",  "spence35", "subsurf",
+                                       "tractcurv",        "veldep_fric", "visc_cylindr"};
 
 /// What CONTACT printed for a case, by the names of the columns.
-using Printed = std::map<std::string, std::string>;
+using Printed = std::map<std::string, PrintedNumber>;
+
+/// Columns by the names that CONTACT's own output has.
+constexpr std::pair<const char*, const char*> columns[] = {{"fn", "FN"},
+                                                           {"fx", "FX"},
+                                                           {"fy_or_fs", "FY"},
+                                                           {"mz", "MZ"},
+                                                           {"elas_energy", "ELAST.EN."},
+                                                           {"fric_power_or_work", "FRIC.POWER"},
+                                                           {"fn_over_g", "FN/G"},
+                                                           {"fx_rel_or_creep", "FX/FSTAT/FN"},
+                                                           {"fy_rel_or_creep", "FY/FSTAT/FN"},
+                                                           {"approach", "APPROACH"},
+                                                           {"pmax", "PMAX"},
+                                                           {"npot", "NPOT"},
+                                                           {"ncon", "NCON"},
+                                                           {"nadh", "NADH"},
+                                                           {"nslip", "NSLIP"}};
 
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> result;
@@ -53,26 +72,22 @@ std::map<std::string, std::map<int, Printed>> read_printed() {
   while (std::getline(in, line)) {
     const auto values = cells(line);
     Printed printed;
-    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k) printed[names[k]] = values[k];
-    files[fs::path(printed["file"]).stem().string()][std::stoi(printed["case"])] = printed;
+    for (std::size_t k = 2; k < std::min(names.size(), values.size()); ++k)
+      if (const auto number = printed_number(values[k])) printed[names[k]] = *number;
+    files[fs::path(values.at(0)).stem().string()][std::stoi(values.at(1))] = printed;
   }
   return files;
 }
 
-std::optional<double> number(const Printed& printed, const std::string& name) {
-  const auto found = printed.find(name);
-  if (found == printed.end() || found->second.empty()) return {};
-  return std::stod(found->second);
-}
-
-/// Half a unit of the last digit printed.
-double rounding(const std::string& text) {
-  const auto exponent = text.find_first_of("Ee");
-  const std::string mantissa = text.substr(0, exponent);
-  const auto point = mantissa.find('.');
-  const int decimals = point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
-  const int power = exponent == std::string::npos ? 0 : std::stoi(text.substr(exponent + 1));
-  return 0.5 * std::pow(10.0, power - decimals);
+/// What is in the program's output and not among the columns.
+std::map<int, Printed> read_output(const std::string& name) {
+  std::map<int, Printed> cases;
+  for (const auto& [number, output] : read_contact_output(fs::path(input_folder) / (name + ".ref_out")))
+    for (const auto& [column, printed_name] : columns) {
+      const auto found = output.totals.find(printed_name);
+      if (found != output.totals.end()) cases[number][column] = found->second;
+    }
+  return cases;
 }
 
 /// Extremes of the stresses inside the bodies that CONTACT prints for a case, one block of points after the other, in
@@ -118,10 +133,10 @@ std::vector<Comparison> compare(const Outcome& o, const Printed& printed) {
   const contact_program::PrintedTotals& t = o.totals;
   std::vector<Comparison> all;
   const auto add = [&](const char* column, const std::string& name, double ours, double least) {
-    const auto theirs = number(printed, column);
-    if (!theirs) return;
-    all.push_back(
-        {name, ours, *theirs, rounding(printed.at(column)), std::max(relative_difference * std::abs(*theirs), least)});
+    const auto found = printed.find(column);
+    if (found == printed.end()) return;
+    const auto& [theirs, rounding] = found->second;
+    all.push_back({name, ours, theirs, rounding, std::max(relative_difference * std::abs(theirs), least)});
   };
   const double limit = o.step.friction.empty() ? t.fn : o.step.friction[0].static_coefficient() * t.fn;
   const double length = std::sqrt(t.contact * o.step.grid.element_area() * 1e6 / std::numbers::pi);
@@ -216,8 +231,8 @@ bool compare_discretisations(Report& report, const std::vector<SteadyCase>& case
 /// The cases of a file, one after the other.
 class FileComparison {
 public:
-  FileComparison(Report& report, std::string name, const std::map<int, Printed>& printed)
-      : report_(report), name_(std::move(name)), printed_(printed), extremes_(read_extremes(name_)) {}
+  FileComparison(Report& report, std::string name, std::map<int, Printed> printed)
+      : report_(report), name_(std::move(name)), printed_(std::move(printed)), extremes_(read_extremes(name_)) {}
 
   /// False if it was asked to stop.
   bool run(const Progress& progress) {
@@ -306,7 +321,7 @@ private:
 
   Report& report_;
   std::string name_;
-  const std::map<int, Printed>& printed_;
+  std::map<int, Printed> printed_;
   std::map<int, std::vector<double>> extremes_;
   std::vector<SteadyCase> rolling_;
   std::map<std::string, int> refused_;
@@ -326,12 +341,11 @@ bool run_contact_cases(const StudyOptions& options, std::ostream& out) {
   }
   const auto printed = read_printed();
   report.line("Classical elements, CONTACT's grids; differences over the value, or over .4 of the friction limit");
-  const std::map<int, Printed> nothing;
   std::vector<SteadyCase> rolling;
   double done = 0;
   for (const char* name : input_files) {
     const auto found = printed.find(name);
-    FileComparison file(report, name, found == printed.end() ? nothing : found->second);
+    FileComparison file(report, name, found == printed.end() ? read_output(name) : found->second);
     const double end = done + 0.8 / std::size(input_files);
     if (!file.run(part_of(options.progress, done, end))) return false;
     rolling.insert(rolling.end(), file.rolling_cases().begin(), file.rolling_cases().end());

@@ -26,42 +26,43 @@ std::vector<std::string> names_in(const std::string& line) {
       "XCP(W)", "YCP(W)",      "ZCP(W)",      "CHI",       "DQ",      "VELOC",      "CKSI",       "CETA",
       "CPHI",   "FN",          "FX",          "FS",        "MN",      "ELAST.EN.",  "FRIC.POWER", "FRIC.WORK",
       "FN/G",   "FX/FSTAT/FN", "FS/FSTAT/FN", "APPROACH",  "PMAX",    "MAX(T1,T2)", "NPOT",       "NCON",
-      "NADH",   "NSLIP",       "NPLAST",      "INORM",     "ITANG",   "SPINXO",     "SPINYO"};
+      "NADH",   "NSLIP",       "NPLAST",      "INORM",     "ITANG",   "SPINXO",     "SPINYO",     "BAR_FN",
+      "BAR_FX", "BAR_FS",      "TILDE_FN",    "FX/FN",     "FS/FN",   "FY",         "MZ",         "FY/FSTAT/FN"};
   auto words = words_of(line);
   for (const auto& word : words)
     if (!known.contains(word)) return {};
   return words;
 }
 
-std::optional<PrintedNumber> number_in(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (end == word.c_str() || *end != 0) return {};
-  const auto exponent = word.find_first_of("Ee");
-  const auto mantissa = word.substr(0, exponent);
-  const auto point = mantissa.find('.');
-  const int decimals = point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
-  const int power = exponent == std::string::npos ? 0 : std::atoi(word.c_str() + exponent + 1);
-  return PrintedNumber{value, 0.5 * std::pow(10.0, power - decimals)};
-}
-
 void add_numbers(PrintedNumbers& numbers, const std::vector<std::string>& names, const std::string& line) {
   const auto words = words_of(line);
   if (words.size() != names.size()) return;
   for (std::size_t k = 0; k < names.size(); ++k)
-    if (const auto number = number_in(words[k])) numbers[names[k]] = *number;
+    if (const auto number = printed_number(words[k])) numbers[names[k]] = *number;
 }
 
 } // namespace
 
-std::map<int, PrintedWheel> read_contact_output(const std::filesystem::path& path) {
-  std::map<int, PrintedWheel> cases;
+std::optional<PrintedNumber> printed_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != 0) return {};
+  const auto exponent = text.find_first_of("Ee");
+  const auto mantissa = text.substr(0, exponent);
+  const auto point = mantissa.find('.');
+  const int decimals = point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+  const int power = exponent == std::string::npos ? 0 : std::atoi(text.c_str() + exponent + 1);
+  return PrintedNumber{value, 0.5 * std::pow(10.0, power - decimals)};
+}
+
+std::map<int, PrintedCase> read_contact_output(const std::filesystem::path& path) {
+  std::map<int, PrintedCase> cases;
   std::ifstream in(path);
-  PrintedWheel* now = nullptr;
+  PrintedCase* now = nullptr;
   std::vector<std::string> names;
   for (std::string line; std::getline(in, line);) {
     const auto words = words_of(line);
-    if (words.size() >= 2 && words[0] == "Case" && number_in(words[1]) && line.size() < 20) {
+    if (words.size() >= 2 && words[0] == "Case" && printed_number(words[1]) && line.size() < 20) {
       now = &cases[std::atoi(words[1].c_str())];
     } else if (now && line.find("DATA FOR CONTACT PATCH") != std::string::npos) {
       now->patches.emplace_back();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,19 @@ struct PrintedNumber {
   double rounding = 0; ///< half a unit of its last digit
 };
 
+/// None if the text is not a number.
+std::optional<PrintedNumber> printed_number(const std::string& text);
+
 /// Numbers by the names that stand above them.
 using PrintedNumbers = std::map<std::string, PrintedNumber>;
 
-/// What CONTACT's output file has of a case of module 1.
-struct PrintedWheel {
-  PrintedNumbers totals;
+/// What CONTACT's output file has of a case.
+struct PrintedCase {
+  PrintedNumbers totals; ///< of module 3, or of all of a wheel's patches
   std::vector<PrintedNumbers> patches;
 };
 
 /// By number of the case. Empty if the file cannot be read.
-std::map<int, PrintedWheel> read_contact_output(const std::filesystem::path& path);
+std::map<int, PrintedCase> read_contact_output(const std::filesystem::path& path);
 
 } // namespace microslip::validation

@@ -101,8 +101,14 @@ std::vector<OwnNumber> numbers_of(const WheelPatch& p) {
           {"FRIC.POWER", t.friction, 1e-6},
           {"FRIC.WORK", t.friction, 1e-6},
           {"FN/G", t.fn_over_g},
+          {"BAR_FN", t.fn},
+          {"BAR_FX", t.fx, limit},
+          {"BAR_FS", t.fy, limit},
+          {"TILDE_FN", t.integral_fn.value_or(0)},
           {"FX/FSTAT/FN", t.x, 1},
           {"FS/FSTAT/FN", t.y, 1},
+          {"FX/FN", t.x, 1},
+          {"FS/FN", t.y, 1},
           {"APPROACH", t.approach},
           {"PMAX", t.peak_pressure},
           {"MAX(T1,T2)", t.temperature.value_or(0)},
@@ -216,7 +222,7 @@ private:
 
   Report& report_;
   std::string name_;
-  std::map<int, PrintedWheel> printed_;
+  std::map<int, PrintedCase> printed_;
   std::map<std::string, int> refused_, unequal_;
   contact_program::WheelEffort effort_;
   int cases_ = 0, solved_ = 0, quantities_ = 0, equal_ = 0, near_ = 0, other_patches_ = 0;

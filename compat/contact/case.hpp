@@ -34,6 +34,7 @@ struct RollingData {
 struct MaterialData {
   Coefficients coefficients = Coefficients::constant; ///< never keep or form
   std::shared_ptr<const InfluenceTable> table = {};   ///< of C = 9, SI
+  std::string missing_table = {};                     ///< CFNAME of C = 9 where there is no such file
   double poisson1 = 0, poisson2 = 0, shear1 = 0, shear2 = 0;
   double sheet_flexibility = 0; ///< FLXZ [mm3/N], of B = 1
   Bulk model = Bulk::elastic;   ///< M that `model_data` was read for

@@ -156,11 +156,12 @@ void InputReader::read_material(Case& c) {
   }
   read_elasticity(words_, m);
   if (d.inflcf == Coefficients::from_file) m.table = coefficients_from(coefficients, m);
+  if (!m.table) m.missing_table = coefficients;
   read_model(words_, d, m);
   c.material = m;
 }
 
-/// Read once for all cases.
+/// Read once for all cases; nothing if there is no such file.
 std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::string& file, const MaterialData& m) {
   constexpr double newton_per_mm2 = 1e6;
   const double shear_modulus =
@@ -169,7 +170,7 @@ std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::
   if (table) return table;
   const std::string path = (folder_ / file).string();
   std::ifstream stream(path);
-  if (!stream) words_.fail("CFNAME = '" + file + "': cannot be read");
+  if (!stream) return nullptr;
   return table = read_influence_file(stream, path).in_si(shear_modulus);
 }
 

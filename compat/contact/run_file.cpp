@@ -35,6 +35,8 @@ constexpr Column columns[] = {
     {"approach", "m", "approach of distant points", [](const Outcome& o) { return o.solution.normal.approach; }},
     {"peak_pressure", "Pa", "largest pressure of an element",
      [](const Outcome& o) { return o.solution.normal.peak_pressure; }},
+    {"pressure_integral", "N", "TILDE_FN, of the pressure over a curved patch; NaN for a plane one",
+     [](const Outcome& o) { return o.totals.integral_fn.value_or(nan); }},
     {"highest_temperature", "deg C", "of the surfaces in contact; NaN where not asked for",
      [](const Outcome& o) { return o.totals.temperature.value_or(nan); }},
     {"residual", "-", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.residual; }},

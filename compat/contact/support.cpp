@@ -99,6 +99,8 @@ std::vector<std::string> unsupported(const Case& c) {
   std::vector<std::string> reasons;
   for (const auto& [digit, meaning, applies] : refusals)
     if (applies(c)) reasons.push_back(std::string(digit) + " (" + meaning + ")");
+  if (!c.material->missing_table.empty())
+    reasons.push_back("C = 9 (CFNAME = '" + c.material->missing_table + "' cannot be read)");
   return reasons;
 }
 

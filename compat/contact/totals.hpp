@@ -19,6 +19,7 @@ struct PrintedTotals {
   double x = 0, y = 0;
   double approach = 0;                                    ///< [mm]
   double peak_pressure = 0;                               ///< PMAX [N/mm2]
+  std::optional<double> integral_fn = {};                 ///< TILDE_FN: of the pressure over a curved patch [N]
   std::optional<double> temperature = {};                 ///< MAX(T1,T2) [deg C] in contact, if asked for
   int potential = 0, contact = 0, adhesion = 0, slip = 0; ///< NPOT, NCON, NADH, NSLIP: numbers of elements
   std::optional<int> plastic = {};                        ///< NPLAST, where a layer between the bodies can yield

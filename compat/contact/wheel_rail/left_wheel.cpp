@@ -29,6 +29,7 @@ void mirror(ContactStep& s) {
   g.y0 = -(g.y0 + (g.my - 1) * g.dy);
   reverse_all(g.mx, s.gap, s.excluded, s.extra_slip_x, s.extra_slip_y);
   negate(s.extra_slip_y);
+  if (s.friction.size() > 1) std::reverse(s.friction.begin(), s.friction.end());
   if (s.given) reverse_all(g.mx, s.given->pressure, s.given->displacement);
   s.motion.creepage.lateral *= -1;
   s.motion.creepage.spin *= -1;
@@ -63,6 +64,12 @@ void mirror(Outcome& o) {
   o.totals.y *= -1;
 }
 
+/// Slip of the elements, x and y in turn.
+void mirror_slip(std::vector<double>& slip, int mx) {
+  reverse_rows(slip, 2 * mx);
+  for (std::size_t k = 1; k < slip.size(); k += 2) slip[k] = 0 - slip[k];
+}
+
 /// Of a patch as a case of its own: what the fields and the totals show.
 void mirror(Case& c) {
   c.y *= -1;
@@ -72,6 +79,8 @@ void mirror(Case& c) {
   const int mx = c.potential->mx;
   c.potential->values[1] = -(c.potential->values[1] + c.potential->my * c.potential->values[3]);
   reverse_rows(c.geometry.values, mx);
+  if (c.friction.by_row) std::reverse(c.friction.sets.begin(), c.friction.sets.end());
+  mirror_slip(c.extra_slip, mx);
   auto& plan = c.geometry.plan_values; // NPATCH, YSEP, FAC of each pair
   if (c.geometry.planform != Planform::sub_patches) return;
   const auto parts = static_cast<std::ptrdiff_t>(plan[0]);

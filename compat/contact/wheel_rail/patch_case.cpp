@@ -24,12 +24,18 @@ std::vector<double> interpolated(const FrictionData& friction, double station) {
   return set;
 }
 
-FrictionData friction_of(const Case& c, const PatchLocation& location) {
+/// One set of a patch in a plane; rows of a curved one have sets of their own where friction varies with the
+/// inclination.
+FrictionData friction_of(const Case& c, const PatchLocation& location, const PatchFrame& frame) {
   FrictionData friction = c.friction;
   if (friction.stations.empty()) return friction;
   const WheelRailData& data = *c.wheel_rail;
   const bool along = data.digits.varfrc == FrictionStations::along_track;
-  friction.sets = {interpolated(friction, along ? data.position.s + location.track.x : location.angle_on_wheel)};
+  friction.by_row = !along && !frame.rows.empty();
+  friction.sets.clear();
+  for (const SurfaceRow& row : frame.rows)
+    if (friction.by_row) friction.sets.push_back(interpolated(c.friction, row.angle));
+  if (!friction.by_row) friction.sets = {interpolated(c.friction, along ? data.position.s : location.angle_on_wheel)};
   friction.stations.clear();
   return friction;
 }
@@ -77,7 +83,7 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
   Case p = c;
   p.wheel_rail.reset();
   set_digits(p.digits);
-  p.friction = friction_of(c, location);
+  p.friction = friction_of(c, location, frame);
   p.normal = distance.approach;
   p.x = motion.xi;
   p.y = motion.eta;
@@ -99,8 +105,8 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
     p.geometry.planform = Planform::sub_patches;
     p.geometry.plan_values = sub_patches(frame);
   }
-  p.extra = ExtraSlip::none;
-  p.extra_slip.clear();
+  p.extra = motion.extra.empty() ? ExtraSlip::none : ExtraSlip::by_element;
+  p.extra_slip = motion.extra;
   return p;
 }
 

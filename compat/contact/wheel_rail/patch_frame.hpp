@@ -5,6 +5,12 @@
 
 namespace microslip::contact_program {
 
+/// A row of elements on a curved surface, in the track's axes.
+struct SurfaceRow {
+  Vec3<double> point; ///< of its middle, x as of the patch's reference [mm]
+  double angle = 0;   ///< of its plane [rad]
+};
+
 /// Where a patch lies and what its elements are [mm]. The frame's x runs along the track, its y (s) along the rail's
 /// surface, its z into the rail.
 struct PatchFrame {
@@ -15,12 +21,20 @@ struct PatchFrame {
   int mx = 0, my = 0;
   double x0 = 0, s0 = 0; ///< the corner of the elements
   double dx = 0, ds = 0;
+  std::vector<SurfaceRow> rows;   ///< of a curved patch, else empty: the elements lie in the frame's plane
   double y0 = 0, y1 = 0;          ///< the overlap's extent across the track, which the wheel's surface must cover
   std::vector<double> separators; ///< lines of s between the parts that are solved together, ascending
   std::vector<double> factors;    ///< of PatchRegion, for parts in ascending s
 
   double x1() const { return x0 + mx * dx; }
   double s1() const { return s0 + my * ds; }
+  double row_s(int j) const { return s0 + (j + 0.5) * ds; }
+  /// Where a row's middle lies in the plane, and by how much the row is turned against that.
+  double row_in_plane(int j) const { return rows.empty() ? row_s(j) : grid.inner(row_of(j).point).y; }
+  double row_turn(int j) const { return rows.empty() ? 0 : row_of(j).angle - angle; }
+
+private:
+  const SurfaceRow& row_of(int j) const { return rows[static_cast<std::size_t>(j)]; }
 };
 
 /// A part of a patch's plane, in the coordinates of its elements [mm].

@@ -1,6 +1,10 @@
 #include "compat/contact/wheel_rail/rigid_slip.hpp"
 
+#include "microslip/vec2.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace microslip::contact_program {
 namespace {
@@ -44,7 +48,104 @@ SurfaceMotion rail_motion(const WheelRailData& d, const Placement& p, const Vec&
   return {velocity + cross(rotation, arm), rotation};
 }
 
+/// Velocities of the surfaces' particles at an element, in the axes of its row.
+struct ElementMotion {
+  Vec rail, wheel;
+};
+
+std::vector<ElementMotion> element_motions(const WheelRailData& d, const Placement& p, const PatchFrame& frame,
+                                           const UndeformedDistance& distance) {
+  std::vector<ElementMotion> motions;
+  for (int j = 0; j < frame.my; ++j) {
+    const Rotation<double> axes = rotation_about_x(frame.angle + frame.row_turn(j));
+    for (int i = 0; i < frame.mx; ++i) {
+      const std::size_t k = motions.size();
+      const double x = frame.x0 + (i + 0.5) * frame.dx, s = frame.row_in_plane(j);
+      const auto at = [&](double n) { return frame.grid.outer({x, s, n}); };
+      Vec by_pitch;
+      motions.push_back({axes.back(rail_motion(d, p, at(distance.on_rail[k])).velocity),
+                         axes.back(wheel_motion(d, p, at(distance.on_wheel[k]), by_pitch).velocity)});
+    }
+  }
+  return motions;
+}
+
+/// The element nearest to the origin of the elements' coordinates.
+std::size_t central_element(const PatchFrame& frame) {
+  const auto nearest = [](double first, double size, int count) {
+    return std::clamp(static_cast<int>(std::lround(-first / size - 0.5)), 0, count - 1);
+  };
+  return static_cast<std::size_t>(nearest(frame.s0, frame.ds, frame.my)) * frame.mx +
+         nearest(frame.x0, frame.dx, frame.mx);
+}
+
+/// V with the sign of forward rolling [mm/s].
+double speed_of(const WheelRailData& d, const PatchFrame& frame, const std::vector<ElementMotion>& motions,
+                bool is_shift) {
+  if (is_shift) return 1;
+  if (!d.digits.is_roller()) return d.velocity.vs;
+  const ElementMotion& middle = motions[central_element(frame)];
+  return -(middle.rail.x + middle.wheel.x) / 2;
+}
+
+/// Slip of the rail's particle over the wheel's along the mean path of both in the plane of x and the normal, counted
+/// along x, and across it. `speed` is that with which the axes move along.
+Vec2 slip_along_path(const ElementMotion& motion, double speed, double rail_share) {
+  const auto in_plane = [&](const Vec& v) { return Vec2{v.x - speed, v.z}; };
+  const Vec2 rail = in_plane(motion.rail), wheel = in_plane(motion.wheel);
+  const Vec2 mean{rail_share * rail.x + (1 - rail_share) * wheel.x, rail_share * rail.y + (1 - rail_share) * wheel.y};
+  const double length = std::copysign(std::max(std::hypot(mean.x, mean.y), 1e-8), mean.x);
+  return {((rail.x - wheel.x) * mean.x + (rail.y - wheel.y) * mean.y) / length, motion.rail.y - motion.wheel.y};
+}
+
+/// Takes the creepages out of the slip of the elements: least squares over those that overlap. `ahead` is where in a
+/// step slip is taken.
+void extract_creepages(const PatchFrame& frame, const UndeformedDistance& distance, double ahead, PatchMotion& m) {
+  const Vec reference = frame.grid.inner(frame.reference.origin);
+  const auto arm = [&](std::size_t k) {
+    const int i = static_cast<int>(k % frame.mx), j = static_cast<int>(k / frame.mx);
+    return Vec2{frame.x0 + (i + 0.5) * frame.dx + ahead - reference.x, frame.row_s(j) - reference.y};
+  };
+  double count = 0, x = 0, y = 0, square = 0, wx = 0, wy = 0, turn = 0;
+  for (std::size_t k = 0; k < distance.values.size(); ++k) {
+    if (!(distance.values[k] < distance.approach)) continue;
+    const Vec2 a = arm(k);
+    const double sx = m.extra[2 * k], sy = m.extra[2 * k + 1];
+    count += 1, x += a.x, y += a.y, square += a.x * a.x + a.y * a.y;
+    wx += sx, wy += sy, turn += a.x * sy - a.y * sx;
+  }
+  for (double* sum : {&x, &y, &square, &wx, &wy, &turn}) *sum /= std::max(count, 1.0);
+  const double spread = square - x * x - y * y;
+  if (spread < 1e-12) return;
+  m.phi = (turn + y * wx - x * wy) / spread;
+  m.xi = wx + y * m.phi;
+  m.eta = wy - x * m.phi;
+  for (std::size_t k = 0; k < distance.values.size(); ++k) {
+    const Vec2 a = arm(k);
+    m.extra[2 * k] -= m.xi - a.y * m.phi;
+    m.extra[2 * k + 1] -= m.eta + a.x * m.phi;
+  }
+}
+
 } // namespace
+
+PatchMotion surface_motion(const WheelRailData& d, const Placement& p, const PatchFrame& frame,
+                           const UndeformedDistance& distance, double rail_share, double facphi, bool is_shift) {
+  const std::vector<ElementMotion> motions = element_motions(d, p, frame, distance);
+  const double speed = speed_of(d, frame, motions, is_shift);
+  PatchMotion m;
+  m.velocity = std::abs(speed);
+  m.backward = speed < 0;
+  const double unit = m.velocity > 1e-6 ? 1 / m.velocity : 1;
+  for (const ElementMotion& motion : motions) {
+    const Vec2 slip = slip_along_path(motion, d.digits.is_roller() ? 0 : speed, rail_share);
+    m.extra.push_back(unit * slip.x);
+    m.extra.push_back(unit * slip.y);
+  }
+  const double step = d.grid.dqrel * frame.dx;
+  extract_creepages(frame, distance, is_shift ? 0 : (m.backward ? -facphi : facphi) * step, m);
+  return m;
+}
 
 PatchMotion patch_motion(const WheelRailData& d, const Placement& p, const PatchFrame& frame, double approach,
                          bool is_shift) {

@@ -20,10 +20,6 @@ constexpr Refusal refusals[] = {
        const bool searches = d.digits.force == TotalForce::force_x || d.digits.force == TotalForce::rail_deflection;
        return searches && (c.digits.norm != Normal::force || !c.digits.has_friction());
      }},
-    {"D = 3", "the rigid slip of the true surfaces",
-     [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::true_slip; }},
-    {"D = 4", "conformal contact",
-     [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::conformal; }},
     {"D = 5, 6", "contact search by brute force on a roller",
      [](const Case&, const WheelRailData& d) {
        const bool brute_force = d.search == ContactSearch::brute_force || d.search == ContactSearch::steep;

@@ -61,8 +61,9 @@ struct WheelBox {
 WheelBox box_on_wheel(const PatchFrame& f, const Frame<double>& wheel) {
   WheelBox box;
   const double x = f.grid.origin.x, z = f.grid.origin.z, slope = std::sin(f.angle);
-  const std::array<Vec3<double>, 2> ends = {Vec3<double>{0, f.y0, z + f.s0 * slope},
-                                            Vec3<double>{0, f.y1, z + f.s1() * slope}};
+  const double low = f.row_in_plane(0) - f.ds / 2, high = f.row_in_plane(f.my - 1) + f.ds / 2;
+  const std::array<Vec3<double>, 2> ends = {Vec3<double>{0, f.y0, z + low * slope},
+                                            Vec3<double>{0, f.y1, z + high * slope}};
   for (Vec3<double> corner : ends)
     for (const double along : {x + f.x0, x + f.x1()}) {
       corner.x = along;
@@ -203,14 +204,16 @@ template <class Rail, class Wheel> UndeformedDistance distance_of(const PatchFra
   UndeformedDistance h;
   double least = missing, first_angle = 1e30, last_angle = -1e30;
   for (int j = 0; j < f.my; ++j) {
-    const double s = f.s0 + (j + 0.5) * f.ds;
+    const double s = f.row_in_plane(j), cosine = std::cos(f.row_turn(j));
     rail_surface.go_to_row(s);
     bool overlaps = false;
     for (int i = 0; i < f.mx; ++i) {
       const double x = f.x0 + (i + 0.5) * f.dx;
       const auto on_rail = rail_surface.height(i, x, s);
       const auto on_wheel = on_rail ? wheel.height(x, s) : std::nullopt;
-      h.values.push_back(on_wheel ? *on_rail - *on_wheel : missing);
+      h.values.push_back(on_wheel ? cosine * (*on_rail - *on_wheel) : missing);
+      h.on_rail.push_back(on_wheel ? *on_rail : 0);
+      h.on_wheel.push_back(on_wheel ? *on_wheel : 0);
       least = std::min(least, h.values.back());
       overlaps |= h.values.back() < 0;
     }

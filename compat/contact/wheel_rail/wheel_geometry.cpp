@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/wheel_geometry.hpp"
 
+#include "compat/contact/wheel_rail/curved_patch.hpp"
 #include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/error.hpp"
 
@@ -78,7 +79,15 @@ std::vector<PatchFrame> WheelGeometry::patches(double z) {
   for (const PatchRegion& patch : make_patches(regions(z), data_.grid))
     frames.push_back(lay_out_patch(patch, placed, *rail_at(patch.whole.x), data_.grid, origin_, place_on_track(data_),
                                    most_elements_));
+  if (data_.search == ContactSearch::conformal)
+    for (PatchFrame& frame : frames) CurvedPatch(frame, placed, rail()).choose_rows(frame);
   return frames;
+}
+
+void WheelGeometry::bend(PatchFrame& frame, double z) const {
+  if (data_.search != ContactSearch::conformal) return;
+  const Placement placed = placement(z);
+  CurvedPatch(frame, placed, rail()).bend(frame);
 }
 
 } // namespace microslip::contact_program

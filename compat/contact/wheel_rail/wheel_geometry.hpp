@@ -18,8 +18,10 @@ public:
   Placement placement(double z) const;
   /// With the wheelset at Z_WS = 0.
   LeastGap least_gap_at_zero() const;
-  /// The patches with the wheelset at `z`.
+  /// The patches with the wheelset at `z`; conformal ones still are to be bent.
   std::vector<PatchFrame> patches(double z);
+  /// Lays the rows of a conformal patch on their surface.
+  void bend(PatchFrame& frame, double z) const;
   UndeformedDistance distance(const PatchFrame& frame, double z) const {
     return undeformed_distance(frame, placement(z), *rail_in_track_);
   }

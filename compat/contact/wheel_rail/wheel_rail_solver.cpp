@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace microslip::contact_program {
 namespace {
@@ -38,6 +39,41 @@ Wrench wrench(const Frame<double>& axes, const Vec& at, const Vec& force, const 
 void add(Wrench& sum, const Wrench& part) {
   sum.force = sum.force + part.force;
   sum.moment = sum.moment + part.moment;
+}
+
+/// What the tractions on a curved patch sum to in the reference's axes, force [N] and moment [N mm] about its origin.
+Wrench aggregate(const Outcome& o, const PatchFrame& frame) {
+  const ElementGrid& grid = o.step.grid;
+  const auto& [px, py] = std::tie(o.solution.tangential.tractions.px, o.solution.tangential.tractions.py);
+  Wrench sum;
+  for (int j = 0; j < frame.my; ++j) {
+    const Rotation<double> row = rotation_about_x(frame.row_turn(j));
+    Vec at = frame.reference.inner(frame.rows[static_cast<std::size_t>(j)].point);
+    for (int i = 0; i < frame.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * frame.mx + i;
+      const bool slides = !px.empty();
+      const Vec traction{slides ? px[k] : 0, slides ? py[k] : 0, o.solution.normal.pressure[k]};
+      const Vec force = grid.element_area() * (row * traction);
+      at.x = frame.reference.inner(frame.grid.outer({frame.x0 + (i + 0.5) * frame.dx, 0, 0})).x;
+      sum.force = sum.force + force;
+      sum.moment = sum.moment + cross(at, force);
+    }
+  }
+  return sum;
+}
+
+/// The totals of a curved patch are those in the reference's axes; the integral of the pressure stays beside them.
+void set_totals(Outcome& o, const Wrench& sum) {
+  PrintedTotals& t = o.totals;
+  t.integral_fn = t.fn;
+  t.fn = sum.force.z;
+  t.fx = sum.force.x;
+  t.fy = sum.force.y;
+  t.mz = sum.moment.z;
+  const double friction = o.step.friction.size() == 1 ? o.step.friction.front().static_coefficient() : 1;
+  const double limit = friction * *t.integral_fn;
+  t.x = limit > 0 ? t.fx / limit : 0;
+  t.y = limit > 0 ? t.fy / limit : 0;
 }
 
 /// Moments of the pressure about the axes of a patch's plane [N mm].
@@ -77,6 +113,17 @@ std::optional<PatchBox> contact_box(const Outcome& o) {
   if (i1 < 0) return {};
   return PatchBox{per_m * (g.x(i0) - g.dx / 2), per_m * (g.x(i1) + g.dx / 2), per_m * (g.y(j0) - g.dy / 2),
                   per_m * (g.y(j1) + g.dy / 2)};
+}
+
+PatchMotion motion_of(const Case& right, const Placement& placement, const PatchFrame& frame,
+                      const UndeformedDistance& distance) {
+  const WheelRailData& data = *right.wheel_rail;
+  const bool is_shift = right.digits.tang == Tangential::shift;
+  if (data.search != ContactSearch::true_slip && data.search != ContactSearch::conformal)
+    return patch_motion(data, placement, frame, distance.approach, is_shift);
+  const MaterialData& m = *right.material;
+  const double rail = (1 - m.poisson1) * m.shear2, wheel = (1 - m.poisson2) * m.shear1;
+  return surface_motion(data, placement, frame, distance, rail / (rail + wheel), RollingData().facphi, is_shift);
 }
 
 constexpr int most_steps = 60;
@@ -281,9 +328,7 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   patch.grid = frame.grid;
   patch.s_rail = frame.s_rail;
   PatchMotion motion;
-  if (right.digits.has_friction())
-    motion =
-        patch_motion(*right.wheel_rail, placement, frame, distance.approach, right.digits.tang == Tangential::shift);
+  if (right.digits.has_friction()) motion = motion_of(right, placement, frame, distance);
   patch.contact = patch_case(right, frame, distance, motion, patch.location);
   Digits& digits = patch.contact.digits;
   if (!track.is_new) { // the same case once more, at another height
@@ -299,11 +344,12 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
 
 Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress) {
   ++effort_.geometry;
-  auto frames = geometry.patches(z);
+  std::vector<PatchFrame> frames = geometry.patches(z);
   const Placement placement = geometry.placement(z);
   follow(frames);
   for (std::size_t k = 0; k < frames.size(); ++k)
     if (right.digits.pvtime != Continuation::nothing && tracks_[k].contact) cover(frames[k], *tracks_[k].contact);
+  for (PatchFrame& frame : frames) geometry.bend(frame, z);
   Outcome outcome;
   WheelOutcome wheel;
   wheel.z = z;
@@ -314,8 +360,11 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     const Outcome& o = *wheel.patches.back().solution;
     if (o.kind == Outcome::Kind::refused) return o;
     const Rotation<double>& axes = frame.reference.axes;
-    const Vec force = axes * Vec{o.totals.fx, o.totals.fy, o.totals.fn}, moment = axes * moments(o);
     WheelPatch& patch = wheel.patches.back();
+    const Wrench sum =
+        frame.rows.empty() ? Wrench{{o.totals.fx, o.totals.fy, o.totals.fn}, moments(o)} : aggregate(o, frame);
+    if (!frame.rows.empty()) set_totals(*patch.solution, sum);
+    const Vec force = axes * sum.force, moment = axes * sum.moment;
     patch.track = wrench({placement.rail.origin, {}}, frame.reference.origin, force, moment);
     patch.wheelset = wrench({placement.wheel.origin, placement.wheelset.axes}, frame.reference.origin, force, moment);
     add(wheel.track, patch.track);
