@@ -42,10 +42,11 @@ inline const std::string first_wheel = R"( 1 MODULE
 )";
 
 /// A text with C = 2 made one with C = 4, which is refused.
-inline std::string with_corrected_coefficients(std::string text) {
+inline std::string with_corrected_coefficients(std::string text,
+                                               const std::string& correction = "0 2 2\n 0. 0. 1. .1") {
   const std::string digits = "022020", material = ".42 .42 200. 200.";
   text.replace(text.find(digits), digits.size(), "024020");
-  return text.insert(text.find(material), "0 1 2\n 0. 0. 1. .1\n ");
+  return text.insert(text.find(material), correction + "\n ");
 }
 
 /// Rolling of a Hertzian contact with 12 elements across: FN, CKSI, CETA, CPHI; CHI, DQ, VELOC; the first control

@@ -114,6 +114,30 @@ TEST(ContactRun, BilinearElements) {
   }
 }
 
+TEST(ContactRun, RowsOfOneAngleAreAHalfSpaces) {
+  const PrintedTotals plane = run_cases(first_shift).at(0).outcome.totals;
+  for (const char* correction : {"0 1 2\n -1. .2 1. .2", "1 3 2\n -1. .2 1. .2", "1 4 2\n -1. .2 1. .2"}) {
+    const PrintedTotals turned = run_cases(with_corrected_coefficients(first_shift, correction)).at(0).outcome.totals;
+    EXPECT_NEAR(turned.approach, plane.approach, 1e-6 * plane.approach);
+    EXPECT_NEAR(turned.fx, plane.fx, 1e-6 * plane.fn);
+    EXPECT_NEAR(turned.peak_pressure, plane.peak_pressure, 1e-6 * plane.peak_pressure);
+  }
+}
+
+/// With angles on a straight line both methods have the same; the mirror image has them with the other sign.
+TEST(ContactRun, AnglesChangeTheForces) {
+  const auto solved = [](const char* correction) {
+    return run_cases(with_corrected_coefficients(first_shift, correction)).at(0).outcome.totals;
+  };
+  const PrintedTotals line = solved("0 4 3\n -1. -.5 0. 0. 1. .5"), points = solved("1 4 3\n -1. -.5 0. 0. 1. .5"),
+                      mirrored = solved("1 4 3\n -1. .5 0. 0. 1. -.5");
+  EXPECT_NEAR(line.approach, points.approach, 1e-6 * line.approach);
+  EXPECT_NEAR(line.fx, points.fx, 1e-6 * line.fn);
+  EXPECT_NEAR(line.approach, mirrored.approach, 1e-6 * line.approach);
+  EXPECT_NEAR(line.fx, mirrored.fx, 1e-6 * line.fn);
+  EXPECT_GT(std::abs(line.approach - run_cases(first_shift).at(0).outcome.totals.approach), 1e-3 * line.approach);
+}
+
 TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string approximate = with(steady_rolling("100. 1d-3 0 0"), "203100", "253100");
@@ -123,7 +147,8 @@ TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
   EXPECT_EQ(cases[1].outcome.reasons,
-            std::vector<std::string>{"C = 4 (half-space coefficients corrected for conformal contact)"});
+            std::vector<std::string>{"C = 4 (half-space coefficients corrected for the angles of a surface, in the "
+                                     "variant without pressure along x)"});
   EXPECT_EQ(
       cases[3].outcome.reasons,
       std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});

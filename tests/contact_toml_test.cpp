@@ -114,8 +114,8 @@ TEST(ContactToml, SaysWhyACaseFileCannotHoldACase) {
                  "DQ > DX (with the leading edge's correction of CONTACT)");
   expect_refused(with(first_shift, ".01 0 .01", ".01 0 0"), "a contact that is not an ellipse");
   expect_refused(with(first_shift, ".01 0 .01 0 0", ".01 0 .01 0 .1"), "a contact that is not an ellipse");
-  expect_refused(with_corrected_coefficients(first_shift),
-                 "C = 4 (half-space coefficients corrected for conformal contact)");
+  expect_refused(with_corrected_coefficients(first_shift, "0 4 2\n 0. 0. 1. .1"),
+                 "C = 4 (influence coefficients corrected for angles)");
   expect_refused(first_wheel, "MODULE = 1 (wheel on rail)");
   Case next = first_case(first_shift);
   next.digits.pvtime = Continuation::previous;

@@ -29,11 +29,19 @@ struct RollingData {
   double facphi = 1.0 / 6; ///< where in a step the rigid slip is taken
 };
 
+/// C = 4: influence coefficients corrected for the angles of a curved surface.
+struct AngleCorrection {
+  int method = 0;  ///< IF_METH: 0 angles along a straight line, 1 as they are
+  int variant = 1; ///< VARIANT: 1, 2 of the traction, 3 of the displacement, 4 half of each
+  std::vector<std::pair<double, double>> angles = {}; ///< Y [mm] and ALPHA [rad], ascending
+};
+
 /// Both bodies' data, and what the material digit adds (M = 1: FG1 FG2 TC1 TC2; 2: FLX K0_MF ALFAMF BETAMF; 3, 5:
 /// K0_MF ALFAMF BETAMF; 4: GG3 LAYTHK TAU_C0 K_TAU). [-], [N/mm2]
 struct MaterialData {
   Coefficients coefficients = Coefficients::constant; ///< never keep or form
   std::shared_ptr<const InfluenceTable> table = {};   ///< of C = 9, SI
+  AngleCorrection correction = {};                    ///< of C = 4
   std::string missing_table = {};                     ///< CFNAME of C = 9 where there is no such file
   double poisson1 = 0, poisson2 = 0, shear1 = 0, shear2 = 0;
   double sheet_flexibility = 0; ///< FLXZ [mm3/N], of B = 1

@@ -139,13 +139,15 @@ void InputReader::read_material(Case& c) {
   MaterialData m;
   m.coefficients = d.inflcf;
   if (d.inflcf == Coefficients::angle_corrected) {
-    words_.integer("IF_METH", 0, 1);
-    words_.integer("VARIANT", 1, 4);
-    const int count = words_.integer("NN", 1, most_angles);
+    m.correction.method = words_.integer("IF_METH", 0, 1);
+    m.correction.variant = words_.integer("VARIANT", 1, 4);
+    const int count = words_.integer("NN", 2, most_angles);
     words_.end_record();
+    auto& angles = m.correction.angles;
     for (int k = 0; k < count; ++k) {
-      words_.real("Y");
-      words_.angle("ALPHA");
+      const double y = words_.real("Y");
+      if (k > 0 && !(y > angles.back().first)) words_.fail("Y", y, "must be above the one before");
+      angles.emplace_back(y, words_.angle("ALPHA"));
     }
     words_.end_record();
   }

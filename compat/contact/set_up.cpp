@@ -438,6 +438,43 @@ std::optional<GapCurvatures> gap_curvatures(const Case& c) {
   return GapCurvatures{b[0] * per_mm, b[2] * per_mm};
 }
 
+namespace {
+
+using Angles = std::vector<std::pair<double, double>>;
+
+/// The straight line through angles over y by least squares, at a y.
+double on_straight_line(const Angles& angles, double y) {
+  double mean_y = 0, mean = 0, square = 0, mixed = 0;
+  const auto n = static_cast<double>(angles.size());
+  for (const auto& [at, angle] : angles) mean_y += at / n, mean += angle / n;
+  for (const auto& [at, angle] : angles) square += (at - mean_y) * (at - mean_y), mixed += (at - mean_y) * angle;
+  return mean + mixed / square * (y - mean_y);
+}
+
+/// Straight lines between angles, the outer ones of which go on beyond them.
+double between(const Angles& angles, double y) {
+  std::size_t k = 1;
+  while (k + 1 < angles.size() && y >= angles[k].first) ++k;
+  const auto& [y0, angle0] = angles[k - 1];
+  const auto& [y1, angle1] = angles[k];
+  return angle0 + (y - y0) / (y1 - y0) * (angle1 - angle0);
+}
+
+/// C = 4.
+RowInclination row_inclination(const AngleCorrection& correction, const ElementGrid& grid) {
+  constexpr double all = 1, none = 0, half = 0.5;
+  RowInclination inclination;
+  inclination.traction_share = correction.variant == 3 ? none : correction.variant == 4 ? half : all;
+  for (int j = 0; j < grid.my; ++j) {
+    const double y = grid.y(j) / mm;
+    inclination.angle.push_back(correction.method == 0 ? on_straight_line(correction.angles, y)
+                                                       : between(correction.angles, y));
+  }
+  return inclination;
+}
+
+} // namespace
+
 ContactStep contact_step(const Case& c) {
   ContactStep step;
   step.bodies = bodies_of(c);
@@ -449,6 +486,8 @@ ContactStep contact_step(const Case& c) {
     set_given_geometry(c.geometry, step);
   }
   step.response.table = c.material->table;
+  if (c.material->coefficients == Coefficients::angle_corrected)
+    step.response.inclination = row_inclination(c.material->correction, step.grid);
   if (!c.potential->is_hertzian() && c.geometry.planform == Planform::sub_patches)
     step.response.patches = weighted_patches(c.geometry, step.grid);
   check(step.response, step.grid);

@@ -59,8 +59,14 @@ constexpr Refusal refusals[] = {
      [](const Case& c) { return is_heated(c) && c.digits.is_simplified(); }},
     {"L = 6", "friction that depends on the temperature, with a layer that yields",
      [](const Case& c) { return is_heated(c) && c.digits.mater == Bulk::layer && c.material->model_data[2] > 0; }},
-    {"C = 4", "half-space coefficients corrected for conformal contact",
-     [](const Case& c) { return c.material->coefficients == Coefficients::angle_corrected; }},
+    {"C = 4", "half-space coefficients corrected for the angles of a surface, with other than M = 0 and B = 0",
+     [](const Case& c) {
+       return c.material->coefficients == Coefficients::angle_corrected && !is_elastic_half_space(c);
+     }},
+    {"C = 4", "half-space coefficients corrected for the angles of a surface, in the variant without pressure along x",
+     [](const Case& c) {
+       return c.material->coefficients == Coefficients::angle_corrected && c.material->correction.variant == 2;
+     }},
     {"C = 9", "influence coefficients from a file, with other than M = 0 and B = 0",
      [](const Case& c) { return c.material->table && !is_elastic_half_space(c); }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",

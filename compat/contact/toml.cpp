@@ -41,6 +41,8 @@ void check(const Case& c) {
   if (d.has_history() && (d.pvtime == Continuation::previous || d.pvtime == Continuation::repeated))
     refuse(written(d.pvtime) + " (it goes on from another case)");
   if (c.material->table) refuse("C = 9 (influence coefficients from a file)");
+  if (c.material->coefficients == Coefficients::angle_corrected)
+    refuse("C = 4 (influence coefficients corrected for angles)");
   if (c.extra != ExtraSlip::none) refuse(written(c.extra) + " (extra rigid slip)");
   if (d.rolls() && !rolls_along_x(c)) refuse("CHI (rolling at an angle to the x axis)");
   if (d.rolls() && !d.is_simplified() && contact_step(c).motion.leading_edge)

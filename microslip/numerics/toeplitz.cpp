@@ -119,7 +119,8 @@ void ToeplitzTransform::apply(std::span<const Spectrum* const> kernels, std::spa
   for (std::size_t r = 0; r < out.size(); ++r)
     p.backward(out[r], [&](std::size_t offset, double* z) {
       for (int c = 0; c < n; ++c)
-        p.wave_loops.add_product(kernels[r * n + c]->data() + offset, p.ny, p.loaded.get() + c * p.size() + offset, z);
+        if (const Spectrum* kernel = kernels[r * n + c])
+          p.wave_loops.add_product(kernel->data() + offset, p.ny, p.loaded.get() + c * p.size() + offset, z);
     });
 }
 

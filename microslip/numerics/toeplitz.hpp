@@ -27,7 +27,7 @@ public:
 
   /// Transforms grid functions; they stay inside until the next call of load.
   void load(std::span<const std::span<const double>> in);
-  /// out_r = sum_c kernels[r components + c] * in_c, for as many grid functions as were loaded.
+  /// out_r = sum_c kernels[r components + c] * in_c, for as many grid functions as were loaded; a null kernel is zero.
   void apply(std::span<const Spectrum* const> kernels, std::span<const std::span<double>> out);
 
   /// Complex numbers in a padded transform: what a Spectrum has.

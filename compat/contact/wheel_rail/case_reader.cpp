@@ -12,11 +12,6 @@ void WheelRailReader::read() {
   read_solver(words_, c_.digits.gausei, c_.solver);
   sequence_.has_solver = true;
   read_friction(data.digits);
-  if (c_.digits.inflcf == Coefficients::angle_corrected) {
-    data.influence_method = words_.integer("IF_METH", 0, 1);
-    data.influence_variant = words_.integer("VARIANT", 1, 4);
-    words_.end_record();
-  }
   read_material(c_.digits);
   read_damping_and_heat(c_.digits);
   if (data.digits.reads_grid()) data.grid = read_patch_rules(words_);
@@ -76,6 +71,11 @@ void WheelRailReader::read_material(const Digits& d) {
   if (d.reads_material()) {
     MaterialData m;
     m.coefficients = d.inflcf;
+    if (d.inflcf == Coefficients::angle_corrected) {
+      m.correction.method = words_.integer("IF_METH", 0, 1);
+      m.correction.variant = words_.integer("VARIANT", 1, 4);
+      words_.end_record();
+    }
     read_elasticity(words_, m);
     read_model(words_, d, m);
     c_.material = m;

@@ -29,6 +29,8 @@ void mirror(ContactStep& s) {
   g.y0 = -(g.y0 + (g.my - 1) * g.dy);
   reverse_all(g.mx, s.gap, s.excluded, s.extra_slip_x, s.extra_slip_y);
   negate(s.extra_slip_y);
+  std::reverse(s.response.inclination.angle.begin(), s.response.inclination.angle.end());
+  negate(s.response.inclination.angle);
   if (s.friction.size() > 1) std::reverse(s.friction.begin(), s.friction.end());
   if (s.given) reverse_all(g.mx, s.given->pressure, s.given->displacement);
   s.motion.creepage.lateral *= -1;

@@ -84,6 +84,8 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
   p.wheel_rail.reset();
   set_digits(p.digits);
   p.friction = friction_of(c, location, frame);
+  for (int j = 0; j < static_cast<int>(frame.rows.size()); ++j)
+    p.material->correction.angles.emplace_back(frame.row_s(j), frame.angle + frame.row_turn(j));
   p.normal = distance.approach;
   p.x = motion.xi;
   p.y = motion.eta;

@@ -103,7 +103,6 @@ struct WheelRailData {
   WheelsetPosition position;
   WheelsetVelocity velocity;
   WheelDeflection deflection;
-  int influence_method = 0, influence_variant = 1; ///< IF_METH, VARIANT of C = 4
 };
 
 /// Each reads the record at which `words` stands. Errors as those of Words.

@@ -25,6 +25,10 @@ constexpr Refusal refusals[] = {
        const bool brute_force = d.search == ContactSearch::brute_force || d.search == ContactSearch::steep;
        return brute_force && d.digits.is_roller();
      }},
+    {"C = 4", "half-space coefficients corrected for the angles of a surface, with other than D = 4",
+     [](const Case& c, const WheelRailData& d) {
+       return c.material->coefficients == Coefficients::angle_corrected && d.search != ContactSearch::conformal;
+     }},
     {"D = 7", "patches at the first point of contact",
      [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::first_point; }},
     {"D = 8, 9", "oblique views, which CONTACT has for three profiles of its tests only",

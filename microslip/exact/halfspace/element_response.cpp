@@ -23,6 +23,20 @@ FullInfluence InfluenceTable::find(int i, int j) const {
   return a;
 }
 
+namespace {
+
+void check(const RowInclination& inclination, const ElementGrid& grid) {
+  if (inclination.is_flat()) return;
+  if (grid.line) throw Error("inclination: not of a line contact");
+  if (inclination.angle.size() != static_cast<std::size_t>(grid.my))
+    throw Error("inclination: must have an angle for each of the " + std::to_string(grid.my) + " rows");
+  for (const double angle : inclination.angle) require_finite("inclination", angle, "rad");
+  const double share = inclination.traction_share;
+  if (!(share >= 0 && share <= 1)) throw Error("traction_share", share, "-", "in [0, 1]");
+}
+
+} // namespace
+
 void check(const ElementResponse& response, const ElementGrid& grid) {
   constexpr double rounding = 1e-8; // [m]: files have few digits
   if (response.table) {
@@ -36,6 +50,9 @@ void check(const ElementResponse& response, const ElementGrid& grid) {
     if (grid.line || grid.shape != ElementShape::constant)
       throw Error("influence coefficients: need constant elements, and no line contact");
   }
+  check(response.inclination, grid);
+  if (response.table && !response.inclination.is_flat())
+    throw Error("inclination: not with a table of influence coefficients");
   const auto& [count, patch_of_row, factors] = response.patches;
   if (require_count("patches", count, 1, most_cells) == 1) return;
   if (patch_of_row.size() != static_cast<std::size_t>(grid.my))

@@ -49,18 +49,33 @@ struct WeightedPatches {
   friend bool operator==(const WeightedPatches&, const WeightedPatches&) = default;
 };
 
+/// Rows whose planes are turned against one another about x, as on a conformal contact: the grid's y is the length
+/// along a curved surface. Tractions on row J act in its axes, displacements of row I are in the axes of I: with alpha
+/// = alpha_J - alpha_I and a half-space's influence A of the rows' distance along the surface, B = R((1 - c) alpha) A
+/// R(c alpha), where R turns lateral and normal components. The correction of Blanco-Lorenzo, Santamaria, Vadillo and
+/// Correa (2011) has c = 1; c = 0 takes the half-space at the loaded row; c = 1/2 is the only one that is reciprocal,
+/// B_IJ = B_JI^T, as influences of elastic bodies are.
+struct RowInclination {
+  std::vector<double> angle;   ///< of each row's plane [rad]; empty: all lie in one
+  double traction_share = 0.5; ///< c: how much of the turn the traction takes, in [0, 1] [-]
+
+  bool is_flat() const { return angle.empty(); }
+  friend bool operator==(const RowInclination&, const RowInclination&) = default;
+};
+
 /// What makes elements act on each other otherwise than on two half-spaces.
 struct ElementResponse {
   std::shared_ptr<const InfluenceTable> table; ///< in place of the half-spaces' coefficients
   WeightedPatches patches;
+  RowInclination inclination; ///< not with a table
 
-  bool is_half_space() const { return !table && patches.count == 1; }
+  bool is_half_space() const { return !table && patches.count == 1 && inclination.is_flat(); }
   /// The same table, not an equal one.
   friend bool operator==(const ElementResponse&, const ElementResponse&) = default;
 };
 
-/// Throws Error unless a response fits the grid: the table's elements to 1e-8 m, a patch for each row, and a finite
-/// factor for each pair.
+/// Throws Error unless a response fits the grid: the table's elements to 1e-8 m, a patch for each row, a finite factor
+/// for each pair, and an angle for each row.
 void check(const ElementResponse& response, const ElementGrid& grid);
 
 } // namespace microslip

@@ -93,7 +93,7 @@ void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& 
       const auto k = static_cast<std::size_t>(i + grid.mx - 1);
       const auto of = [&](double Influence::*part) { return (now[k].*part - before[k].*part) / rate.length; };
       at(i, j,
-         Influence{of(&Influence::xx), of(&Influence::xy), of(&Influence::yy), 0, of(&Influence::xz),
+         Influence{of(&Influence::xx), of(&Influence::xy), of(&Influence::yy), of(&Influence::zz), of(&Influence::xz),
                    of(&Influence::yz)},
          now[k]);
     }
@@ -128,6 +128,23 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
     kernel.zx.at(i, j) = -here.xz;
     kernel.zy.at(i, j) = -here.yz;
     kernel.zz.at(i, j) = here.zz;
+  });
+  return kernel;
+}
+
+InclinedKernel inclined_kernel(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate,
+                               const Progress& progress) {
+  check(grid);
+  const OffsetTable empty(grid);
+  const std::array<OffsetTable, 9> tables = {empty, empty, empty, empty, empty, empty, empty, empty, empty};
+  InclinedKernel kernel{tables, tables};
+  const auto set = [](std::array<OffsetTable, 9>& of, int i, int j, const Influence& a) {
+    const double values[] = {a.xx, a.xy, a.xz, a.xy, a.yy, a.yz, -a.xz, -a.yz, a.zz};
+    for (std::size_t k = 0; k < of.size(); ++k) of[k].at(i, j) = values[k];
+  };
+  for_offsets(bodies, grid, rate, progress, [&](int i, int j, const Influence& slip, const Influence& here) {
+    set(kernel.slip, i, j, slip);
+    set(kernel.displacement, i, j, here);
   });
   return kernel;
 }
@@ -272,6 +289,15 @@ CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGri
 CoupledKernel CoupledKernel::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                         const Progress& progress) {
   return coupled_kernel(bodies, grid, difference_over(step), progress);
+}
+
+InclinedKernel InclinedKernel::displacements(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
+                                             const Progress& progress) {
+  return inclined_kernel(bodies, grid, {.shift = shift, .length = length}, progress);
+}
+InclinedKernel InclinedKernel::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
+                                          const Progress& progress) {
+  return inclined_kernel(bodies, grid, difference_over(step), progress);
 }
 
 CoupledKernel CoupledKernel::displacement(const InfluenceTable& table, const ElementGrid& grid, Vec2 shift,

@@ -8,6 +8,7 @@
 #include "microslip/progress.hpp"
 #include "microslip/vec2.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -118,6 +119,16 @@ struct CoupledKernel {
   /// The same from a table. Throws Error for a shift or a step that is not a whole number of elements.
   static CoupledKernel displacement(const InfluenceTable& table, const ElementGrid& grid, Vec2 shift, double length);
   static CoupledKernel difference(const InfluenceTable& table, const ElementGrid& grid, Vec2 step);
+};
+
+/// Slip and displacements of half-spaces with all nine components, index 3 row + column: what InclinedProduct turns.
+struct InclinedKernel {
+  std::array<OffsetTable, 9> slip, displacement;
+
+  /// As CoupledOperator::displacement and CoupledOperator::difference.
+  static InclinedKernel displacements(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
+                                      const Progress& progress);
+  static InclinedKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step, const Progress& progress);
 };
 
 } // namespace microslip

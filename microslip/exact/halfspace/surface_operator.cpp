@@ -84,17 +84,24 @@ CoupledOperator::CoupledOperator(const CoupledKernel& kernel, const ElementGrid&
 CoupledOperator CoupledOperator::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
                                               const Progress& progress, const ElementResponse& response) {
   check(response, grid);
-  return {response.table ? CoupledKernel::displacement(*response.table, grid, shift, length)
-                         : CoupledKernel::displacement(bodies, grid, shift, length, progress),
-          grid, response.patches};
+  CoupledOperator made(response.table ? CoupledKernel::displacement(*response.table, grid, shift, length)
+                                      : CoupledKernel::displacement(bodies, grid, shift, length, progress),
+                       grid, response.patches);
+  if (!response.inclination.is_flat())
+    made.inclined_.emplace(InclinedKernel::displacements(bodies, grid, shift, length, progress), grid,
+                           response.inclination);
+  return made;
 }
 
 CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                             const Progress& progress, const ElementResponse& response) {
   check(response, grid);
-  return {response.table ? CoupledKernel::difference(*response.table, grid, step)
-                         : CoupledKernel::difference(bodies, grid, step, progress),
-          grid, response.patches};
+  CoupledOperator made(response.table ? CoupledKernel::difference(*response.table, grid, step)
+                                      : CoupledKernel::difference(bodies, grid, step, progress),
+                       grid, response.patches);
+  if (!response.inclination.is_flat())
+    made.inclined_.emplace(InclinedKernel::difference(bodies, grid, step, progress), grid, response.inclination);
+  return made;
 }
 
 void CoupledOperator::expect_contact(std::span<const double> pressure, RollingDirection direction) {
@@ -121,6 +128,7 @@ void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> 
 
 /// Without the patches' factors.
 void CoupledOperator::apply_alike(const Fields& p, std::span<const std::span<double>> out) {
+  if (inclined_) return inclined_->apply(p, out);
   transform_.load(p);
   const std::array<const ToeplitzTransform::Spectrum*, 9> kernels = {
       &xx_, &xy_, &xz_, yx_.empty() ? &xy_ : &yx_, &yy_, &yz_, &zx_, &zy_, &zz_};

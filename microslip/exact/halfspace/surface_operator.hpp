@@ -4,6 +4,7 @@
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/exact/halfspace/element_response.hpp"
+#include "microslip/exact/halfspace/inclined_product.hpp"
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
@@ -102,7 +103,7 @@ public:
   /// For steady rolling: the elements that are about in contact, those with a pressure.
   void expect_contact(std::span<const double> pressure, RollingDirection direction);
 
-  long products() const { return transform_.products(); }
+  long products() const { return inclined_ ? inclined_->products() : transform_.products(); }
 
 private:
   using NearInverse = SymmetricToeplitz<double>;
@@ -116,6 +117,7 @@ private:
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yx_, yy_, xz_, yz_, zx_, zy_, zz_; ///< no yx: it is xy
   double slip_diagonal_, normal_diagonal_, slip_scale_, normal_scale_;
+  std::optional<InclinedProduct> inclined_; ///< in place of the spectra
   std::optional<NearInverse> slip_inverse_; ///< of displacements
   NearInverse normal_inverse_;
   std::optional<RollingPreconditioner<double>> rolling_; ///< of differences

@@ -1,0 +1,123 @@
+#include "microslip/exact/halfspace/inclined_product.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+namespace {
+
+constexpr int lateral = 1, normal = 2; // components; 0 is along x
+
+/// Calls at(j, k) for each element k of each row j.
+template <class At> void for_elements(const ElementGrid& grid, At at) {
+  const std::size_t mx = grid.mx;
+  for (std::size_t k = 0; k < grid.count(); ++k) at(k / mx, k);
+}
+
+} // namespace
+
+InclinedProduct::InclinedProduct(const InclinedKernel& kernel, const ElementGrid& grid,
+                                 const RowInclination& inclination)
+    : grid_(grid), before_{Part::along, Part::cosine, Part::sine}, behind_(before_),
+      transform_(grid.mx, grid.my, 3 * static_cast<int>(before_.size())), term_(grid.count()) {
+  const double shares[] = {1 - inclination.traction_share, inclination.traction_share};
+  if (shares[0] == 0) before_ = {Part::whole};
+  if (shares[1] == 0) behind_ = {Part::whole};
+  for (std::size_t of = 0; of < 2; ++of)
+    for (const double angle : inclination.angle) {
+      cosine_[of].push_back(std::cos(shares[of] * angle));
+      sine_[of].push_back(std::sin(shares[of] * angle));
+    }
+  const auto transform = [&](const std::array<OffsetTable, 9>& tables, Spectra& spectra) {
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      spectra[0][k] = transform_.kernel_spectrum(tables[k].values());
+      spectra[1][k] = spectra[0][k];
+      for (double& value : spectra[1][k]) value = -value;
+    }
+  };
+  transform(kernel.slip, slip_);
+  transform(kernel.displacement, normal_);
+  loaded_.assign(3 * before_.size(), Field(grid.count()));
+  found_.fill(Field(grid.count()));
+}
+
+/// cos and sin of a term, of each row; none for the others.
+const double* InclinedProduct::factors(Part part, bool of_traction) const {
+  if (part == Part::cosine) return cosine_[of_traction].data();
+  return part == Part::sine ? sine_[of_traction].data() : nullptr;
+}
+
+/// The entry of (before) A (behind), with E = [0, -1; 1, 0]; behind A it is -E.
+const ToeplitzTransform::Spectrum* InclinedProduct::entry(const Spectra& spectra, Part before, int row, Part behind,
+                                                          int column) const {
+  const auto turned = [](int component) { return lateral + normal - component; };
+  const auto is_out = [](Part part, int component) {
+    return part != Part::whole && (part == Part::along) != (component == 0);
+  };
+  if (is_out(before, row) || is_out(behind, column)) return nullptr;
+  bool negative = false;
+  if (before == Part::sine) negative ^= row == lateral, row = turned(row);
+  if (behind == Part::sine) negative ^= column == lateral, column = turned(column);
+  return &spectra[negative][static_cast<std::size_t>(3 * row + column)];
+}
+
+/// q = R(r_J) p, times the terms of R(t_J).
+void InclinedProduct::load(const Fields& p) {
+  const auto& [ct, cr] = cosine_;
+  const auto& [st, sr] = sine_;
+  for (std::size_t m = 0; m < before_.size(); ++m) {
+    const double* factor = factors(before_[m], false);
+    Field *x = &loaded_[3 * m], *y = x + lateral, *z = x + normal;
+    for_elements(grid_, [&](std::size_t j, std::size_t k) {
+      const double f = factor ? factor[j] : 1;
+      (*x)[k] = f * p[0][k];
+      (*y)[k] = f * (cr[j] * p[lateral][k] - sr[j] * p[normal][k]);
+      (*z)[k] = f * (sr[j] * p[lateral][k] + cr[j] * p[normal][k]);
+    });
+  }
+  const std::vector<std::span<const double>> fields(loaded_.begin(), loaded_.end());
+  transform_.load(fields);
+}
+
+/// Components first .. last of R(t_J) A R(-r_I) q.
+void InclinedProduct::find(const Spectra& spectra, int first, int last) {
+  for (int row = first; row <= last; ++row) {
+    Field& sum = found_[static_cast<std::size_t>(row)];
+    std::fill(sum.begin(), sum.end(), 0.0);
+    for (const Part behind : behind_) {
+      std::vector<const ToeplitzTransform::Spectrum*> entries;
+      for (const Part before : before_)
+        for (int column = 0; column < 3; ++column) entries.push_back(entry(spectra, before, row, behind, column));
+      transform_.apply(entries, std::array{std::span(term_)});
+      const double* factor = factors(behind, true);
+      for_elements(grid_, [&](std::size_t j, std::size_t k) { sum[k] += factor ? factor[j] * term_[k] : term_[k]; });
+    }
+  }
+}
+
+/// R(-t_I).
+void InclinedProduct::turn_back(Field& y, Field& z) const {
+  const auto &c = cosine_[0], &s = sine_[0];
+  for_elements(grid_, [&](std::size_t j, std::size_t k) {
+    const double across = y[k];
+    y[k] = c[j] * across + s[j] * z[k];
+    z[k] = c[j] * z[k] - s[j] * across;
+  });
+}
+
+void InclinedProduct::apply(const Fields& p, std::span<const std::span<double>> out) {
+  const bool turns_back = before_.size() > 1;
+  ++products_;
+  load(p);
+  find(slip_, 0, turns_back ? normal : lateral);
+  if (turns_back) turn_back(found_[lateral], found_[normal]);
+  for (const int row : {0, lateral})
+    std::copy(found_[static_cast<std::size_t>(row)].begin(), found_[static_cast<std::size_t>(row)].end(),
+              out[static_cast<std::size_t>(row)].begin());
+  if (out.size() == 2) return;
+  find(normal_, turns_back ? lateral : normal, normal);
+  if (turns_back) turn_back(found_[lateral], found_[normal]);
+  std::copy(found_[normal].begin(), found_[normal].end(), out[normal].begin());
+}
+
+} // namespace microslip
