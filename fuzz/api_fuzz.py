@@ -298,7 +298,7 @@ def wheel_rail(draw):
         track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,
         wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel, **draw.some(
             side=lambda: draw.word("left", "right"), theory=lambda: draw.word("fastsim2", "exact"),
-            shape=lambda: draw.word("flat", "curved"), grid=lambda: draw.count(6, 12), friction=lambda: draw.number(0, 0.6),
+            shape=lambda: draw.word("flat", "curved", "conformal"), grid=lambda: draw.count(6, 12), friction=lambda: draw.number(0, 0.6),
             tolerance=lambda: draw.scale(1e-8, 1e-3), fields=lambda: draw.random() < 0.5,
             strength=lambda: microslip.SurfaceStrength(hardness=draw.scale(1e8, 1e10), shear_yield_strength=draw.scale(1e7, 1e9))))
     state = {"vertical_force": draw.scale(100, 2e5), "forward_velocity": draw.number(-80, 80)}
@@ -334,7 +334,7 @@ def wheelset_on_track(draw):
     pair = microslip.WheelsetOnTrack(
         track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,
         wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel, **draw.some(
-            shape=lambda: draw.word("flat", "curved"), friction=lambda: draw.number(0, 0.6),
+            shape=lambda: draw.word("flat", "curved", "conformal"), friction=lambda: draw.number(0, 0.6),
             tolerance=lambda: draw.scale(1e-9, 1e-3)))
     state = {"lateral": draw.number(-0.012, 0.012), "forward_velocity": draw.number(-80, 80)}
     state.update(draw.some(yaw=lambda: draw.number(-0.03, 0.03), lateral_velocity=lambda: draw.number(-1, 1),

@@ -33,7 +33,7 @@ template <> constexpr auto words_of<ProfileFormat> = std::array<Word, 3>{"simpac
 template <> constexpr auto words_of<LateralSense> = std::array<Word, 2>{"field", "gauge"};
 template <> constexpr auto words_of<VerticalSense> = std::array<Word, 2>{"up", "down"};
 template <> constexpr auto words_of<WheelRailLevel> = std::array<Word, 2>{"fastsim2", "exact"};
-template <> constexpr auto words_of<PatchShape> = std::array<Word, 2>{"flat", "curved"};
+template <> constexpr auto words_of<PatchShape> = std::array<Word, 3>{"flat", "curved", "conformal"};
 template <> constexpr auto words_of<TrackSide> = std::array<Word, 2>{"left", "right"};
 template <> constexpr auto words_of<RollRule> = std::array<Word, 2>{"equilibrium", "none"};
 

@@ -166,8 +166,9 @@ WheelRailMethod read_method(const TomlSection& section) {
   method.level = section.option("theory", method.level);
   if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
   section.at("shape", [&] {
-    if (method.level == WheelRailLevel::fastsim2 && method.shape == PatchShape::flat)
-      throw Error("solution.shape = \"flat\": the rows of fastsim2 follow the surface: leave it out, or \"curved\"");
+    if (method.level == WheelRailLevel::fastsim2 && method.patch_shape() != PatchShape::curved)
+      throw Error("solution.shape = \"" + std::string(to_word(method.patch_shape())) +
+                  "\": the rows of fastsim2 follow the surface: leave it out, or \"curved\"");
   });
   section.count("grid", 6, 1000, method.elements);
   method.tolerance = section.between("tolerance", "-", 1e-12, 1e-2, method.tolerance);

@@ -31,7 +31,7 @@ ALLOWED = {
     "microslip/damage": ["microslip/contact"],
     "microslip/batch": ["microslip/contact", "microslip/simplified"],
     "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/elasticity", "microslip/friction", "microslip/numerics",
-                          "microslip/simplified", EXACT + "fitted", EXACT + "normal"],
+                          "microslip/simplified", EXACT + "fitted", EXACT + "halfspace", EXACT + "normal"],
 }
 
 

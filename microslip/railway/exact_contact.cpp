@@ -251,9 +251,10 @@ void press(std::vector<Loaded>& loaded, Loaded& one, double zeta, double toleran
 
 /// Scales pressures to the forces wanted if these differ by little: of a change, that leaves a third in the approach.
 bool scale(std::vector<Loaded>& loaded) {
-  constexpr double little = 1e-4;
+  constexpr double little = 1e-4, settled = 1e-6;
   for (const Loaded& one : loaded)
-    if (std::abs(one.force - one.exact.normal_force()) > little * one.force) return false;
+    if (std::abs(one.force - one.exact.normal_force()) > little * one.force || one.exact.unsettled() > settled)
+      return false;
   for (Loaded& one : loaded)
     if (one.force > 0) one.exact.scale_to(one.force), one.pressed = one.force;
   return true;
@@ -386,6 +387,7 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
       vertical += borne;
     }
     out.residual = vertical_force ? std::abs(vertical / *vertical_force - 1) : 0;
+    for (const Loaded& one : loaded) out.residual = std::max(out.residual, one.exact.unsettled());
     if (out.residual <= std::max(method.tolerance, 1e-6) && tolerance <= 1e-6) {
       out.status = Status::ok;
       break;

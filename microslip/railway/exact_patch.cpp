@@ -1,6 +1,7 @@
 #include "microslip/railway/exact_patch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -35,6 +36,21 @@ double length(const Vec3<double>& v) {
   return std::sqrt(dot(v, v));
 }
 
+constexpr int most_corrections = 60;
+constexpr double settled = 1e-7; ///< change of the displacements that the rows' angles add, over the largest one
+
+double largest(const std::vector<double>& field) {
+  double most = 0;
+  for (const double value : field) most = std::max(most, std::abs(value));
+  return most;
+}
+
+double largest_change(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
+  return most;
+}
+
 } // namespace
 
 ExactPatch::ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
@@ -52,6 +68,7 @@ ExactPatch::ExactPatch(const CombinedMaterial& material, const PatchSurface& sur
     rows_.push_back(row);
     creepage_.push_back(surface.creepage(frame_, shape, row, motion.contact_gap, motion.speed));
   }
+  if (shape == PatchShape::conformal) correct_angles(material);
   least_ = *std::min_element(gaps_.begin(), gaps_.end());
   for (double& h : gaps_) h -= least_;
   lifted_ = gaps_;
@@ -111,9 +128,42 @@ void ExactPatch::find_loads() {
   if (load_.force > 0) load_.place = 1 / load_.force * load_.place;
 }
 
+void ExactPatch::correct_angles(const CombinedMaterial& material) {
+  RowInclination inclination;
+  for (const PatchRow& row : rows_) inclination.angle.push_back(row.angle);
+  const auto [least, most] = std::minmax_element(inclination.angle.begin(), inclination.angle.end());
+  if (*least == *most) return;
+  correction_.emplace(material, grid_, inclination);
+  on_grid_.fill(std::vector<double>(grid_.count()));
+  added_ = on_grid_;
+}
+
+/// Those of the last tractions and of the pressures that there are.
+ExactPatch::Fields ExactPatch::added_displacements() {
+  on_grid_[2] = pressed_.pressure;
+  return correction_->find(on_grid_);
+}
+
+/// With the half-space's displacements alone.
+void ExactPatch::solve_plane(const NormalLoad& load, double tolerance) {
+  std::vector<double> gap = lifted_;
+  if (correction_)
+    for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += added_[2][k];
+  pressed_ = pressed_.contact_elements > 0 ? normal_.solve_from(std::move(pressed_.pressure), gap, load, tolerance)
+                                           : normal_.solve(gap, load, tolerance);
+}
+
+/// What the rows' angles add is taken from the last pressures until it stays.
 void ExactPatch::solve(const NormalLoad& load, double tolerance) {
-  pressed_ = pressed_.contact_elements > 0 ? normal_.solve_from(std::move(pressed_.pressure), lifted_, load, tolerance)
-                                           : normal_.solve(lifted_, load, tolerance);
+  solve_plane(load, tolerance);
+  for (int k = 0; correction_; ++k) {
+    const double scale = largest(pressed_.displacement);
+    const Fields before = std::exchange(added_, added_displacements());
+    if (largest_change(added_[2], before[2]) <= std::max(tolerance, settled) * scale) break;
+    solve_plane(load, tolerance);
+    if (k == most_corrections && pressed_.status == Status::ok) pressed_.status = Status::not_converged;
+    if (pressed_.status != Status::ok) break;
+  }
   find_loads();
 }
 
@@ -134,6 +184,69 @@ void ExactPatch::scale_to(double normal_force) {
   pressed_.normal_force = normal_force, pressed_.peak_pressure *= factor;
   pressed_.elastic_energy *= factor * factor;
   find_loads();
+}
+
+/// Each element's traction goes to the two elements of the grid between whose centres it lies, with its moment.
+void ExactPatch::keep_tractions(const ContactSolution& solution) {
+  tractions_ = solution.fields.traction;
+  if (!correction_) return;
+  for (const std::size_t i : {0, 1}) std::fill(on_grid_[i].begin(), on_grid_[i].end(), 0.0);
+  for (std::size_t k = 0; k < solution.elements.size(); ++k) {
+    const double share = solution.elements.area[k] / grid_.element_area();
+    const double column = std::clamp((solution.elements.x[k] - grid_.x0) / grid_.dx, 0.0, grid_.mx - 1.001);
+    const std::size_t left = k / grid_.mx * grid_.mx + static_cast<std::size_t>(column);
+    const double right_share = column - std::floor(column);
+    for (const auto& [to, traction] : {std::pair{&on_grid_[0], tractions_.x[k]}, {&on_grid_[1], tractions_.y[k]}}) {
+      (*to)[left] += (1 - right_share) * share * traction;
+      (*to)[left + 1] += right_share * share * traction;
+    }
+  }
+}
+
+/// What the rows' angles add to the tangential displacements, by cubic polynomials along rows and straight lines
+/// across.
+Vec2 ExactPatch::added_at(double x, double y) const {
+  const double j = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0), i = (x - grid_.x0) / grid_.dx;
+  const auto first = static_cast<int>(std::clamp(std::floor(i) - 1, 0.0, grid_.mx - 4.0));
+  const double t = i - first;
+  const std::array weights = {(t - 1) * (t - 2) * (3 - t) / 6, t * (t - 2) * (t - 3) / 2, t * (t - 1) * (3 - t) / 2,
+                              t * (t - 1) * (t - 2) / 6};
+  const auto row = static_cast<int>(j), next = std::min(row + 1, grid_.my - 1);
+  const auto along = [&](const std::vector<double>& u, int of) {
+    const double* from = &u[static_cast<std::size_t>(of) * grid_.mx + first];
+    double sum = 0;
+    for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * from[n];
+    return sum;
+  };
+  const auto at = [&](const std::vector<double>& u) {
+    return j == row ? along(u, row) : (row + 1 - j) * along(u, row) + (j - row) * along(u, next);
+  };
+  return {at(added_[0]), at(added_[1])};
+}
+
+/// With what the rows' angles add taken from the last tractions until it stays.
+ContactSolution ExactPatch::roll_plane(PatchRollingMotion motion) {
+  constexpr int settling = 4;
+  if (correction_) {
+    motion.variation.displacement = [this](double x, double y) { return added_at(x, y); };
+    added_ = added_displacements();
+  }
+  for (int k = 0;; ++k) {
+    motion.start = tractions_;
+    motion.near_last |= k > settling; // elements that begin to slide and to adhere in turn would never settle
+    ContactSolution out = rolling_->solve(motion);
+    keep_tractions(out);
+    if (!correction_) return out;
+    const double scale = largest(pressed_.displacement);
+    const Fields before = std::exchange(added_, added_displacements());
+    unsettled_ = scale > 0 ? largest_change(added_[2], before[2]) / scale : 0;
+    const double change = std::max(largest_change(added_[0], before[0]), largest_change(added_[1], before[1]));
+    if (change <= std::max(settled, 0.1 * motion.tolerance) * scale || out.report.status != Status::ok) return out;
+    if (k == most_corrections) {
+      out.report.status = Status::not_converged;
+      return out;
+    }
+  }
 }
 
 ContactSolution ExactPatch::roll(const std::function<double(double angle)>& friction, double same_elements,
@@ -158,7 +271,6 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
   PatchRollingMotion motion{.friction = mu,
                             .rolling_speed = motion_.speed > 0 ? motion_.speed : 1,
                             .tolerance = tolerance,
-                            .start = std::move(tractions_),
                             .near_last = same};
   motion.variation.creepage = [&](double y) {
     const auto [j, t] = row_at(y);
@@ -170,8 +282,8 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
     const auto [j, t] = row_at(y);
     return friction(between(rows_, j, t, [](const PatchRow& row) { return row.angle; })) / mu;
   };
-  ContactSolution out = rolling_->solve(motion);
-  tractions_ = out.fields.traction, rolled_force_ = normal_force();
+  ContactSolution out = roll_plane(std::move(motion));
+  rolled_force_ = normal_force();
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/exact/halfspace/inclination_correction.hpp"
 #include "microslip/railway/patch_outline.hpp"
 
 #include <functional>
@@ -53,6 +54,9 @@ public:
   double approach() const { return pressed_.approach + least_; }
   double least_gap() const { return least_; }
   Status status() const { return pressed_.status; }
+  /// Of a conformal patch: by how much the tractions that were found last would still move the surfaces that the
+  /// pressures know of, over the largest displacement [-]; else 0.
+  double unsettled() const { return unsettled_; }
   /// Whether the outline holds the contact, as the elements need it.
   bool holds_contact() const;
   /// The pressures as one load, and as some loads over the patch.
@@ -66,7 +70,15 @@ public:
 
 private:
   Vec3<double> place(std::size_t element) const;
+  using Fields = InclinationCorrection::Fields;
+
   void solve(const NormalLoad& load, double tolerance);
+  void solve_plane(const NormalLoad& load, double tolerance);
+  void correct_angles(const CombinedMaterial& material);
+  Fields added_displacements();
+  void keep_tractions(const ContactSolution& solution);
+  Vec2 added_at(double x, double y) const;
+  ContactSolution roll_plane(PatchRollingMotion motion);
   void find_loads();
 
   CombinedMaterial material_;
@@ -86,6 +98,10 @@ private:
   double fitted_force_ = 0; ///< with which its elements were fitted [N]
   VectorField tractions_;   ///< of the last solution, with the normal force rolled_force_ [N]
   double rolled_force_ = 0;
+  std::optional<InclinationCorrection> correction_; ///< of a conformal patch whose rows are turned
+  Fields on_grid_;                                  ///< the tractions of the last solution at the grid's elements,
+  Fields added_;                                    ///< and what the rows' angles add to their displacements
+  double unsettled_ = 0;
 };
 
 } // namespace microslip

@@ -89,7 +89,7 @@ Creepage PatchSurface::creepage_at(const PatchRow& row, double gap, double speed
 Creepage PatchSurface::creepage(const PatchFrame& frame, PatchShape shape, const PatchRow& row, double gap,
                                 double speed) const {
   if (!(speed > 0)) return {};
-  if (shape == PatchShape::curved) return creepage_at(row, gap, speed);
+  if (shape != PatchShape::flat) return creepage_at(row, gap, speed);
   const Creepage w = creepage_at(first_row(frame, 0), gap, speed);
   return {w.longitudinal - w.spin * row.s, w.lateral, w.spin};
 }

@@ -22,8 +22,10 @@ struct PatchFrame {
 
 /// What a patch takes for flat.
 enum class PatchShape {
-  flat,  ///< the plane of its frame: gaps are measured along one direction
-  curved ///< the rail's surface: each row has its own normal; s is the length along the rail
+  flat,   ///< the plane of its frame: gaps are measured along one direction
+  curved, ///< the rail's surface: each row has its own normal; s is the length along the rail
+  /// the same, and rows act on each other as their angles want it (RowInclination); for the level exact
+  conformal
 };
 
 /// A row of a patch: a line along the track at a distance s from the frame's origin, and the direction in which gaps

@@ -31,7 +31,7 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
     if (k > 0 && !(bodies.friction[k].angle > bodies.friction[k - 1].angle))
       throw Error("friction angle", bodies.friction[k].angle, "rad", "larger than the one before");
   }
-  if (method.level == WheelRailLevel::fastsim2 && method.shape == PatchShape::flat)
+  if (method.level == WheelRailLevel::fastsim2 && method.patch_shape() != PatchShape::curved)
     throw Error("shape: the rows of fastsim2 follow the surface: curved, or left out");
   require_count("elements", method.elements, 6, 1000);
   require_between("tolerance", method.tolerance, "-", 1e-12, 1e-2);

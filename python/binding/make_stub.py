@@ -33,7 +33,7 @@ TYPES_OF_ARGUMENTS = {
     "slip_start": 'Literal["below", "above"]',
     "side": 'Literal["left", "right"]',
     "theory": 'Literal["fastsim2", "exact"]',
-    "shape": 'Literal["flat", "curved"]',
+    "shape": 'Literal["flat", "curved", "conformal"]',
     "motion": 'Literal["steady", "transient", "shift"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
     "roll": 'Literal["equilibrium", "none"]',

@@ -18,6 +18,10 @@ void find_rigid_slip(const FittedContact& contact, const Creepage& creepage, con
     const Creepage more = variation.creepage_at(y);
     cx[k] = creepage.longitudinal - creepage.spin * y + more.longitudinal;
     cy[k] = creepage.lateral + more.lateral + (creepage.spin + more.spin) * x;
+    if (!variation.displacement) continue;
+    const Vec2 here = variation.displacement(e.point, y), there = variation.displacement(e.end, y);
+    cx[k] += (here.x - there.x) / (e.end - e.point);
+    cy[k] += (here.y - there.y) / (e.end - e.point);
   }
 }
 

@@ -14,7 +14,7 @@ namespace microslip {
 /// The width of each element over the grid's dx.
 std::vector<double> area_shares(const FittedContact& contact);
 
-/// w at the middle of each element's slip interval, the first term of (E25).
+/// w at the middle of each element's slip interval, the first term of (E25), with the slip of given displacements.
 void find_rigid_slip(const FittedContact& contact, const Creepage& creepage, const RowVariation& variation,
                      std::vector<double>& cx, std::vector<double>& cy);
 

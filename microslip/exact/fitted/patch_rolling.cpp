@@ -87,6 +87,11 @@ RowVariation turned(RowVariation variation, double side) {
       const Creepage w = given(y);
       return Creepage{-w.longitudinal, w.lateral, -w.spin};
     };
+  if (side < 0 && variation.displacement)
+    variation.displacement = [given = variation.displacement](double x, double y) {
+      const Vec2 u = given(-x, y);
+      return Vec2{-u.x, u.y};
+    };
   return variation;
 }
 

@@ -2,6 +2,7 @@
 
 #include "microslip/contact/creepage.hpp"
 #include "microslip/exact/fitted/fitted_contact.hpp"
+#include "microslip/vec2.hpp"
 
 #include <functional>
 #include <vector>
@@ -14,6 +15,8 @@ struct RowVariation {
   std::function<Creepage(double y)> creepage = {};
   /// mu of the row over that of the contact, > 0.
   std::function<double(double y)> friction = {};
+  /// Displacement difference [m] at a point on top of what tractions on half-spaces make.
+  std::function<Vec2(double x, double y)> displacement = {};
 
   Creepage creepage_at(double y) const { return creepage ? creepage(y) : Creepage{}; }
   double friction_at(double y) const { return friction ? friction(y) : 1; }

@@ -95,6 +95,13 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   operator_.apply(s.px, s.py, sx, sy);
   out.ux = operator_.ux();
   out.uy = operator_.uy();
+  if (input.variation.displacement)
+    for (std::size_t k = 0; k < bound.size(); ++k) {
+      const FittedElement& e = contact_.elements[k];
+      const Vec2 more = input.variation.displacement(e.point, contact_.grid.y(e.row));
+      out.ux[k] += more.x;
+      out.uy[k] += more.y;
+    }
   return out;
 }
 

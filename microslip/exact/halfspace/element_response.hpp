@@ -52,9 +52,9 @@ struct WeightedPatches {
 /// Rows whose planes are turned against one another about x, as on a conformal contact: the grid's y is the length
 /// along a curved surface. Tractions on row J act in its axes, displacements of row I are in the axes of I: with alpha
 /// = alpha_J - alpha_I and a half-space's influence A of the rows' distance along the surface, B = R((1 - c) alpha) A
-/// R(c alpha), where R turns lateral and normal components. The correction of Blanco-Lorenzo, Santamaria, Vadillo and
-/// Correa (2011) has c = 1; c = 0 takes the half-space at the loaded row; c = 1/2 is the only one that is reciprocal,
-/// B_IJ = B_JI^T, as influences of elastic bodies are.
+/// R(c alpha), where R turns lateral and normal components. The first correction of this kind, of Blanco-Lorenzo et al.
+/// (2011), has c = 1; c = 0 takes the half-space at the loaded row; c = 1/2 is the only one that is reciprocal, B_IJ =
+/// B_JI^T, as influences of elastic bodies are.
 struct RowInclination {
   std::vector<double> angle;   ///< of each row's plane [rad]; empty: all lie in one
   double traction_share = 0.5; ///< c: how much of the turn the traction takes, in [0, 1] [-]
