@@ -121,6 +121,18 @@ TEST(ConformalPatch, ConvergesWithTheElements) {
   EXPECT_NEAR(middle.vertical, fine.vertical, 5e-3 * fine.patches.at(0).approach);
 }
 
+/// Elements are fitted anew where tractions have changed the pressure's shape, and stay where they have not.
+TEST(ConformalPatch, PressuresAreSmoothInTheLoad) {
+  WheelRailBodies bodies = groove();
+  const auto arc = [](double y) { return std::sqrt(0.0132 * 0.0132 - y * y) - 0.0132; };
+  bodies.wheel = profile_of(ProfileRole::wheel, -0.0115, 0.0115, 461, arc);
+  const auto peak = [&](double force) {
+    return solve(bodies, PatchShape::conformal, creeping(1e-3), force, 24).patches.at(0).peak_pressure;
+  };
+  for (const double force : {36e3, 37e3, 38e3})
+    EXPECT_NEAR((peak(force - 1e3) + peak(force + 1e3)) / 2 / peak(force), 1, 5e-4) << force;
+}
+
 TEST(ConformalPatch, NeedsTheLevelExact) {
   try {
     WheelRail contact(groove(), {.shape = PatchShape::conformal});

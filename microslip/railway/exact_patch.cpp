@@ -164,6 +164,7 @@ void ExactPatch::solve(const NormalLoad& load, double tolerance) {
     if (k == most_corrections && pressed_.status == Status::ok) pressed_.status = Status::not_converged;
     if (pressed_.status != Status::ok) break;
   }
+  known_ = added_[2];
   find_loads();
 }
 
@@ -239,7 +240,7 @@ ContactSolution ExactPatch::roll_plane(PatchRollingMotion motion) {
     if (!correction_) return out;
     const double scale = largest(pressed_.displacement);
     const Fields before = std::exchange(added_, added_displacements());
-    unsettled_ = scale > 0 ? largest_change(added_[2], before[2]) / scale : 0;
+    unsettled_ = scale > 0 ? largest_change(added_[2], known_) / scale : 0;
     const double change = std::max(largest_change(added_[0], before[0]), largest_change(added_[1], before[1]));
     if (change <= std::max(settled, 0.1 * motion.tolerance) * scale || out.report.status != Status::ok) return out;
     if (k == most_corrections) {
@@ -251,11 +252,16 @@ ContactSolution ExactPatch::roll_plane(PatchRollingMotion motion) {
 
 ContactSolution ExactPatch::roll(const std::function<double(double angle)>& friction, double same_elements,
                                  double tolerance) {
-  const bool same = rolling_ && std::abs(normal_force() - fitted_force_) < same_elements * fitted_force_;
-  if (same)
+  constexpr double same_shape = 1e-4; // of what the rows' angles add to the displacements
+  const bool same = rolling_ && std::abs(normal_force() - fitted_force_) < same_elements * fitted_force_ &&
+                    largest_change(known_, fitted_known_) <= same_shape * largest(pressed_.displacement);
+  if (same) {
     rolling_->reload(pressed_);
-  else
-    rolling_.emplace(material_, grid_, pressed_, motion_.direction), fitted_force_ = normal_force();
+  } else {
+    rolling_.emplace(material_, grid_, pressed_, motion_.direction);
+    fitted_force_ = normal_force();
+    fitted_known_ = known_;
+  }
 
   const auto row_at = [this](double y) {
     const double j = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0);

@@ -101,6 +101,8 @@ private:
   std::optional<InclinationCorrection> correction_; ///< of a conformal patch whose rows are turned
   Fields on_grid_;                                  ///< the tractions of the last solution at the grid's elements,
   Fields added_;                                    ///< and what the rows' angles add to their displacements
+  std::vector<double> known_;                       ///< the normal part of that with which the pressures were found,
+  std::vector<double> fitted_known_;                ///< and with which the elements were fitted
   double unsettled_ = 0;
 };
 
