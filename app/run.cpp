@@ -8,8 +8,10 @@
 #include "app/progress_bar.hpp"
 #include "cases/interior_result.hpp"
 #include "compat/contact/mat.hpp"
+#include "compat/contact/out.hpp"
 #include "compat/contact/run.hpp"
 #include "compat/contact/run_file.hpp"
+#include "compat/contact/wheel_rail/own_solution.hpp"
 #include "io/output_file.hpp"
 #include "io/result_json.hpp"
 #include "microslip/error.hpp"
@@ -18,13 +20,16 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -40,7 +45,7 @@ using contact_program::Outcome;
 
 struct RunArguments {
   fs::path input, folder = "results";
-  bool mat = false, json = false;
+  bool out = false, mat = false, accurate = false, json = false;
 };
 
 /// The file is read twice: once to see that all of it is right.
@@ -78,13 +83,19 @@ std::string short_text(const fs::path& path) {
 class Run {
 public:
   explicit Run(const RunArguments& arguments)
-      : path_(arguments.input), mat_(arguments.mat), json_(arguments.json), count_(count_cases(path_)),
-        output_(output_path(arguments)), file_(output_, {.kind = "contact_run",
-                                                         .title = path_.stem().string(),
-                                                         .command_line = command_line(),
-                                                         .case_file = path_.string(),
-                                                         .case_text = short_text(path_)}),
-        bar_(path_.filename().string()) {}
+      : path_(arguments.input), mat_(arguments.mat), accurate_(arguments.accurate), json_(arguments.json),
+        count_(count_cases(path_)), output_(output_path(arguments)), file_(output_, {.kind = "contact_run",
+                                                                                     .title = path_.stem().string(),
+                                                                                     .command_line = command_line(),
+                                                                                     .case_file = path_.string(),
+                                                                                     .case_text = short_text(path_)}),
+        bar_(path_.filename().string()) {
+    if (!arguments.out) return;
+    auto path = output_;
+    out_.emplace(path.replace_extension(".out"));
+    files_.push_back(path.string());
+    out_->write(contact_program::out_head());
+  }
 
   /// Returns whether all cases are solved.
   bool run() {
@@ -92,26 +103,34 @@ public:
     InputReader reader(input, path_.string());
     while (const Case* c = reader.next()) {
       const Outcome outcome = run_.run(*c);
-      count(outcome);
+      count(*c, outcome);
       if (shows_both_) bar_.clear();
       if (json_)
         keep(*c, outcome);
       else
         print(*c, outcome);
+      if (accurate_ && outcome.kind == Outcome::Kind::solved && outcome.wheel) compare(*c, *outcome.wheel);
       file_.add(*c, outcome);
+      if (out_) out_->write(contact_program::out_text(*c, outcome));
       if (mat_ && outcome.kind == Outcome::Kind::solved) write_texts(*c, outcome);
       InterruptGuard::throw_if_interrupted();
       bar_.update(static_cast<double>(c->number) / count_);
     }
     bar_.clear();
+    print_refusals();
     file_.commit();
+    if (out_) {
+      out_->write(contact_program::out_end());
+      out_->commit();
+    }
+    if (!json_) print_effort();
     json_ ? print_document() : fmt::print("\n{}\n", output_.string());
     std::fflush(stdout);
     if (!reader.is_complete())
       fmt::print(stderr, "microslip: warning: {}: the file ends without MODULE 0; is it complete?\n", path_.string());
     warn(refused_, "not run");
     warn(unsolved_, "not solved, see their status");
-    return refused_ == 0 && unsolved_ == 0;
+    return refused_.empty() && unsolved_.empty();
   }
 
 private:
@@ -120,18 +139,29 @@ private:
     return arguments.folder / (arguments.input.stem().string() + ".h5");
   }
 
-  void count(const Outcome& outcome) {
-    if (outcome.kind == Outcome::Kind::refused) ++refused_;
-    if (outcome.kind == Outcome::Kind::solved && outcome.solution.status != Status::ok) ++unsolved_;
+  void count(const Case& c, const Outcome& outcome) {
+    if (outcome.kind == Outcome::Kind::refused) refused_.push_back(c.number);
+    if (outcome.wheel) {
+      effort_.geometry += outcome.wheel->effort.geometry;
+      effort_.normal += outcome.wheel->effort.normal;
+      effort_.tangential += outcome.wheel->effort.tangential;
+    }
+    if (outcome.kind == Outcome::Kind::solved && outcome.solution.status != Status::ok) unsolved_.push_back(c.number);
   }
 
   void print(const Case& c, const Outcome& outcome) {
-    fmt::print("{}Case {} (line {}): ", c.number == 1 ? "" : "\n", c.number, c.line);
+    if (outcome.kind == Outcome::Kind::refused) {
+      if (outcome.reasons != waiting_.reasons) print_refusals();
+      if (waiting_.cases.empty()) waiting_ = {.reasons = outcome.reasons};
+      waiting_.cases.push_back(c.number);
+      waiting_.lines.push_back(c.line);
+      return;
+    }
+    print_refusals();
+    begin_case();
+    fmt::print("Case {} (line {}): ", c.number, c.line);
     if (outcome.kind == Outcome::Kind::skipped) {
       fmt::print("skipped, {}\n", written(c.digits.solve));
-    } else if (outcome.kind == Outcome::Kind::refused) {
-      fmt::print("not run\n");
-      for (const auto& reason : outcome.reasons) fmt::print("  {}\n", reason);
     } else {
       print_solution(c, outcome);
       for (const auto& note : outcome.notes)
@@ -140,10 +170,74 @@ private:
     std::fflush(stdout);
   }
 
+  /// Cases that were not run for the same reasons, one after the other.
+  void print_refusals() {
+    const auto& [cases, lines, reasons] = std::exchange(waiting_, {});
+    if (cases.empty()) return;
+    begin_case();
+    if (cases.size() == 1)
+      fmt::print("Case {} (line {}): not run\n", cases[0], lines[0]);
+    else
+      fmt::print("Cases {} to {} (lines {} to {}): not run\n", cases.front(), cases.back(), lines.front(),
+                 lines.back());
+    for (const auto& reason : reasons) fmt::print("  {}\n", reason);
+    std::fflush(stdout);
+  }
+
+  /// Of wheels on rails.
+  void print_effort() const {
+    if (effort_.geometry == 0) return;
+    fmt::print("\n{} analyses of the geometry, {} normal and {} tangential problems, {:.2f} s of the processor\n",
+               effort_.geometry, effort_.normal, effort_.tangential,
+               static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
+  }
+
+  void begin_case() {
+    if (std::exchange(has_printed_, true)) fmt::print("\n");
+  }
+
+  /// Beside our own geometry, patches and elements of second order.
+  void compare(const Case& c, const contact_program::WheelOutcome& wheel) {
+    const auto own = contact_program::compare_with_own(c, wheel);
+    if (json_) {
+      comparisons_.push_back(comparison_json(c.number, own));
+      return;
+    }
+    for (const auto& reason : own.reasons) fmt::print("  not solved accurately: {}\n", reason);
+    if (!own.reasons.empty()) return;
+    fmt::print("  accurate: {}, {} {}\n", own.status, own.own_patches, own.own_patches == 1 ? "patch" : "patches");
+    fmt::print("  {:>5} {:<20} {:>13} {:>13} {:>11}\n", "patch", "", "as CONTACT", "accurate", "difference");
+    for (const auto& n : own.numbers)
+      fmt::print("  {:>5} {:<20} {:>13.6g} {:>13.6g} {:>11.2g}\n", n.patch > 0 ? std::to_string(n.patch) : "",
+                 n.name + " [" + n.unit + "]", n.program, n.own, n.own - n.program);
+  }
+
+  static Json comparison_json(int number, const contact_program::OwnComparison& own) {
+    Json numbers = Json::array();
+    for (const auto& n : own.numbers)
+      numbers.push_back({{"name", n.name},
+                         {"unit", n.unit},
+                         {"patch", n.patch},
+                         {"contact", json_number(n.program)},
+                         {"accurate", json_number(n.own)},
+                         {"difference", json_number(n.own - n.program)}});
+    return {{"case", number},
+            {"status", own.status},
+            {"patches", own.own_patches},
+            {"not_solved", own.reasons},
+            {"quantities", numbers}};
+  }
+
   /// What the result file does not have.
   void keep(const Case& c, const Outcome& outcome) {
     if (outcome.kind == Outcome::Kind::refused)
       refusals_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
+    if (outcome.kind == Outcome::Kind::solved && outcome.solution.status != Status::ok)
+      failures_.push_back({{"case", c.number},
+                           {"line", c.line},
+                           {"status", std::string(to_string(outcome.solution.status))},
+                           {"residual", json_number(outcome.solution.tangential.residual)},
+                           {"notes", outcome.notes}});
     known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
     keep_extremes(c.number, outcome);
     if (outcome.wheel)
@@ -159,34 +253,65 @@ private:
   void print_document() const {
     auto document = result_json(output_);
     document["cases_not_run"] = refusals_;
-    document["cases_not_solved"] = unsolved_;
+    document["cases_not_solved"] = failures_;
+    name_codes(document);
     document["interior_extremes"] = extremes_;
+    if (accurate_) document["accurate"] = comparisons_;
+    if (effort_.geometry > 0)
+      document["effort"] = {
+          {"geometry", effort_.geometry}, {"normal", effort_.normal}, {"tangential", effort_.tangential}};
     document["notes"] = known_notes_;
     document["files"] = files_;
     print_json(document);
   }
 
-  void warn(std::size_t cases, const char* what) const {
-    if (cases > 0)
-      fmt::print(stderr, "microslip: warning: {}: {} of {} cases are {}\n", path_.string(), cases, count_, what);
+  /// Words in place of the numbers that the result file has.
+  static void name_codes(Json& document) {
+    constexpr const char* outcomes[] = {"solved", "skipped", "refused"};
+    Json& cases = document["cases"];
+    for (Json& outcome : cases["outcome"]) outcome = outcomes[outcome.get<int>()];
+    for (std::size_t k = 0; k < cases["status"].size(); ++k) {
+      Json& status = cases["status"][k];
+      const bool solved = cases["outcome"][k] == outcomes[0];
+      status = solved ? Json(std::string(to_string(static_cast<Status>(status.get<int>())))) : Json();
+    }
+  }
+
+  /// Names the cases: 3, 5 to 9.
+  static std::string ranges(const std::vector<int>& numbers) {
+    std::string text;
+    for (std::size_t first = 0, last = 0; first < numbers.size(); first = ++last) {
+      while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+      text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
+      if (last > first) text += (last == first + 1 ? ", " : " to ") + std::to_string(numbers[last]);
+    }
+    return text;
+  }
+
+  void warn(const std::vector<int>& cases, const char* what) const {
+    if (!cases.empty())
+      fmt::print(stderr, "microslip: warning: {}: {} of {} cases are {}: {}\n", path_.string(), cases.size(), count_,
+                 what, ranges(cases));
   }
 
   /// In CONTACT's own layout.
   void write_texts(const Case& c, const Outcome& outcome) {
     if (!outcome.wheel) {
-      write_texts(c, outcome, "");
+      if (c.digits.matfil != contact_program::Stored::none)
+        write_text(c, ".mat", contact_program::mat_text(c, outcome));
+      write_points(c, outcome, "");
       return;
     }
-    char letter = 'a'; // as CONTACT names them, if there are several
-    for (const auto& patch : outcome.wheel->patches) {
-      const bool alone = outcome.wheel->patches.size() == 1;
-      write_texts(patch.contact, *patch.solution, alone ? "" : std::string(1, letter++));
+    const auto& patches = outcome.wheel->patches;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const std::string letter(1, static_cast<char>('a' + k)); // as CONTACT names them
+      if (c.digits.matfil != contact_program::Stored::none)
+        write_text(c, letter + ".mat", contact_program::mat_text(c, *outcome.wheel, k));
+      write_points(c, *patches[k].solution, letter);
     }
   }
 
-  void write_texts(const Case& c, const Outcome& outcome, const std::string& patch) {
-    if (c.digits.matfil != contact_program::Stored::none)
-      write_text(c, patch + ".mat", contact_program::mat_text(c, outcome));
+  void write_points(const Case& c, const Outcome& outcome, const std::string& patch) {
     if (!outcome.interior.empty() && c.subs_file != contact_program::SubsFile::none)
       write_text(c, patch + ".subs", contact_program::subs_text(c, outcome.interior));
   }
@@ -201,17 +326,27 @@ private:
   }
 
   fs::path path_;
-  bool mat_, json_;
+  bool mat_, accurate_, json_;
   int count_;
   fs::path output_;
   contact_program::RunFile file_;
+  std::optional<OutputFile> out_; ///< in CONTACT's own layout
   ProgressBar bar_;
   bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
   contact_program::Run run_;
   std::set<std::string> known_notes_; ///< each is printed once
-  std::size_t refused_ = 0, unsolved_ = 0;
+  /// Refusals that are not printed yet, for others of the same reasons may follow.
+  struct Waiting {
+    std::vector<int> cases = {};
+    std::vector<std::size_t> lines = {};
+    std::vector<std::string> reasons = {};
+  };
+  Waiting waiting_;
+  bool has_printed_ = false;
+  contact_program::WheelEffort effort_;
+  std::vector<int> refused_, unsolved_; ///< numbers of cases
   // Of the document:
-  Json refusals_ = Json::array(), extremes_ = Json::array();
+  Json refusals_ = Json::array(), failures_ = Json::array(), extremes_ = Json::array(), comparisons_ = Json::array();
   std::vector<std::string> files_ = {output_.string()};
 };
 
@@ -229,9 +364,13 @@ void add_run_command(CLI::App& program, int& exit_code) {
   command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")
       ->type_name("FOLDER")
       ->capture_default_str();
+  command->add_flag("--out", arguments->out, "also FILE.out, CONTACT's output file");
   command->add_flag(
       "--mat", arguments->mat,
       "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
+  command->add_flag("--accurate", arguments->accurate,
+                    "also solves wheels on rails by our own geometry, patches and elements of second order, and prints "
+                    "both beside each other");
   add_json_flag(*command, arguments->json);
   command->footer(
       "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"

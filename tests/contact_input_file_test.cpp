@@ -129,7 +129,7 @@ TEST(ContactInputFile, DigitsOutOfRangeAreNamed) {
 TEST(ContactInputFile, ValuesOutOfRangeAreNamed) {
   expect_message(replaced(first_shift, "9.1954", "-9.1954"), "a.inp:6: FN = -9.1954: must be > 0");
   expect_message(replaced(first_shift, ".4 .4", ".4 .3"),
-                 "a.inp:7: FKIN = 0.3: must be FSTAT; a static coefficient above the kinetic one is not supported");
+                 "a.inp:7: FKIN = 0.3: must equal FSTAT, 0.4; friction at rest above that of sliding is not supported");
   expect_message(replaced(first_shift, ".42 .42", ".42 .62"), "a.inp:8: POISS2 = 0.62: must be in [0, 0.5]");
   expect_message(replaced(first_shift, "19 19", "0 19"), "a.inp:10: MX = 0: must be in 1 to 10000");
   expect_message(replaced(first_shift, " 1                   IPOTCN", " 0"),

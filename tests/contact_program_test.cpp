@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -97,7 +98,21 @@ TEST(ContactProgram, WritesMatFilesOnRequest) {
                                       "out/sphere_on_plane.0004.mat", "out/sphere_on_plane.h5"}));
   std::istringstream text(contents(folder / "out/sphere_on_plane.0002.mat"));
   std::string line;
-  for (int k = 0; k < 7; ++k) std::getline(text, line);
+  const std::size_t columns = 11;
+  for (int k = 0; k < 6; ++k) { // as loadcase.m of CONTACT reads it: a comment, and lines of equal length
+    std::getline(text, line);
+    EXPECT_TRUE(line.starts_with('%'));
+    std::getline(text, line);
+    std::istringstream words(line);
+    const std::vector<double> numbers{std::istream_iterator<double>(words), {}};
+    ASSERT_EQ(numbers.size(), columns) << line;
+    if (k == 0) {
+      EXPECT_EQ(numbers.back(), 2410);
+    } else if (k == 3) {
+      EXPECT_EQ(numbers[0] * numbers[1], 441);
+    }
+  }
+  std::getline(text, line);
   // I IGS H MU PN PX PY UN UX UY SHFT
   double sum_pn = 0, sum_px = 0, row[11];
   int rows = 0, sliding = 0;
@@ -118,6 +133,33 @@ TEST(ContactProgram, WritesMatFilesOnRequest) {
   const double area = std::pow(2.8 / 21, 2);
   EXPECT_NEAR(sum_pn * area, 9.1954, 1e-4);
   EXPECT_NEAR(sum_px * area, -0.875 * 0.4 * 9.1954, 1e-4);
+}
+
+/// Whole or not at all, beside the result file, with the cases' numbers.
+TEST(ContactProgram, WritesContactsOutputFile) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(folder, "'" + example + "' -o out --out").exit_code, 0);
+  EXPECT_EQ(folder.entries(), (std::vector<std::string>{"out", "out/sphere_on_plane.h5", "out/sphere_on_plane.out"}));
+  const std::string text = contents(folder / "out/sphere_on_plane.out");
+  for (const char* line : {" Case     1\n", " Case     4\n", " CONTACT STATISTICS\n", " KINEMATIC CONSTANTS\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  const auto second = text.find('\n') + 1;
+  EXPECT_NE(text.substr(second, text.find('\n', second) - second).find("detailed investigation of 3D"),
+            std::string::npos)
+      << "by which scripts know such files";
+}
+
+/// A run of refusals for one reason is one line, and the cases are named at the end.
+TEST(ContactProgram, EqualRefusalsAreOneLine) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int k = 0; k < 5; ++k) text += contact_program::first_wheel;
+  save(folder / "a.inp", text + contact_program::first_shift + contact_program::first_wheel + " 0 MODULE\n");
+  const auto outcome = run(folder, "a.inp -o out");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("Cases 1 to 5 (lines 2 to "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("Case 7 (line "), std::string::npos);
+  EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: 6 of 7 cases are not run: 1 to 5, 7\n");
 }
 
 TEST(ContactProgram, ConvertsCasesOfTheirOwn) {
@@ -146,7 +188,7 @@ TEST(ContactProgram, NamesWhatIsNotRunAndRunsTheRest) {
                 "not run\n  B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)\n"),
             std::string::npos);
   EXPECT_NE(outcome.output.find("Case 3 (line 28): shift"), std::string::npos) << outcome.output;
-  EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: 2 of 3 cases are not run\n");
+  EXPECT_EQ(outcome.errors, "microslip: warning: a.inp: 2 of 3 cases are not run: 1, 2\n");
   const Hdf5Reader file(folder / "out/a.h5");
   EXPECT_EQ(file.values<int>("cases/outcome", H5T_NATIVE_INT), (std::vector<int>{2, 2, 0}));
   const auto fx = file.values<double>("cases/fx", H5T_NATIVE_DOUBLE);

@@ -1,7 +1,9 @@
 // Wheels on rails of CONTACT's input files: closed forms, symmetry, and what CONTACT printed.
 
+#include "compat/contact/carried_tractions.hpp"
 #include "compat/contact/input.hpp"
 #include "compat/contact/run.hpp"
+#include "compat/contact/wheel_rail/own_solution.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
@@ -187,6 +189,117 @@ TEST_F(WheelOnPlane, TractionsGoOnFromCaseToCase) {
   EXPECT_GT(std::abs(once), 1e3);
   EXPECT_NEAR(halves.at(0).wheel->track.force.x / once, 0.5, 0.1);
   EXPECT_NEAR(twice / once, 1, 1e-4);
+}
+
+/// Two crests under a cylinder: two patches, or one by other rules. What has been shifted stays when they become one
+/// and two again.
+TEST_F(WheelOnPlane, TractionsStayAsPatchesMergeAndSplit) {
+  write("wheel.prw", 1, [](double) { return 0.0; });
+  write("rail.prr", 0, [](double y) { return std::pow(std::abs(y) - 6, 2) / 200; });
+  std::string text = with(with(first_wheel, " 1203000", " 1201000"), ".2 .2 1. 90d 8. 4.", ".4 .4 1. 90d .2 .1");
+  text = with(with(text, " 0 0 .16 0 0 0", " 0 0 .08 0 0 0"), " 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 ");
+  const auto again = [](const std::string& rules) {
+    return " 1 MODULE\n 1001000\n 0121002\n 0100331\n .4 .4 1. 90d " + rules + "\n 0 0 .08 0 0 0\n 0 0 0 0 0 0\n";
+  };
+  const auto outcomes = run(text + again("8. 6.") + again(".2 .1"));
+  ASSERT_EQ(outcomes.size(), 3u);
+  const WheelOutcome &two = *outcomes[0].wheel, &one = *outcomes[1].wheel, &split = *outcomes[2].wheel;
+  ASSERT_EQ(two.patches.size(), 2u);
+  ASSERT_EQ(one.patches.size(), 1u);
+  ASSERT_EQ(split.patches.size(), 2u);
+  EXPECT_TRUE(two.patches[0].previous.empty());
+  EXPECT_EQ(one.patches[0].previous, (std::vector<int>{1, 2}));
+  for (const WheelPatch& patch : split.patches) EXPECT_EQ(patch.previous, std::vector<int>{1});
+  const double force = two.track.force.x;
+  EXPECT_GT(std::abs(force), 1e3);
+  // Each patch lets the other sink in, which takes 4 % of its force away; what has gone does not come back.
+  EXPECT_NEAR(one.track.force.x / force, 0.96, 0.01);
+  EXPECT_NEAR(split.track.force.x / one.track.force.x, 1, 1e-3);
+  EXPECT_NEAR(split.patches[0].solution->totals.fx / split.patches[1].solution->totals.fx, 1, 1e-6);
+}
+
+/// Tractions of elements numbered from 1.
+CarriedTractions counted(int mx, int my, double x0, double y0) {
+  CarriedTractions carried;
+  carried.tractions.grid = {.mx = mx, .my = my, .x0 = x0, .y0 = y0, .dx = 1e-3, .dy = 1e-3};
+  for (int k = 0; k < mx * my; ++k) {
+    carried.tractions.tractions.px.push_back(k + 1);
+    carried.tractions.tractions.py.push_back(-k - 1);
+  }
+  return carried;
+}
+
+double sum_of_px(const CarriedTractions& carried) {
+  double sum = 0;
+  for (const double p : carried.tractions.tractions.px) sum += p;
+  return sum;
+}
+
+TEST(CarriedTractions, PartsAreTheWhole) {
+  const CarriedTractions whole = counted(3, 5, 0, 0);
+  const double line = 1.5;
+  const auto low = part_of(whole, -1e9, line), high = part_of(whole, line, 1e9);
+  EXPECT_EQ(sum_of_px(low), 1 + 2 + 3 + 4 + 5 + 6);
+  const CarriedTractions sum = sum_of({low, high});
+  EXPECT_EQ(sum.tractions.tractions.px, whole.tractions.tractions.px);
+  EXPECT_EQ(sum.tractions.tractions.py, whole.tractions.tractions.py);
+}
+
+TEST(CarriedTractions, SumsReachAsFarAsTheirParts) {
+  const CarriedTractions a = counted(3, 2, 0, 0), b = counted(2, 2, 5e-3, -4e-3);
+  const CarriedTractions sum = sum_of({a, b});
+  const ElementGrid& grid = sum.tractions.grid;
+  EXPECT_EQ(grid.mx, 7);
+  EXPECT_EQ(grid.my, 6);
+  EXPECT_NEAR(grid.x0, 0, 1e-15);
+  EXPECT_NEAR(grid.y0, -4e-3, 1e-15);
+  EXPECT_EQ(sum_of_px(sum), sum_of_px(a) + sum_of_px(b));
+  CarriedTractions moved = sum;
+  move_origin(moved, 2, -3);
+  EXPECT_NEAR(moved.tractions.grid.x0, 2e-3, 1e-15);
+  EXPECT_NEAR(moved.tractions.grid.y0, -7e-3, 1e-15);
+}
+
+/// By our own geometry and elements; off the middle with the signs that CONTACT has on either side.
+TEST_F(WheelOnPlane, OwnGeometryHasHertzsForce) {
+  std::istringstream stream(first_wheel);
+  InputReader reader(stream, (folder_.path() / "a.inp").string());
+  contact_program::Run runs;
+  const Case c = *reader.next();
+  const Outcome outcome = runs.run(c);
+  const OwnComparison own = compare_with_own(c, *outcome.wheel);
+  EXPECT_EQ(own.status, "ok");
+  ASSERT_EQ(own.own_patches, 1);
+  const double hertzian = hertz(0.16e-3).normal_force;
+  for (const ComparedNumber& n : own.numbers)
+    if (n.name == "FN") {
+      EXPECT_NEAR(n.own / hertzian, 1, 2e-4) << "a sphere is a paraboloid to 4e-4 of the approach";
+    }
+}
+
+TEST_F(WheelOnPlane, OwnGeometryHasContactsSignsOnBothSides) {
+  const std::string convex = with(first_wheel, "'rail.prr'", "'convex.prr'");
+  const std::string right =
+      with(with(convex, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"), " 100. 0 0 0 0 -1. ", " 100. 1. 0 .01 .02 -1. ");
+  const std::string left = with(with(convex, " 0 0 .16 0 0 0", " 0 -3. .1 -.002 -.01 0"), " 100. 0 0 0 0 -1. ",
+                                " 100. -1. 0 -.01 -.02 -1. ");
+  for (const std::string& text : {right, with(left, " 1203000", " 0203000")}) {
+    std::istringstream stream(text);
+    InputReader reader(stream, (folder_.path() / "a.inp").string());
+    contact_program::Run runs;
+    const Case c = *reader.next();
+    const Outcome outcome = runs.run(c);
+    ASSERT_EQ(outcome.wheel->patches.size(), 1u);
+    const OwnComparison own = compare_with_own(c, *outcome.wheel);
+    ASSERT_TRUE(own.reasons.empty());
+    const double limit = 0.3 * outcome.wheel->patches.at(0).solution->totals.fn;
+    EXPECT_EQ(own.numbers.size(), 18u);
+    for (const ComparedNumber& n : own.numbers) {
+      const bool is_force = n.unit == "N" || n.unit == "N mm";
+      const double scale = is_force ? limit : std::max(std::abs(n.program), n.unit == "mm" ? 0.5 : 1e-5);
+      EXPECT_NEAR(n.own, n.program, 0.03 * scale) << n.name;
+    }
+  }
 }
 
 TEST_F(WheelOnPlane, PullsWithTheForceThatIsGiven) {

@@ -94,6 +94,7 @@ struct Case {
   ExtraSlip extra = ExtraSlip::none;   ///< never keep
   std::optional<HeatData> heat = {};   ///< of H = 3 now or before
   SubsFile subs_file = SubsFile::none; ///< of S = 2 or 3 now or before
+  int interior_level = 0;              ///< O_s of the same: how much CONTACT prints of it, 0 to 6
   std::vector<PointBlock> points = {}; ///< of the interior field, S = 3 now or before
   std::optional<WheelRailData> wheel_rail = {};
 };

@@ -24,6 +24,8 @@ Outcome refused(std::vector<std::string> reasons) {
 int element_state(const Outcome& outcome, std::size_t element) {
   if (!(outcome.solution.normal.pressure[element] > 0)) return 0;
   if (outcome.step.frictionless) return 1;
+  const auto& yields = outcome.solution.slip_friction.yields;
+  if (!yields.empty() && yields[element]) return 3;
   return outcome.solution.tangential.state[element] == CellState::adhesion ? 1 : 2;
 }
 
@@ -54,7 +56,10 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   springs_.reset();
   outcome.solution =
       c.digits.is_simplified() ? solve_simplified(c, outcome.step, steps_, springs) : steps_.solve(outcome.step);
-  if (c.digits.is_simplified()) springs_ = std::move(springs);
+  if (c.digits.is_simplified()) {
+    outcome.springs = printed_springs(c, outcome.step, outcome.solution);
+    springs_ = std::move(springs);
+  }
   if (outcome.step.frictionless) springs_ = CarriedSprings();
   outcome.totals = printed_totals(c, outcome.step, outcome.solution);
   if (outcome.step.response.patches.count > 1)
@@ -71,14 +76,16 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   return outcome;
 }
 
-void CaseSolver::move_origin(double dx, double dy) {
-  constexpr double mm = 1e-3;
-  steps_.move_origin(mm * dx, mm * dy);
-  if (!springs_) return;
-  for (Springs* springs : {&springs_->before, &springs_->after}) {
-    springs->grid.x0 += mm * dx;
-    springs->grid.y0 += mm * dy;
-  }
+CarriedTractions CaseSolver::carried() const {
+  CarriedTractions carried{steps_.carried()};
+  if (springs_) carried.springs = springs_->after;
+  return carried;
+}
+
+void CaseSolver::carry(const CarriedTractions& carried) {
+  steps_.carry(carried.tractions);
+  springs_.reset();
+  if (carried.springs) springs_.emplace().after = *carried.springs;
 }
 
 Outcome CaseSolver::run(const Case& c, const Progress& progress) {

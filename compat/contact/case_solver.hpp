@@ -14,14 +14,22 @@ bool goes_on(const Case& c);
 /// A case that is not run, and why.
 Outcome refused(std::vector<std::string> reasons);
 
+/// What a case leaves to the next one: its tractions, and the springs of FASTSIM or of a case without friction.
+struct CarriedTractions {
+  ContactSequence::State tractions = {};
+  std::optional<Springs> springs = {};
+};
+
 /// Solves the cases of one sequence of contacts between two bodies, each with what the ones before it have left.
 class CaseSolver {
 public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
-  /// The tractions of the last case stay where they are while the frame's origin moves by (-dx, -dy) [mm].
-  void move_origin(double dx, double dy);
+  /// What the last case has left to the next one.
+  CarriedTractions carried() const;
+  /// The next case goes on from this in place of it.
+  void carry(const CarriedTractions& carried);
 
 private:
   Outcome solve(const Case& c, const Progress& progress);

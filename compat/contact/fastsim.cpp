@@ -104,10 +104,20 @@ public:
     return s;
   }
 
+  PrintedSprings springs(const Creepage& creepage) const {
+    const std::vector<double> friction = friction_of(creepage);
+    const Flexibilities l = full_flexibilities(creepage);
+    return {{l.longitudinal / mm3_per_newton, l.lateral / mm3_per_newton, l.spin / mm3_per_newton},
+            slope_for(creepage, friction)};
+  }
+
 private:
+  std::vector<double> friction_of(const Creepage& creepage) const {
+    return friction_at(step_, rolling_.rolling_speed * std::hypot(creepage.longitudinal, creepage.lateral));
+  }
+
   GridSolution solve(const Creepage& creepage) const {
-    const double velocity = rolling_.rolling_speed * std::hypot(creepage.longitudinal, creepage.lateral);
-    const std::vector<double> friction = friction_at(step_, velocity);
+    const std::vector<double> friction = friction_of(creepage);
     GridRolling rolling = rolling_;
     rolling.creepage = creepage;
     const Flexibilities l = flexibilities_for(creepage, friction);
@@ -155,18 +165,25 @@ private:
   /// Flexibilities come from Hertz's ellipse, but the reduction of the slope from that of the elements. They are
   /// blended only if the creepages are given.
   Flexibilities flexibilities_for(const Creepage& creepage, const std::vector<double>& friction) const {
+    const Flexibilities l = full_flexibilities(creepage);
+    const double k = slope_for(creepage, friction);
+    return {l.longitudinal / k, l.lateral / k, l.spin / k};
+  }
+
+  double slope_for(const Creepage& creepage, const std::vector<double>& friction) const {
     const EllipticContact of_elements = equivalent(creepage, friction);
-    const SlopeReduction reduction = slope_reduction(case_);
-    const double k = flexibilities(FlexibilityModel::three, {}, of_elements).longitudinal /
-                     flexibilities(FlexibilityModel::three, reduction, of_elements).longitudinal;
-    const bool by_force = case_.digits.force != Prescribed::creepages;
-    Flexibilities l = flexibilities(by_force ? FlexibilityModel::three : FlexibilityModel::blended, {},
-                                    hertzian(creepage, friction_at(step_, 0)));
+    return flexibilities(FlexibilityModel::three, {}, of_elements).longitudinal /
+           flexibilities(FlexibilityModel::three, slope_reduction(case_), of_elements).longitudinal;
+  }
+
+  Flexibilities full_flexibilities(const Creepage& creepage) const {
     if (case_.digits.mater == Bulk::fastsim_one) {
       const double given = require_positive("FLX", case_.material->model_data[0], "mm3/N") * mm3_per_newton;
-      l = {given, given, given};
+      return {given, given, given};
     }
-    return {l.longitudinal / k, l.lateral / k, l.spin / k};
+    const bool by_force = case_.digits.force != Prescribed::creepages;
+    return flexibilities(by_force ? FlexibilityModel::three : FlexibilityModel::blended, {},
+                         hertzian(creepage, friction_at(step_, 0)));
   }
 
   TangentialSolution solution(GridSolution g, const Creepage& creepage) const {
@@ -208,6 +225,15 @@ double spring_energy(const ElementGrid& grid, const TangentialSolution& s) {
 }
 
 } // namespace
+
+PrintedSprings printed_springs(const Case& c, const ContactStep& step, const ContactStepSolution& solution) {
+  if (solution.contact_elements == 0) return {};
+  const SimplifiedCase simplified(c, step, solution.normal.pressure, solution.normal_force, {});
+  // About the centre of spin, as the case was solved.
+  const Creepage& found = solution.tangential.creepage;
+  const double phi = found.spin;
+  return simplified.springs({found.longitudinal - phi * c.spin_y * mm, found.lateral + phi * c.spin_x * mm, phi});
+}
 
 ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,
                                      CarriedSprings& carried) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compat/contact/input.hpp"
+#include "compat/contact/outcome.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/simplified/grid_fastsim.hpp"
 
@@ -28,5 +28,8 @@ struct CarriedSprings {
 /// `carried` is that of the case before and then its own. Throws Error for parameters out of range.
 ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,
                                      CarriedSprings& carried);
+
+/// The flexibilities of a solved case and the factor of their slope, at its creepages.
+PrintedSprings printed_springs(const Case& c, const ContactStep& step, const ContactStepSolution& solution);
 
 } // namespace microslip::contact_program

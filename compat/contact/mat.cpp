@@ -1,8 +1,10 @@
 #include "compat/contact/mat.hpp"
 
+#include "compat/contact/fortran.hpp"
+
+#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <string>
+#include <initializer_list>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,62 +13,223 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr double per_m = 1e3, mega = 1e-6; ///< to mm, to N/mm2
+constexpr int format = 2410;               ///< of the files
 
-std::string numbers(const std::vector<double>& values) {
-  std::string line;
-  for (const double value : values) fmt::format_to(std::back_inserter(line), " {:14.6g}", value);
-  return line + "\n";
+using Numbers = std::vector<double>;
+
+Numbers operator+(Numbers a, const Numbers& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
-std::string head(const Case& c, const Outcome& outcome) {
-  const ElementGrid& grid = outcome.step.grid;
-  const MaterialData& m = *c.material;
-  const bool rolls = c.digits.rolls();
-  std::string text = "%    MX    MY  XL  YL  DX  DY  CHI  DQ  CONFIG  D  YNOM_WHL\n";
-  text += numbers({double(grid.mx), double(grid.my), (grid.x0 - grid.dx / 2) * per_m, (grid.y0 - grid.dy / 2) * per_m,
-                   grid.dx * per_m, grid.dy * per_m, rolls ? c.rolling->chi : 0,
-                   rolls ? outcome.step.motion.step * per_m : 1, 0, 0, 0});
-  text += "%    T     M   GG1  GG2  POISS1  POISS2\n";
-  text += numbers(
-      {double(number(c.digits.tang)), double(number(c.digits.mater)), m.shear1, m.shear2, m.poisson1, m.poisson2});
-  text += "%    H     L   VELOC  FRICTION PARAMETERS\n";
-  std::vector<double> friction = {double(number(c.digits.heat)), double(number(c.friction.law)),
-                                  rolls ? c.rolling->veloc : 1};
-  friction.insert(friction.end(), c.friction.sets[0].begin(), c.friction.sets[0].end());
-  return text + numbers(friction);
+/// What module 1 knows of a patch.
+struct Place {
+  const Case& c;
+  const WheelOutcome& wheel;
+  std::size_t patch;
+};
+
+/// The axes of a profile in the track's: turned about the track's x, and then about their own z [mm], [rad].
+struct Marker {
+  Vec3<double> origin;
+  double roll = 0, yaw = 0;
+};
+
+/// Of a left wheel, whose mirror image `frame` is, the left one's.
+Marker marker_of(const Frame<double>& frame, bool is_left) {
+  const double side = is_left ? -1 : 1;
+  const Vec3<double>& across = frame.axes.ey;
+  return {{frame.origin.x, side * frame.origin.y, frame.origin.z},
+          side * std::atan2(across.z, across.y),
+          -side * std::asin(across.x)};
 }
 
-double coefficient(const Outcome& outcome, std::size_t k) {
-  const auto& friction = outcome.solution.friction;
-  return outcome.step.frictionless || friction.empty() ? 0 : friction[k];
-}
+/// The file's text; all its lines have the same number of columns.
+class MatFile {
+public:
+  MatFile(const Case& c, const Outcome& outcome) : case_(c), outcome_(outcome) {
+    yields_ = c.digits.mater == Bulk::layer && outcome.step.bodies.layer.yields();
+    heats_ = c.digits.heat != Heat::none;
+    columns_ = 11 + (yields_ ? 3 : 0) + (heats_ ? 2 : 0);
+  }
+
+  std::string text(const Place* place) {
+    add_place(place);
+    add_grid(place);
+    add_material();
+    add_friction();
+    add_elements();
+    return std::move(text_);
+  }
+
+private:
+  void comment(const char* names) { text_ += std::string("%") + names + "\n"; }
+
+  void line(Numbers values) {
+    values.resize(columns_, 0);
+    for (const double value : values) text_ += general(value, 14, 6);
+    text_ += "\n";
+  }
+
+  void add_place(const Place* place) {
+    comment(
+        "  TIM           S_WS(FC)      TH_WS(FC)     Y_R(TR)       Z_R(TR)       ROLL_R(TR)    RNOM_ROL      ... FMT");
+    Numbers rail(columns_, 0), wheel, contact;
+    if (place) {
+      const WheelRailData& d = *place->c.wheel_rail;
+      const bool left = d.digits.is_left();
+      const Marker r = marker_of(place->wheel.placement.rail, left), w = marker_of(place->wheel.placement.wheel, left);
+      const bool roller = d.digits.is_roller();
+      const Numbers first = {0,      roller ? 0 : d.position.s,         d.position.pitch, r.origin.y, r.origin.z,
+                             r.roll, roller ? d.track.roller_radius : 0};
+      std::copy(first.begin(), first.end(), rail.begin());
+      wheel = {w.origin.x, w.origin.y, w.origin.z, w.roll, w.yaw, d.wheelset.nominal_radius};
+      const PatchLocation& l = place->wheel.patches[place->patch].location;
+      contact = {l.rail.x,
+                 l.rail.y,
+                 l.rail.z,
+                 l.angle_on_rail,
+                 l.wheel.x,
+                 l.wheel.y,
+                 l.wheel.z,
+                 static_cast<double>(place->wheel.patches.size()),
+                 static_cast<double>(place->patch + 1)};
+    } else {
+      contact.resize(9, 0);
+    }
+    rail.back() = format;
+    line(rail);
+    comment("  X_W(TR)       Y_W(TR)       Z_W(TR)       ROLL_W(TR)    YAW_W(TR)     RNOM_WHL");
+    line(wheel);
+    comment("  X_CP(R)       Y_CP(R)       Z_CP(R)       DELT_CP(R)    X_CP(W)       Y_CP(W)       Z_CP(W)       "
+            "NPATCH        IPATCH        SPINXO        SPINYO");
+    line(contact + Numbers{case_.spin_x, case_.spin_y});
+  }
+
+  void add_grid(const Place* place) {
+    const ElementGrid& grid = outcome_.step.grid;
+    const bool rolls = case_.digits.rolls();
+    Numbers config = {1, 0, 0};
+    if (place) {
+      const WheelRailData& d = *place->c.wheel_rail;
+      config = {double(number(d.digits.config)), double(number(d.search)),
+                (d.digits.is_left() ? -1 : 1) * place->wheel.placement.wheel_on_axle.origin.y};
+    }
+    comment("   MX    MY     XL            YL            DX            DY            CHI           DQ            C1    "
+            "        "
+            "D             YNOM_WHL");
+    line(Numbers{double(grid.mx), double(grid.my), (grid.x0 - grid.dx / 2) * per_m, (grid.y0 - grid.dy / 2) * per_m,
+                 grid.dx * per_m, grid.dy * per_m, rolls ? case_.rolling->chi : 0,
+                 rolls ? outcome_.step.motion.step * per_m : 1} +
+         config);
+  }
+
+  void add_material() {
+    const MaterialData& m = *case_.material;
+    const Numbers digits = {double(number(case_.digits.tang)), double(number(case_.digits.mater))};
+    const Numbers shear = {m.shear1, m.shear2};
+    if (outcome_.springs) { // without POISS2: there are no more columns
+      const auto& [l, slope] = *outcome_.springs;
+      Numbers reduction = {1, 1, 1};
+      if (m.model_data.size() >= 3) reduction.assign(m.model_data.end() - 3, m.model_data.end());
+      comment("    T    M      GG1           GG2           POISS1        FLX1          FLX2          FLX3          "
+              "K0_MF         "
+              "ALFAMF        BETAMF");
+      line(digits + shear + Numbers{m.poisson1, l[0], l[1], l[2]} + reduction);
+      return;
+    }
+    comment("    T    M      GG1           GG2           POISS1        POISS2        (FG1 FG2 TC1 TC2 | GG3 LAYTHK "
+            "TAU_C0 K_TAU)");
+    const bool has_model = case_.digits.mater == Bulk::viscoelastic || case_.digits.mater == Bulk::layer;
+    line(digits + shear + Numbers{m.poisson1, m.poisson2} + (has_model ? m.model_data : Numbers()));
+  }
+
+  void add_friction() {
+    comment("    L    H      VELOC         (FSTAT FKIN | FKIN F1 SABSH1 F2 SABSH2 | FREF TREF DFHEAT DTHEAT) MEMDST "
+            "MEM_S0");
+    line(Numbers{double(number(case_.friction.law)), double(number(case_.digits.heat)),
+                 case_.digits.rolls() ? case_.rolling->veloc : 1} +
+         case_.friction.sets.at(0));
+  }
+
+  /// The coefficient at rest of a row.
+  double at_rest(std::size_t row) const {
+    const auto& sets = case_.friction.sets;
+    const auto& set = sets[std::min(row, sets.size() - 1)];
+    const bool falls = set.size() == 7; // with MEMDST and MEM_S0
+    return falls ? set[0] + set[1] + set[3] : set[0];
+  }
+
+  double coefficient(std::size_t k) const {
+    const auto& friction = outcome_.solution.friction;
+    const bool in_contact = outcome_.solution.normal.pressure[k] > 0;
+    if (in_contact && !outcome_.step.frictionless && !friction.empty()) return friction[k];
+    return at_rest(k / static_cast<std::size_t>(outcome_.step.grid.mx));
+  }
+
+  void add_elements() {
+    text_ += std::string("%    I IGS   H  MU  PN  PX  PY  UN  UX  UY  ") + (case_.digits.rolls() ? "SREL" : "SHFT") +
+             (yields_ ? "  TAUCRT  UPLSX  UPLSY" : "") + (heats_ ? "  TEMP1  TEMP2\n" : "\n");
+    for (std::size_t k = 0; k < outcome_.step.grid.count(); ++k) {
+      const int state = element_state(outcome_, k);
+      if (case_.digits.matfil == Stored::contact && state == 0) continue;
+      text_ += fmt::format("{:7}{:5}  ", k + 1, state);
+      Numbers values = fields(k, state);
+      if (yields_) values = values + layer(k);
+      if (heats_)
+        values =
+            values + (outcome_.temperature ? Numbers{outcome_.temperature->body1[k], outcome_.temperature->body2[k]}
+                                           : Numbers{0, 0});
+      for (const double value : values) text_ += general(value, 14, 6);
+      text_ += "\n";
+    }
+  }
+
+  Numbers fields(std::size_t k, int state) const {
+    const NormalSolution& n = outcome_.solution.normal;
+    const TangentialSolution& t = outcome_.solution.tangential;
+    const bool shifts = !case_.digits.rolls();
+    const PressureModel b = case_.digits.bound;
+    const bool is_given =
+        b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses;
+    constexpr int slip = 2;
+    return {outcome_.step.gap[k] * per_m,
+            coefficient(k),
+            n.pressure[k] * mega,
+            t.tractions.px[k] * mega,
+            t.tractions.py[k] * mega,
+            is_given ? 0 : n.displacement[k] * per_m,
+            t.ux[k] * per_m,
+            t.uy[k] * per_m,
+            state == slip ? std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1) : 0};
+  }
+
+  /// What the layer bears now, and how far it has yielded.
+  Numbers layer(std::size_t k) const {
+    const TangentialState& t = outcome_.solution.tangential.tractions;
+    const auto& deformation = outcome_.solution.slip_friction.deformation;
+    const double u = deformation.empty() ? 0 : deformation[k], p = std::hypot(t.px[k], t.py[k]);
+    const double share = p > 0 ? u / p : 0;
+    return {outcome_.step.bodies.layer.yield_stress_after(u) * mega, share * t.px[k] * per_m, share * t.py[k] * per_m};
+  }
+
+  const Case& case_;
+  const Outcome& outcome_;
+  bool yields_ = false, heats_ = false;
+  std::size_t columns_ = 0;
+  std::string text_;
+};
 
 } // namespace
 
 std::string mat_text(const Case& c, const Outcome& outcome) {
-  const NormalSolution& n = outcome.solution.normal;
-  const TangentialSolution& t = outcome.solution.tangential;
-  const auto& temperature = outcome.temperature;
-  const bool shifts = c.digits.tang == Tangential::shift;
-  std::string text = head(c, outcome) + "%    I IGS  H  MU  PN  PX  PY  UN  UX  UY  " + (shifts ? "SHFT" : "SREL") +
-                     (temperature ? "  TEMP1  TEMP2\n" : "\n");
-  for (std::size_t k = 0; k < outcome.step.grid.count(); ++k) {
-    const int state = element_state(outcome, k);
-    if (c.digits.matfil == Stored::contact && state == 0) continue;
-    fmt::format_to(std::back_inserter(text), "{:7} {:2}", k + 1, state);
-    std::vector<double> line = {(outcome.step.gap[k] - n.approach) * per_m,
-                                coefficient(outcome, k),
-                                n.pressure[k] * mega,
-                                t.tractions.px[k] * mega,
-                                t.tractions.py[k] * mega,
-                                n.displacement[k] * per_m,
-                                t.ux[k] * per_m,
-                                t.uy[k] * per_m,
-                                std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1)};
-    if (temperature) line.insert(line.end(), {temperature->body1[k], temperature->body2[k]});
-    text += numbers(line);
-  }
-  return text;
+  return MatFile(c, outcome).text(nullptr);
+}
+
+std::string mat_text(const Case& c, const WheelOutcome& wheel, std::size_t patch) {
+  const WheelPatch& p = wheel.patches[patch];
+  const Place place{c, wheel, patch};
+  return MatFile(p.contact, *p.solution).text(&place);
 }
 
 } // namespace microslip::contact_program

@@ -6,12 +6,19 @@
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/thermal/surface_temperature.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace microslip::contact_program {
+
+/// What FASTSIM and FaStrip worked with, as CONTACT prints it.
+struct PrintedSprings {
+  std::array<double, 3> flexibilities = {}; ///< FLX1, FLX2, FLX3 [mm3/N]
+  double slope = 1;                         ///< K_EFF, by which they are stiffer [-]
+};
 
 /// What became of a case.
 struct Outcome {
@@ -23,12 +30,13 @@ struct Outcome {
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};
   std::optional<SurfaceTemperature> temperature = {}; ///< if asked for, H > 0
+  std::optional<PrintedSprings> springs = {};         ///< of the simplified theory
   std::vector<InteriorBlock> interior = {};           ///< at the points that are asked for, S > 0
   PrintedTotals totals = {};
   std::optional<WheelOutcome> wheel = {}; ///< of module 1, whose patches have all of the above but the kind
 };
 
-/// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip.
+/// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip, 3 plastic deformation of a layer.
 int element_state(const Outcome& outcome, std::size_t element);
 
 } // namespace microslip::contact_program

@@ -36,7 +36,9 @@ std::vector<double> read_friction_values(Words& words, Law law) {
   if (law == Law::coulomb) {
     set = {read_coefficient(words, "FSTAT"), read_coefficient(words, "FKIN")};
     if (std::abs(set[0] - set[1]) > 1e-3 * set[0])
-      words.fail("FKIN", set[1], "must be FSTAT; a static coefficient above the kinetic one is not supported");
+      words.fail("FKIN", set[1],
+                 "must equal FSTAT, " + short_number(set[0]) +
+                     "; friction at rest above that of sliding is not supported");
   } else if (law == Law::thermal) {
     set = {read_coefficient(words, "FREF"), words.real("TREF"), words.real("DFHEAT"), words.positive("DTHEAT")};
     if (set[0] + set[2] < 0 || set[0] + set[2] > largest_friction)
@@ -156,7 +158,7 @@ void read_points(Words& words, Case& c) {
   const InteriorPoints digit = c.digits.stress;
   if (digit == InteriorPoints::none || digit == InteriorPoints::stored) return;
   c.subs_file = read_choice<SubsFile>(words);
-  words.integer("O_s", 0, 6);
+  c.interior_level = words.integer("O_s", 0, 6);
   words.end_record();
   if (digit == InteriorPoints::read) c.points = read_points(words);
 }

@@ -26,11 +26,11 @@ constexpr Column columns[] = {
      [](const Outcome& o) { return o.solution.normal.elastic_energy + o.solution.tangential.elastic_energy; }},
     {"frictional_power", "W", "power lost by friction; for a shift the work [J]",
      [](const Outcome& o) { return o.solution.tangential.frictional_power; }},
-    {"creepage_longitudinal", "-", "given or found, about the origin; for a shift the distance [m]",
+    {"creepage_longitudinal", "- (m in a shift)", "given or found, about the origin; for a shift the distance",
      [](const Outcome& o) { return o.solution.tangential.creepage.longitudinal; }},
-    {"creepage_lateral", "-", "given or found, about the origin; for a shift the distance [m]",
+    {"creepage_lateral", "- (m in a shift)", "given or found, about the origin; for a shift the distance",
      [](const Outcome& o) { return o.solution.tangential.creepage.lateral; }},
-    {"spin", "1/m", "given; for a shift the rotation [rad]",
+    {"spin", "1/m (rad in a shift)", "given; for a shift the rotation",
      [](const Outcome& o) { return o.solution.tangential.creepage.spin; }},
     {"approach", "m", "approach of distant points", [](const Outcome& o) { return o.solution.normal.approach; }},
     {"peak_pressure", "Pa", "largest pressure of an element",
@@ -108,7 +108,8 @@ int RunFile::add_elements(const Case& c, const Outcome& outcome) {
     state.push_back(element_state(outcome, k));
   }
   file_.append("elements/index", std::span<const int>(index), "-", "j mx + i of the element, from 0, x fastest");
-  file_.append("elements/state", std::span<const int>(state), "-", "0 exterior, 1 adhesion, 2 slip");
+  file_.append("elements/state", std::span<const int>(state), "-",
+               "0 exterior, 1 adhesion, 2 slip, 3 plastic deformation");
   const auto add_field = [&](const char* name, const std::vector<double>& field, const char* unit, const char* what) {
     std::vector<double> values;
     for (const std::size_t k : elements) values.push_back(field[k]);

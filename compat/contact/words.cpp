@@ -25,13 +25,6 @@ bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',' || c == '=' || c == '\r' || c == '\f';
 }
 
-std::string short_number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
-}
-
 /// The word with an exponent that C++ knows; nothing if it is no number.
 std::optional<std::string> with_plain_exponent(std::string_view word) {
   std::string number;
@@ -86,6 +79,13 @@ std::optional<int> to_integer(std::string_view word) {
 }
 
 } // namespace
+
+std::string short_number(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
 
 Words::Words(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
 

@@ -8,6 +8,9 @@
 
 namespace microslip::contact_program {
 
+/// As messages have it: six significant digits at most.
+std::string short_number(double value);
+
 /// Values of an input file of the program CONTACT, one after the other. Words are separated by blanks, tabs, commas and
 /// equals signs, `%` begins a comment, empty lines count for nothing. A record is a row of values that must be there,
 /// on one line or several; after them the same line may hold optional ones, and the rest of it is a remark.

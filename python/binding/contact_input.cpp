@@ -7,10 +7,13 @@
 #include "compat/contact/run.hpp"
 #include "microslip/error.hpp"
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <system_error>
+#include <vector>
 
 namespace microslip::python {
 
@@ -85,8 +88,74 @@ const char* name_of(Outcome::Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
+/// A contact of its own; the patches of a wheel have what follows from one.
 bool is_solved(const RunCase& self) {
-  return self.outcome.kind == Outcome::Kind::solved;
+  return self.outcome.kind == Outcome::Kind::solved && !self.outcome.wheel;
+}
+
+/// A patch of a wheel; it shares its solution with the case.
+struct RunPatch {
+  contact_program::PatchLocation location;
+  double velocity = 0, xi = 0, eta = 0, phi = 0;
+  std::vector<int> previous;
+  std::shared_ptr<const Outcome> solution;
+};
+
+std::array<double, 3> array_of(const Vec3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+
+std::vector<RunPatch> patches_of(const RunCase& self) {
+  std::vector<RunPatch> patches;
+  if (self.outcome.wheel)
+    for (const auto& p : self.outcome.wheel->patches)
+      patches.push_back({p.location, p.contact.rolling ? p.contact.rolling->veloc : 0, p.contact.x, p.contact.y,
+                         p.contact.phi, p.previous, p.solution});
+  return patches;
+}
+
+void bind_patch(py::module_& module) {
+  py::class_<RunPatch> patch(module, "ContactPatch",
+                             "A contact patch of a wheel on a rail (module 1), with CONTACT's signs and units.");
+  patch
+      .def_property_readonly(
+          "track", [](const RunPatch& self) { return array_of(self.location.track); },
+          "XCP, YCP, ZCP in the track's axes [mm], shape (3,).")
+      .def_property_readonly(
+          "rail", [](const RunPatch& self) { return array_of(self.location.rail); },
+          "XCP, YCP, ZCP in the axes of the rail's profile [mm], shape (3,).")
+      .def_property_readonly(
+          "wheel", [](const RunPatch& self) { return array_of(self.location.wheel); },
+          "XCP, YCP, ZCP in the axes of the wheel's profile [mm], shape (3,).")
+      .def_property_readonly(
+          "angle", [](const RunPatch& self) { return self.location.angle; }, "DELTCP in the track's axes [rad].")
+      .def_readonly("velocity", &RunPatch::velocity, "VELOC [mm/s].")
+      .def_readonly("cksi", &RunPatch::xi, "CKSI [-], in a shift [mm].")
+      .def_readonly("ceta", &RunPatch::eta, "CETA [-], in a shift [mm].")
+      .def_readonly("cphi", &RunPatch::phi, "CPHI [rad/mm], in a shift [rad].")
+      .def_readonly("previous", &RunPatch::previous,
+                    "Numbers, from 1, of the patches of the case before that it goes on from [-].")
+      .def_property_readonly(
+          "totals", [](const RunPatch& self) { return self.solution->totals; },
+          "ContactTotals, CONTACT's units [N], [mm]; fy is FS.")
+      .def_property_readonly(
+          "status", [](const RunPatch& self) { return self.solution->solution.status; },
+          "How the calculation ended, a Status [-].")
+      .def_property_readonly(
+          "grid", [](const RunPatch& self) { return self.solution->step.grid; }, "The ElementGrid, SI units.")
+      .def_property_readonly(
+          "normal",
+          [](const RunPatch& self) {
+            return NormalResult{self.solution->solution.normal, shape_of(self.solution->step.grid)};
+          },
+          "The NormalSolution, SI units.")
+      .def_property_readonly(
+          "tangential",
+          [](const RunPatch& self) {
+            return TangentialResult{self.solution->solution.tangential, shape_of(self.solution->step.grid)};
+          },
+          "The TangentialSolution, SI units.");
+  add_description(patch, {"track", "angle", "cksi", "ceta", "cphi", "totals"});
 }
 
 void bind_totals(py::module_& module) {
@@ -135,27 +204,49 @@ void bind_case(py::module_& module) {
           [](const RunCase& self) -> std::optional<PrintedTotals> {
             return is_solved(self) ? std::optional(self.outcome.totals) : std::nullopt;
           },
-          "ContactTotals, CONTACT's units [N], [mm]; None unless solved.")
+          "ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel.")
       .def_property_readonly(
           "grid",
           [](const RunCase& self) -> std::optional<ElementGrid> {
             return is_solved(self) ? std::optional(self.outcome.step.grid) : std::nullopt;
           },
-          "The ElementGrid, SI units; None unless solved.")
+          "The ElementGrid, SI units; None unless solved, and for a wheel.")
       .def_property_readonly(
           "normal",
           [](const RunCase& self) -> std::optional<NormalResult> {
             if (!is_solved(self)) return std::nullopt;
             return NormalResult{self.outcome.solution.normal, shape_of(self.outcome.step.grid)};
           },
-          "The NormalSolution, SI units; None unless solved.")
+          "The NormalSolution, SI units; None unless solved, and for a wheel.")
       .def_property_readonly(
           "tangential",
           [](const RunCase& self) -> std::optional<TangentialResult> {
             if (!is_solved(self)) return std::nullopt;
             return TangentialResult{self.outcome.solution.tangential, shape_of(self.outcome.step.grid)};
           },
-          "The TangentialSolution, SI units; None unless solved.");
+          "The TangentialSolution, SI units; None unless solved, and for a wheel.");
+  const auto of_wheel = [&](const char* name, auto member, const char* text) {
+    run_case.def_property_readonly(
+        name,
+        [member](const RunCase& self) {
+          const auto& wheel = self.outcome.wheel;
+          return wheel ? std::optional(array_of(member(*wheel))) : std::nullopt;
+        },
+        text);
+  };
+  using contact_program::WheelOutcome;
+  of_wheel(
+      "force_on_rail", [](const WheelOutcome& w) { return w.track.force; },
+      "FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for a contact of its own.");
+  of_wheel(
+      "moment_on_rail", [](const WheelOutcome& w) { return w.track.moment; },
+      "About the rail's marker in the track's axes [N mm], shape (3,); None for a contact of its own.");
+  run_case.def_property_readonly("patches", patches_of,
+                                 "ContactPatch of each patch of a wheel [-]; empty for a contact of its own.");
+  run_case.def_property_readonly(
+      "wheel_height",
+      [](const RunCase& self) { return self.outcome.wheel ? std::optional(self.outcome.wheel->z) : std::nullopt; },
+      "Z_WS of a wheel, as given or found [mm]; None for a contact of its own.");
   add_description(run_case, {"number", "line", "outcome", "status", "totals"});
 }
 
@@ -163,6 +254,7 @@ void bind_case(py::module_& module) {
 
 void bind_contact_input(py::module_& module) {
   bind_totals(module);
+  bind_patch(module);
   bind_case(module);
   py::class_<Run>(module, "ContactRun",
                   "The cases of a CONTACT input file, solved one after the other as they are iterated over.")
@@ -170,7 +262,7 @@ void bind_contact_input(py::module_& module) {
       .def("__next__", &Run::next);
   module.def(
       "run_contact_input", [](const py::object& path) { return std::make_unique<Run>(readable_path(path)); }, "path"_a,
-      "Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what\n"
+      "Runs the cases of an input file of the program CONTACT, modules 1 and 3, in their order, each with what\n"
       "the ones before it have left: `for case in run_contact_input(path)` gives ContactCase, totals in\n"
       "CONTACT's units [N], [mm], fields in SI units. Memory does not grow with the number of cases. A\n"
       "case that asks for something unsupported is refused with its reasons, and the others run. Error\n"

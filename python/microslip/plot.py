@@ -11,6 +11,7 @@ from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
 from microslip.contact_cells import read_cells
+from microslip.contact_run_pictures import contact_run_pictures
 from microslip.cut_picture import cut_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
 from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
@@ -28,6 +29,7 @@ from microslip.wheelset_pictures import wheelset_pictures
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
     "conicity": conicity_pictures,
+    "contact_run": contact_run_pictures,
     "fastsim2-table1": fastsim2_table1_pictures,
     "fastsim2-table2": fastsim2_table2_pictures,
     "model-problem": model_problem_pictures,

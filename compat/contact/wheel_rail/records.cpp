@@ -42,8 +42,8 @@ void read_profile_options(Words& words, int options, ProfileRecord& p) {
 
 ProfileRecord read_profile_record(Words& words, const std::string& folder) {
   ProfileRecord p;
-  const std::filesystem::path file = words.text("FNAME");
-  p.file = (std::filesystem::path(folder) / file).string();
+  p.name = words.text("FNAME");
+  p.file = (std::filesystem::path(folder) / p.name).string();
   p.mirror_y = words.integer("MIRRORY", -1, 1);
   p.scale = std::max(1e-6, words.real("SCALE"));
   p.smooth = std::max(0.0, words.real("SMOOTH"));

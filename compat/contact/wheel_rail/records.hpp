@@ -27,6 +27,7 @@ class ProfileCurve;
 struct ProfileRecord {
   std::string file;                               ///< with its path
   std::shared_ptr<const ProfileCurve> curve = {}; ///< what has been made of it already; empty: the file is to be read
+  std::string name = {};                          ///< as the input file has it
   int mirror_y = 0;
   double scale = 1;
   double smooth = 0;                        ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength

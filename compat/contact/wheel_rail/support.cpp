@@ -29,6 +29,10 @@ constexpr Refusal refusals[] = {
      [](const Case& c, const WheelRailData& d) {
        return c.material->coefficients == Coefficients::angle_corrected && d.search != ContactSearch::conformal;
      }},
+    {"D = 4", "conformal contact with profiles that vary",
+     [](const Case&, const WheelRailData& d) {
+       return d.search == ContactSearch::conformal && (is_variable(d.rail) || is_variable(d.wheel));
+     }},
     {"D = 7", "patches at the first point of contact",
      [](const Case&, const WheelRailData& d) { return d.search == ContactSearch::first_point; }},
     {"D = 8, 9", "oblique views, which CONTACT has for three profiles of its tests only",

@@ -80,14 +80,14 @@ std::vector<PatchFrame> WheelGeometry::patches(double z) {
     frames.push_back(lay_out_patch(patch, placed, *rail_at(patch.whole.x), data_.grid, origin_, place_on_track(data_),
                                    most_elements_));
   if (data_.search == ContactSearch::conformal)
-    for (PatchFrame& frame : frames) CurvedPatch(frame, placed, rail()).choose_rows(frame);
+    for (PatchFrame& frame : frames) CurvedPatch(frame, placed, *rail_in_track_).choose_rows(frame);
   return frames;
 }
 
 void WheelGeometry::bend(PatchFrame& frame, double z) const {
   if (data_.search != ContactSearch::conformal) return;
   const Placement placed = placement(z);
-  CurvedPatch(frame, placed, rail()).bend(frame);
+  CurvedPatch(frame, placed, *rail_in_track_).bend(frame);
 }
 
 } // namespace microslip::contact_program

@@ -30,7 +30,8 @@ struct WheelPatch {
   Wrench track, wheelset;            ///< its part of the wheel's
   /// Of the right wheel that was solved, a left one's mirror image: PatchFrame's.
   Frame<double> reference, grid;
-  double s_rail = 0; ///< [mm]
+  double s_rail = 0;              ///< [mm]
+  std::vector<int> previous = {}; ///< numbers, from 1, of the patches of the case before that it goes on from
 };
 
 /// What was counted.

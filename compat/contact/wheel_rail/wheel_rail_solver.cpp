@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace microslip::contact_program {
 namespace {
@@ -188,6 +189,7 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   effort_ = {};
   if (c.digits.pvtime == Continuation::nothing) tracks_.clear();
   for (Track& track : tracks_) track.is_new = true;
+  if (c.digits.pvtime != Continuation::repeated) origins_ = std::exchange(tracks_, {});
   move_origins(origin_of(c.digits));
   Outcome outcome = data.digits.force == TotalForce::force_x           ? find_pitch_velocity(right, progress)
                     : data.digits.force == TotalForce::rail_deflection ? find_deflection(right, progress)
@@ -266,18 +268,22 @@ void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<Patc
     track.dx = frames[k].dx;
     track.ds = frames[k].ds;
     track.contact = contact_box(*wheel.patches[k].solution);
+    track.carried = track.solver->carried();
+    track.carries = false;
   }
 }
 
-/// Tractions of elements about the reference, as seen from where shifts and transient rolling count from.
+/// Tractions of the case before as seen from where this case's elements count from, if it goes on from them.
 void WheelRailSolver::move_origins(GridOrigin origin) {
   if (origin == GridOrigin::reference) return;
-  for (Track& track : tracks_) {
-    if (track.origin != GridOrigin::reference) continue;
-    const double along = origin == GridOrigin::fixed ? track.place : track.x;
-    const double dx = track.dx * std::round(along / track.dx);
-    const double ds = track.ds * std::round(track.s_rail / track.ds);
-    track.solver->move_origin(dx, ds);
+  for (Track& track : origins_) {
+    const auto along = [&](GridOrigin from) {
+      return from == GridOrigin::fixed ? track.place : from == GridOrigin::moving ? track.x : 0.0;
+    };
+    const double dx = track.dx * std::round((along(origin) - along(track.origin)) / track.dx);
+    const double ds = track.origin == GridOrigin::reference ? track.ds * std::round(track.s_rail / track.ds) : 0;
+    track.origin = origin;
+    move_origin(track.carried, dx, ds);
     if (track.contact)
       track.contact = {track.contact->x0 + dx, track.contact->x1 + dx, track.contact->s0 + ds, track.contact->s1 + ds};
   }
@@ -295,25 +301,65 @@ void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress&
   }
 }
 
-/// Hands the solvers of patches on to those that lie where they did.
-void WheelRailSolver::follow(const std::vector<PatchFrame>& frames) {
+/// Of each patch, what it goes on from.
+std::vector<std::vector<WheelRailSolver::Part>> WheelRailSolver::parts_of(const std::vector<PatchFrame>& frames,
+                                                                          bool has_history) const {
+  std::vector<std::vector<Part>> parts(frames.size());
+  for (std::size_t i = 0; i < origins_.size(); ++i) {
+    std::vector<std::size_t> heirs; // from low s to high
+    for (std::size_t k = frames.size(); k-- > 0;)
+      if (std::min(origins_[i].y1, frames[k].y1) > std::max(origins_[i].y0, frames[k].y0)) heirs.push_back(k);
+    Part part{.origin = i};
+    for (std::size_t n = 0; n < heirs.size(); ++n) {
+      const bool is_split = has_history && n + 1 < heirs.size();
+      const Part whole{.origin = i};
+      if (is_split) { // between two rows of elements
+        const double middle = (frames[heirs[n]].s1() + frames[heirs[n + 1]].s0) / 2, ds = origins_[i].ds;
+        part.high = (std::floor(middle / ds) + 0.5) * ds;
+      } else {
+        part.high = whole.high;
+      }
+      parts[heirs[n]].push_back(part);
+      if (is_split) part.low = part.high;
+    }
+  }
+  return parts;
+}
+
+/// A patch that this case has not had yet.
+WheelRailSolver::Track WheelRailSolver::begin_track(const std::vector<Part>& parts, bool has_history) const {
+  Track track;
+  track.parts = parts;
+  const bool is_one = parts.size() == 1 && parts[0] == Part{.origin = parts[0].origin};
+  track.solver = is_one ? origins_[parts[0].origin].solver : std::make_shared<CaseSolver>();
+  if (!has_history || parts.empty()) return track;
+  std::vector<CarriedTractions> carried;
+  for (const Part& part : parts) carried.push_back(part_of(origins_[part.origin].carried, part.low, part.high));
+  track.solver->carry(sum_of(carried));
+  track.carries = true;
+  return track;
+}
+
+/// Hands the solvers of patches on to those that lie where they did and go on from the same ones, and begins others.
+void WheelRailSolver::follow(const std::vector<PatchFrame>& frames, const Digits& digits) {
+  const bool has_history = digits.has_history();
+  const auto parts = parts_of(frames, has_history);
   std::vector<Track> now;
   for (Track& track : tracks_) track.taken = false;
-  for (const PatchFrame& frame : frames) {
+  for (std::size_t k = 0; k < frames.size(); ++k) {
     Track* best = nullptr;
     double most = 0;
     for (Track& track : tracks_) {
-      const double common = std::min(track.y1, frame.y1) - std::max(track.y0, frame.y0);
-      if (!track.taken && common > most) {
+      const double common = std::min(track.y1, frames[k].y1) - std::max(track.y0, frames[k].y0);
+      if (!track.taken && track.parts == parts[k] && common > most) {
         best = &track;
         most = common;
       }
     }
-    now.push_back(best ? *best : Track());
     if (best) best->taken = true;
-    if (!now.back().solver) now.back().solver = std::make_shared<CaseSolver>();
-    now.back().y0 = frame.y0;
-    now.back().y1 = frame.y1;
+    now.push_back(best ? *best : begin_track(parts[k], has_history));
+    now.back().y0 = frames[k].y0;
+    now.back().y1 = frames[k].y1;
   }
   tracks_ = std::move(now);
 }
@@ -331,7 +377,10 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   if (right.digits.has_friction()) motion = motion_of(right, placement, frame, distance);
   patch.contact = patch_case(right, frame, distance, motion, patch.location);
   Digits& digits = patch.contact.digits;
-  if (!track.is_new) { // the same case once more, at another height
+  for (const Part& part : track.parts) patch.previous.push_back(static_cast<int>(part.origin) + 1);
+  if (track.is_new && track.carries && digits.pvtime == Continuation::repeated)
+    digits.pvtime = Continuation::previous; // it has been given what the case goes on from
+  if (!track.is_new) {                      // the same case once more, at another height
     if (digits.pvtime != Continuation::nothing) digits.pvtime = Continuation::repeated;
     digits.iestim = InitialGuess::previous;
   }
@@ -346,9 +395,13 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
   ++effort_.geometry;
   std::vector<PatchFrame> frames = geometry.patches(z);
   const Placement placement = geometry.placement(z);
-  follow(frames);
+  follow(frames, right.digits);
   for (std::size_t k = 0; k < frames.size(); ++k)
-    if (right.digits.pvtime != Continuation::nothing && tracks_[k].contact) cover(frames[k], *tracks_[k].contact);
+    for (const Part& part : tracks_[k].parts) {
+      const auto& contact = origins_[part.origin].contact;
+      if (contact)
+        cover(frames[k], {contact->x0, contact->x1, std::max(contact->s0, part.low), std::min(contact->s1, part.high)});
+    }
   for (PatchFrame& frame : frames) geometry.bend(frame, z);
   Outcome outcome;
   WheelOutcome wheel;

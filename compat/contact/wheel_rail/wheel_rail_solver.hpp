@@ -1,8 +1,9 @@
 #pragma once
 
-#include "compat/contact/case_solver.hpp"
+#include "compat/contact/carried_tractions.hpp"
 #include "compat/contact/wheel_rail/wheel_geometry.hpp"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,24 +13,37 @@
 namespace microslip::contact_program {
 
 /// Solves the cases of one wheel, of module 1, each with what the ones before it have left: patches go on from those of
-/// the case before that lie where they do.
+/// the case before that lie where they do, each from all that overlap it across the track. Of a patch that has split
+/// the new ones take the elements on their side of the line midway between them, so that no tractions are lost or
+/// doubled.
 class WheelRailSolver {
 public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
 private:
+  /// What a patch takes over of one of the case before: the elements between two lines of s [mm].
+  struct Part {
+    std::size_t origin = 0; ///< which patch
+    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+
+    friend bool operator==(const Part&, const Part&) = default;
+  };
+
   /// A patch that is followed from case to case.
   struct Track {
     double y0 = 0, y1 = 0; ///< its extent across the track [mm]
     std::shared_ptr<CaseSolver> solver;
-    bool is_new = true; ///< without a solution of this case
+    bool is_new = true;   ///< without a solution of this case
+    bool carries = false; ///< whether its solver was given `parts` in this case
     bool taken = false;
-    /// Of the case before: its origin of elements, where the reference lay along the rail, from the wheelset and along
-    /// the profile, the elements' sides, and those in contact.
+    std::vector<Part> parts = {};
+    /// Of a case before: its origin of elements, where the reference lay along the rail, from the wheelset and along
+    /// the profile, the elements' sides, those in contact, and what it has left.
     GridOrigin origin = GridOrigin::reference;
     double place = 0, x = 0, s_rail = 0, dx = 0, ds = 0;
     std::optional<PatchBox> contact = {};
+    CarriedTractions carried = {};
   };
 
   ProfileShape profile(const ProfileRecord& record, ProfileRole role);
@@ -44,10 +58,13 @@ private:
   void remember(const WheelOutcome& wheel, const std::vector<PatchFrame>& frames, double place, GridOrigin origin);
   void move_origins(GridOrigin origin);
   void finish(const Case& c, WheelOutcome& wheel, const Progress& progress);
-  void follow(const std::vector<PatchFrame>& frames);
+  std::vector<std::vector<Part>> parts_of(const std::vector<PatchFrame>& frames, bool has_history) const;
+  Track begin_track(const std::vector<Part>& parts, bool has_history) const;
+  void follow(const std::vector<PatchFrame>& frames, const Digits& digits);
 
   std::vector<std::pair<ProfileRecord, ProfileShape>> profiles_;
-  std::vector<Track> tracks_; ///< of the patches of the case before, or of the step before in this case
+  std::vector<Track> origins_; ///< of the patches of the case before
+  std::vector<Track> tracks_;  ///< of those of the last solution
   WheelEffort effort_;
   std::optional<double> last_z_;   ///< Z_WS of the case before
   std::vector<PatchFrame> frames_; ///< of the last solution

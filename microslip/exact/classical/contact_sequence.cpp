@@ -371,11 +371,4 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
   return out;
 }
 
-void ContactSequence::move_origin(double dx, double dy) {
-  for (State* state : {&before_, &after_}) {
-    state->grid.x0 += dx;
-    state->grid.y0 += dy;
-  }
-}
-
 } // namespace microslip

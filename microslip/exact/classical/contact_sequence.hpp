@@ -4,6 +4,7 @@
 #include "microslip/exact/classical/coupled_contact.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace microslip {
 
@@ -20,15 +21,18 @@ public:
   /// motion's progress function returns false; the sequence then is as it was.
   ContactStepSolution solve(const ContactStep& step);
 
-  /// The tractions of the last steps stay where they are while the frame's origin moves by (-dx, -dy) [m].
-  void move_origin(double dx, double dy);
-
-private:
+  /// Tractions and the grid that they are on.
   struct State {
     ElementGrid grid;
     TangentialState tractions;
   };
 
+  /// What the last step has left to the next one.
+  const State& carried() const { return after_; }
+  /// The next step goes on from this in place of it.
+  void carry(State state) { after_ = std::move(state); }
+
+private:
   const NormalSolution& solve_normal_part(const ContactStep& step);
   NormalProblem& normal_problem(const ContactStep& step);
   TangentialProblem& tangential_problem(const ContactStep& step);

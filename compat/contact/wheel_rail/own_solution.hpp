@@ -1,0 +1,31 @@
+#pragma once
+
+#include "compat/contact/outcome.hpp"
+
+#include <string>
+#include <vector>
+
+namespace microslip::contact_program {
+
+// Cases of module 1 solved once more by the library's own geometry, patches and elements of second order (WheelRail),
+// which know neither CONTACT's grid nor its rules for patches: what differs is CONTACT's discretisation.
+
+/// A number by both, with CONTACT's name, unit and sign.
+struct ComparedNumber {
+  std::string name, unit;
+  int patch = 0;      ///< from 1 in CONTACT's order; 0: of the wheel
+  double program = 0; ///< on CONTACT's elements
+  double own = 0;     ///< by the library's
+};
+
+struct OwnComparison {
+  std::vector<std::string> reasons = {}; ///< why there is none: what only CONTACT's way has
+  std::vector<ComparedNumber> numbers = {};
+  std::string status = {}; ///< of our own solution
+  int own_patches = 0;     ///< patches are compared if there are as many
+};
+
+/// Steadily rolling elastic wheels on a track with fixed profiles and one coefficient of friction. Takes 10 to 100 ms.
+OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel);
+
+} // namespace microslip::contact_program
