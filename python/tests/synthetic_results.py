@@ -89,6 +89,24 @@ def write_history(file, steps=12):
         file[f"/exact/history/{name}"] = distance if end is None else end * (1 - np.exp(-distance / 4e-3))
 
 
+def write_contact_run(path):
+    """A file of kind contact_run: a case without elements and one with two patches, of 5 x 4 elements in contact."""
+    mx, my = 7, 6
+    numbers, patches, stored = [1, 2, 2], [0, 1, 2], [0, 20, 20]
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"kind": "contact_run", "title": "A run", "version": "0.1.0", "commit": "abc"})
+        cases = {"number": numbers, "patch": patches, "stored_elements": stored, "first_element": [0, 0, 20], "mx": [mx] * 3,
+                 "my": [my] * 3, "x0": [-3e-3] * 3, "y0": [-2.5e-3] * 3, "dx": [1e-3] * 3, "dy": [1e-3] * 3,
+                 "normal_force": [np.nan, 1e4, 2e4], "fx": [np.nan, -1e3, 2e3], "fy": [np.nan, 0.0, 5e2]}
+        for name, values in cases.items():
+            file[f"/cases/{name}"] = values
+        rows, columns = np.meshgrid(np.arange(1, 5), np.arange(1, 6), indexing="ij")
+        file["/elements/index"] = np.tile((rows * mx + columns).ravel(), 2)
+        file["/elements/state"] = np.tile(np.where(columns > 3, 1, 2).ravel(), 2)
+        for name, scale in (("pressure", 1e9), ("px", -2e8), ("py", 1e8)):
+            file[f"/elements/{name}"] = scale * np.concatenate([np.ones(20), 2 * np.ones(20)])
+
+
 def write_fastsim2_table1(path, cases=400):
     """A file of kind fastsim2-table1; the errors grow linearly from 0, those of each variant to another largest one."""
     with h5py.File(path, "w") as file:

@@ -12,7 +12,52 @@ from tests.compiled import load_tests_if_compiled
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 
+WHEEL = """ 1 MODULE
+ 1203000
+ 0022033
+ 0000231
+ 999 100 30 1 1e-7
+ .3 .3
+ .28 .28 82000. 82000.
+ .4 .4 1. 90d 8. 4.
+ -1. 200. 0. 0.
+ 'rail.prr' 0 1. 0.
+ 0 0 0 0 0 0
+ 200. -100. 100.
+ 'wheel.prw' 0 1. 0.
+ 0 0 .16 0 0 0
+ 100. 0 0 0 0 -1.01
+ 0 MODULE
+"""
+
+
+def write_profile(path, kind, y, z):
+    """A profile in Simpack's format, in mm."""
+    points = "\n".join(f"{a} {b}" for a, b in zip(y, z))
+    path.write_text(f"header.begin\n version = 1\n type = {kind}\nheader.end\nspline.begin\n units.len.f = 1000.\n"
+                    f" point.begin\n{points}\n point.end\nspline.end\n")
+
+
 class ContactInputTest(unittest.TestCase):
+    def test_a_wheel_has_patches(self):
+        y = np.linspace(-20, 20, 401)
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            write_profile(folder / "rail.prr", 0, y, 0 * y)
+            write_profile(folder / "wheel.prw", 1, y[::-1], np.sqrt(1e4 - y**2) - 100)
+            (folder / "a.inp").write_text(WHEEL)
+            [case] = microslip.run_contact_input(folder / "a.inp")
+        self.assertEqual((case.outcome, case.totals, case.grid), ("solved", None, None))
+        [patch] = case.patches
+        np.testing.assert_allclose(patch.track, (0, 200, 0), atol=1e-6)
+        force = np.array(case.force_on_rail)
+        np.testing.assert_allclose((patch.totals.fx, patch.totals.fn), force[[0, 2]], rtol=1e-6)
+        area = patch.grid.dx * patch.grid.dy
+        self.assertAlmostEqual(patch.normal.pressure.sum() * area / patch.totals.fn, 1, places=9)
+        self.assertAlmostEqual(patch.tangential.px.sum() * area / patch.totals.fx, 1, places=6)
+        self.assertAlmostEqual(patch.cksi, (1.01 - 1) / 1.005, places=4)
+        self.assertEqual((patch.previous, case.wheel_height), ([], 0.16))
+
     def test_the_example_runs(self):
         cases = list(microslip.run_contact_input(EXAMPLES / "sphere_on_plane.inp"))
         self.assertEqual([case.number for case in cases], list(range(1, len(cases) + 1)))

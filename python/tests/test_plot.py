@@ -19,8 +19,8 @@ from matplotlib.quiver import Quiver
 from microslip import plot
 from microslip.picture_style import SETTINGS, quantity, round_down, round_up
 from microslip.result_file import ResultFile
-from tests.synthetic_results import (GRIDS, write_fastsim2_table1, write_fastsim2_table2, write_history, write_model_problem,
-                                     write_rolling_contact)
+from tests.synthetic_results import (GRIDS, write_contact_run, write_fastsim2_table1, write_fastsim2_table2, write_history,
+                                     write_model_problem, write_rolling_contact)
 
 PYTHON_FOLDER = Path(__file__).resolve().parent.parent
 
@@ -54,6 +54,21 @@ class FolderTest(unittest.TestCase):
             return plot.pictures(result)
 
 
+class ContactRunTest(FolderTest):
+    def test_each_patch_has_its_pressures_and_tractions(self):
+        write_contact_run(self.path)
+        case = self.figures()["case_0002.png"]
+        panels = [axes for axes in case.axes if axes.get_title()]
+        self.assertEqual([axes.get_title() for axes in panels], ["patch 1", "patch 2"])
+        for scale, axes in enumerate(panels, start=1):
+            [mesh] = [part for part in axes.collections if not isinstance(part, Quiver) and part.get_array() is not None
+                      and np.size(part.get_array()) == 42]
+            self.assertEqual(np.ma.count(mesh.get_array()), 20)
+            self.assertAlmostEqual(mesh.get_array().max(), 1e3 * scale)
+            [arrows] = [part for part in axes.collections if isinstance(part, Quiver)]
+            self.assertTrue(np.allclose(arrows.U, -200 * scale) and np.allclose(arrows.V, 100 * scale))
+
+
 class CommandLineTest(FolderTest):
     def expect_pictures(self, names):
         code, out, err = self.run_plot(self.path, "-o", self.folder / "pictures")
@@ -79,6 +94,10 @@ class CommandLineTest(FolderTest):
             del file["creep_curve"]
             write_history(file)
         self.expect_pictures(["tractions.png", "areas.png", "history.png"])
+
+    def test_a_run_of_contact_cases(self):
+        write_contact_run(self.path)
+        self.expect_pictures(["forces.png", "case_0002.png"])
 
     def test_fastsim2_table1(self):
         write_fastsim2_table1(self.path)
