@@ -67,7 +67,7 @@ private:
   }
 
   std::size_t take() {
-    return next_.fetch_add(options_.chunk);
+    return options_.take ? options_.take() : next_.fetch_add(options_.chunk);
   }
 
   /// Called by the calling thread only, with the items that it has done of its chunk; returns whether to go on.

@@ -18,6 +18,9 @@ struct BatchOptions {
   Progress progress = {};
   /// Whether an item that throws Error leaves the others alone and its reason is kept.
   bool keep_errors = false;
+  /// Hands out chunks in place of the batch: the first item of the next one, ascending; `count` or more if none is
+  /// left. For chunks that processes share. Any thread calls it; what it throws is passed on.
+  std::function<std::size_t()> take = {};
 };
 
 /// A chunk whose worker threw an Error.
