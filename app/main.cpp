@@ -12,6 +12,7 @@
 #include "app/profile.hpp"
 #include "app/run.hpp"
 #include "app/solve.hpp"
+#include "app/sweep.hpp"
 #include "app/usage_error.hpp"
 #include "app/validate.hpp"
 #include "microslip/version.hpp"
@@ -39,6 +40,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_solve_command(program, exit_code);
   add_hertz_command(program);
   add_batch_command(program, exit_code);
+  add_sweep_command(program, exit_code);
   add_init_command(program);
   add_run_command(program, exit_code);
   add_profile_command(program);

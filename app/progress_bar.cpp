@@ -22,8 +22,8 @@ std::string duration(double seconds) {
 
 } // namespace
 
-ProgressBar::ProgressBar(std::string label)
-    : label_(std::move(label)), visible_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()), drawn_(start_) {}
+ProgressBar::ProgressBar(std::string label, double begun)
+    : label_(std::move(label)), begun_(begun), visible_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()), drawn_(start_) {}
 
 ProgressBar::~ProgressBar() {
   clear();
@@ -40,7 +40,8 @@ void ProgressBar::update(double fraction) {
   fraction = std::clamp(fraction, 0.0, 1.0);
   const auto full = static_cast<int>(fraction * width);
   const std::chrono::duration<double> elapsed = now - start_;
-  const auto left = fraction > 0 ? duration(elapsed.count() * (1 - fraction) / fraction) + " left" : "";
+  const double done = fraction - begun_;
+  const auto left = done > 0 ? duration(elapsed.count() * (1 - fraction) / done) + " left" : "";
   fmt::print(stderr, "\r{} [{:#<{}}{:-<{}}] {:3.0f} % {}\033[K", label_, "", full, "", width - full, 100 * fraction,
              left);
   std::fflush(stderr);

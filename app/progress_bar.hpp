@@ -8,7 +8,8 @@ namespace microslip {
 /// A bar with the time left on standard error, if that is a terminal; nothing otherwise. Erases itself at the end.
 class ProgressBar {
 public:
-  explicit ProgressBar(std::string label);
+  /// `begun`: the fraction that was done before, which tells nothing of the time left.
+  explicit ProgressBar(std::string label, double begun = 0);
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
@@ -22,6 +23,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   std::string label_;
+  double begun_;
   bool visible_;
   Clock::time_point start_, drawn_;
 };

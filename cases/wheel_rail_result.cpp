@@ -36,39 +36,13 @@ std::string of_states(std::size_t some, std::size_t all) {
   return " (" + std::to_string(some) + " of " + std::to_string(all) + " states)";
 }
 
-std::string reason_of(const WheelRailCase&, Status status) {
-  switch (status) {
-  case Status::no_contact:
-    return "wheel and rail do not touch";
-  case Status::invalid_input:
-    return "the state is out of range";
-  case Status::no_solution:
-    return "no height of the wheel gives the vertical force";
-  default:
-    return "not converged: see the residual of the vertical force and the status of each patch";
-  }
-}
-
-std::string reason_of(const WheelsetCase&, Status status) {
-  switch (status) {
-  case Status::no_contact:
-    return "a wheel is not above its rail";
-  case Status::invalid_input:
-    return "the state is out of range";
-  case Status::no_solution:
-    return "no height, roll and rolling speed give the load and the torque";
-  default:
-    return "not converged: see the residual";
-  }
-}
-
-template <class Input, class Result> void add_status(const Input& input, Result& result) {
+template <class Result> void add_status(Result& result, std::string (*reason)(Status)) {
   const auto& all = result.solutions;
   const auto first = std::find_if(all.begin(), all.end(), [](const auto& s) { return s.status != Status::ok; });
   if (first == all.end()) return;
   result.status = first->status;
   const auto alike = std::count_if(all.begin(), all.end(), [&](const auto& s) { return s.status == first->status; });
-  result.reason = reason_of(input, first->status) + of_states(static_cast<std::size_t>(alike), all.size());
+  result.reason = reason(first->status) + of_states(static_cast<std::size_t>(alike), all.size());
 }
 
 void add_profile_warnings(const WheelRailSetting& input, std::vector<std::string>& warnings) {
@@ -318,19 +292,45 @@ Json document_of(const Input& input, const Result& result, const Provenance& pro
 
 /// Solves all states; `solve` makes a solution of each.
 template <class Result, class Input, class Solve>
-Result solve_states(const Input& input, const Progress& progress, const Solve& solve) {
+Result solve_states(const Input& input, const Progress& progress, std::string (*reason)(Status), const Solve& solve) {
   Result result;
   for (const auto& state : input.states) {
     go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
     result.solutions.push_back(solve(state));
   }
   go_on(progress, 1);
-  add_status(input, result);
+  add_status(result, reason);
   add_profile_warnings(input, result.warnings);
   return result;
 }
 
 } // namespace
+
+std::string wheel_reason(Status status) {
+  switch (status) {
+  case Status::no_contact:
+    return "wheel and rail do not touch";
+  case Status::invalid_input:
+    return "the state is out of range";
+  case Status::no_solution:
+    return "no height of the wheel gives the vertical force";
+  default:
+    return "not converged: see the residual of the vertical force and the status of each patch";
+  }
+}
+
+std::string wheelset_reason(Status status) {
+  switch (status) {
+  case Status::no_contact:
+    return "a wheel is not above its rail";
+  case Status::invalid_input:
+    return "the state is out of range";
+  case Status::no_solution:
+    return "no height, roll and rolling speed give the load and the torque";
+  default:
+    return "not converged: see the residual";
+  }
+}
 
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
@@ -338,7 +338,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
   method.fields = has_points || is_single;
   WheelRail solver(bodies_of(input), method);
   std::vector<std::vector<InteriorState>> interior;
-  auto result = solve_states<WheelRailResult>(input, progress, [&](const LoadedWheelState& s) {
+  auto result = solve_states<WheelRailResult>(input, progress, wheel_reason, [&](const LoadedWheelState& s) {
     WheelRailSolution solution = solver.solve(s.state, s.vertical_force);
     for (const ContactSolution& fields : solution.fields)
       if (has_points) interior.push_back(interior_states(input.material, input.material, fields, input.interior));
@@ -356,7 +356,7 @@ WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
   method.fields = input.states.size() == 1;
   WheelsetOnTrack solver(bodies_of(input), method);
   auto result = solve_states<WheelsetResult>(
-      input, progress, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
+      input, progress, wheelset_reason, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
   add_warnings(input, solutions_of(result, &WheelsetSolution::left), "left wheel: ", result.warnings);
   add_warnings(input, solutions_of(result, &WheelsetSolution::right), "right wheel: ", result.warnings);
   return result;

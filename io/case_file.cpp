@@ -190,7 +190,7 @@ Method given_method(const TomlSection& solution, const RollingCase& input) {
 
 /// Throws an Error for something at the first of the keys `field` names, "motion.kind, motion.step", that the text
 /// has.
-void refuse_where_given(const TomlSection& root, const std::string& name, const Incompatibility& found) {
+void refuse_where_given(const TomlSection& root, const Incompatibility& found) {
   std::string_view fields = found.field;
   while (!fields.empty()) {
     const auto end = fields.find(", ");
@@ -202,7 +202,7 @@ void refuse_where_given(const TomlSection& root, const std::string& name, const 
     const auto table = root.required_section(section);
     if (table.has(key)) refuse_at(table, section, key, true, std::string(found.text));
   }
-  throw Error(name + ": " + found.message());
+  throw Error(root.file() + ": " + found.message());
 }
 
 void read_solution(const TomlSection& solution, RollingCase& input) {
@@ -239,7 +239,10 @@ bool needs_classical(const RollingCase& input) {
 
 RollingCase parse_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
-  const TomlSection root(table, name);
+  return read_case(TomlSection(table, name));
+}
+
+RollingCase read_case(const TomlSection& root) {
   root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
   RollingCase input;
   input.title = root.text("title", "");
@@ -262,11 +265,11 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   try {
     hertz_contact(input);
   } catch (const Error& error) {
-    throw Error(name + ": [body1], [body2] and [load] together: " + error.what());
+    throw Error(root.file() + ": [body1], [body2] and [load] together: " + error.what());
   }
   check_thermal(root, input);
   const auto found = incompatibilities(rolling_problem(input), given_method(root.optional_section("solution"), input));
-  if (!found.empty()) refuse_where_given(root, name, found.front());
+  if (!found.empty()) refuse_where_given(root, found.front());
   if (input.theory == Theory::exact && needs_classical(input)) input.discretisation = Discretisation::classical;
   return input;
 }

@@ -15,6 +15,8 @@
 
 namespace microslip {
 
+class TomlSection;
+
 /// One of the two bodies of a case file.
 struct BodyInput {
   double rolling_radius = 0;    ///< [m], in the plane of rolling: positive convex, negative concave, infinite flat
@@ -54,6 +56,8 @@ struct RollingCase {
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
 RollingCase parse_case(std::string_view text, const std::string& name);
+/// The same of a file that is parsed as TOML already.
+RollingCase read_case(const TomlSection& root);
 
 /// The bodies of a case: elastic, or viscoelastic in steady rolling.
 Bodies bodies_of(const RollingCase& input);

@@ -1,5 +1,6 @@
 #include "io/contact_table.hpp"
 
+#include "io/csv_line.hpp"
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
 #include "microslip/error.hpp"
@@ -9,8 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <utility>
-
-#include <csv.h>
 
 namespace microslip {
 namespace {
@@ -81,57 +80,6 @@ bool is_blank(std::string_view line) {
   return trimmed(line).empty();
 }
 
-/// Splits lines into fields.
-class LineSplitter {
-public:
-  LineSplitter() { csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI); }
-  LineSplitter(const LineSplitter&) = delete;
-  LineSplitter& operator=(const LineSplitter&) = delete;
-  ~LineSplitter() { csv_free(&parser_); }
-
-  /// The fields of a line; they are valid until the next call. Throws Error if they cannot be told apart.
-  const std::vector<std::string_view>& split(std::string_view line) {
-    // The parser would take it for the end of a row.
-    if (line.find('\r') != std::string_view::npos) throw Error("a carriage return inside a line");
-    text_.clear();
-    ends_.clear();
-    const auto length = csv_parse(&parser_, line.data(), line.size(), add_field, nullptr, this);
-    if (length != line.size() || csv_fini(&parser_, add_field, nullptr, this) != 0)
-      throw Error("a quote is not closed or inside a field");
-    fields_.clear();
-    std::size_t begin = 0;
-    for (const auto end : ends_) {
-      fields_.push_back(trimmed(std::string_view(text_).substr(begin, end - begin)));
-      begin = end;
-    }
-    return fields_;
-  }
-
-private:
-  static void add_field(void* bytes, std::size_t size, void* self) {
-    auto& splitter = *static_cast<LineSplitter*>(self);
-    splitter.text_.append(static_cast<const char*>(bytes), size);
-    splitter.ends_.push_back(splitter.text_.size());
-  }
-
-  csv_parser parser_{};
-  std::string text_;
-  std::vector<std::size_t> ends_;
-  std::vector<std::string_view> fields_;
-};
-
-double number(std::string_view label, std::string_view field) {
-  const auto fail = [&](const std::string& what) { throw Error(std::string(label) + ": " + what); };
-  if (field.empty()) fail("there is nothing");
-  const auto digits = field.front() == '+' ? field.substr(1) : field;
-  const char* const end = digits.data() + digits.size();
-  double value = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if (error == std::errc::result_out_of_range && stop == end) fail(printable(field) + " is too large or too small");
-  if (error != std::errc() || stop != end || digits.front() == '+') fail(printable(field) + " is not a number");
-  return value;
-}
-
 void append(std::string& text, double value) {
   std::array<char, 32> digits{};
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
@@ -169,7 +117,7 @@ void ContactTableReader::fill(std::string& text) {
 
 void ContactTableReader::parse_header(std::string_view line, std::size_t number) {
   const auto fail = [&](const std::string& what) { throw Error(name_ + ":" + std::to_string(number) + ": " + what); };
-  LineSplitter splitter;
+  CsvLine splitter;
   try {
     splitter.split(line);
   } catch (const Error& error) {
@@ -205,7 +153,7 @@ bool ContactTableReader::read(TextChunk& chunk) {
 
 ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
   ContactRows rows;
-  LineSplitter splitter;
+  CsvLine splitter;
   std::string_view text = chunk.text;
   for (std::size_t line_number = chunk.first_line; !text.empty(); ++line_number) {
     const auto line = take_line(text);
@@ -219,7 +167,7 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
       auto& contact = rows.contacts.emplace_back();
       for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto& column = known_columns[kinds_[i]];
-        column.set(contact, column.label, number(column.label, fields[i]));
+        column.set(contact, column.label, csv_number(column.label, fields[i]));
         if (i > 0) rows.text += ',';
         rows.text += fields[i];
       }

@@ -117,18 +117,23 @@ struct ResultFile::Contents {
     return array;
   }
 
-  template <class Value>
-  void append(const std::string& path, std::span<const Value> values, const std::string& unit,
+  void append(const std::string& path, hid_t type, const void* values, hsize_t count, const std::string& unit,
               const std::string& description) {
-    Growing& array = growing(path, type_of<Value>(), unit, description);
-    if (values.empty()) return;
-    const hsize_t begin = array.length, count = values.size(), end = begin + count;
+    Growing& array = growing(path, type, unit, description);
+    if (count == 0) return;
+    const hsize_t begin = array.length, end = begin + count;
     check(H5Dset_extent(array.dataset.get(), &end), path);
     const Hdf5Handle all(H5Dget_space(array.dataset.get()), H5Sclose),
         part(H5Screate_simple(1, &count, nullptr), H5Sclose);
     check(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr), path);
-    check(H5Dwrite(array.dataset.get(), type_of<Value>(), part.get(), all.get(), H5P_DEFAULT, values.data()), path);
+    check(H5Dwrite(array.dataset.get(), type, part.get(), all.get(), H5P_DEFAULT, values), path);
     array.length = end;
+  }
+
+  template <class Value>
+  void append(const std::string& path, std::span<const Value> values, const std::string& unit,
+              const std::string& description) {
+    append(path, type_of<Value>(), values.data(), values.size(), unit, description);
   }
 
   /// Writes what HDF5 still holds.
@@ -178,6 +183,13 @@ void ResultFile::array(const std::string& path, const Values& values, const std:
 void ResultFile::append(const std::string& path, const Values& values, const std::string& unit,
                         const std::string& description) {
   std::visit([&](auto numbers) { contents_->append(path, numbers, unit, description); }, values);
+}
+
+void ResultFile::append(const std::string& path, std::span<const std::string> texts, const std::string& description) {
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  contents_->append(path, contents_->text.get(), static_cast<const void*>(pointers.data()), pointers.size(), "-",
+                    description);
 }
 
 void ResultFile::attribute(const std::string& path, const std::string& name, const std::string& value) {

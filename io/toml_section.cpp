@@ -27,8 +27,9 @@ std::string type_name(const toml::node& node) {
   }
 }
 
+/// What a program has put into a table has no line.
 std::string location(const std::string& file, std::size_t line) {
-  return file + ":" + std::to_string(line) + ": ";
+  return line == 0 ? file + ": " : file + ":" + std::to_string(line) + ": ";
 }
 
 std::string location(const std::string& file, const toml::source_region& source) {
@@ -162,6 +163,19 @@ std::string TomlSection::text(std::string_view key, std::string_view missing) co
   if (node == nullptr) return std::string(missing);
   if (!node->is_string()) wrong_type(key, *node, "text");
   return node->as_string()->get();
+}
+
+std::vector<std::string> TomlSection::texts(std::string_view key) const {
+  const auto* node = find(key);
+  if (node == nullptr) return {};
+  const auto* list = node->as_array();
+  if (list == nullptr) wrong_type(key, *node, "a list of texts");
+  std::vector<std::string> values;
+  for (const auto& element : *list) {
+    if (!element.is_string()) wrong_type(key, element, "a list of texts");
+    values.push_back(element.as_string()->get());
+  }
+  return values;
 }
 
 std::string TomlSection::required_text(std::string_view key) const {

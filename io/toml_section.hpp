@@ -22,8 +22,11 @@ class TomlSection {
 public:
   using Words = std::vector<std::string_view>;
 
-  /// The whole file.
-  TomlSection(const toml::table& root, const std::string& file) : table_(&root), file_(file) {}
+  /// The whole file, or a table in it with its name for messages.
+  TomlSection(const toml::table& table, const std::string& file, std::string name = {})
+      : table_(&table), name_(std::move(name)), file_(file) {}
+  /// The file's name for messages.
+  const std::string& file() const { return file_; }
   TomlSection required_section(std::string_view name) const;
   TomlSection optional_section(std::string_view name) const;
 
@@ -44,6 +47,8 @@ public:
   std::vector<double> numbers(std::string_view key, std::string_view unit) const;
   bool is_list(std::string_view key) const;
   std::string text(std::string_view key, std::string_view missing) const;
+  /// A list of texts, empty if the key is missing.
+  std::vector<std::string> texts(std::string_view key) const;
   /// Text that must be there and not empty.
   std::string required_text(std::string_view key) const;
   std::string word(std::string_view key, std::string_view missing, std::span<const std::string_view> words) const;

@@ -106,8 +106,8 @@ ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role)
 }
 
 /// The profile that a section names, with a path from the case file's folder.
-PreparedProfile read_profile(const TomlSection& section, const std::string& name, ProfileRole role) {
-  const auto path = std::filesystem::path(name).parent_path() / section.required_text("profile");
+PreparedProfile read_profile(const TomlSection& section, ProfileRole role) {
+  const auto path = std::filesystem::path(section.file()).parent_path() / section.required_text("profile");
   const ProfileFileOptions options = profile_options(section, role);
   std::optional<PreparedProfile> profile;
   section.at("profile", [&] {
@@ -313,7 +313,7 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
 }
 
 /// All sections but [wheel] and [sweep].
-WheelRailSetting read_setting(const TomlSection& root, const std::string& name, const Variables& variables) {
+WheelRailSetting read_setting(const TomlSection& root, const Variables& variables) {
   root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "interior", "sweep"});
   const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
                     wheelset = root.required_section("wheelset");
@@ -326,8 +326,8 @@ WheelRailSetting read_setting(const TomlSection& root, const std::string& name, 
   return {.title = root.text("title", ""),
           .track = read_track(track, variables),
           .wheelset = read_wheelset(wheelset),
-          .rail = read_profile(rail, name, ProfileRole::rail),
-          .wheel = read_profile(wheelset, name, ProfileRole::wheel),
+          .rail = read_profile(rail, ProfileRole::rail),
+          .wheel = read_profile(wheelset, ProfileRole::wheel),
           .material = read_material(root.required_section("material")),
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
@@ -360,45 +360,72 @@ WheelRailBodies bodies_of(const WheelRailSetting& input, TrackSide side) {
 
 bool is_wheel_rail_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
-  const TomlSection root(table, name);
+  return is_wheel_rail_case(TomlSection(table, name));
+}
+
+bool is_wheel_rail_case(const TomlSection& root) {
   return root.has("track") || root.has("rail") || root.has("wheelset") || root.has("wheel");
 }
 
 bool is_wheelset_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
-  const TomlSection root(table, name), wheel = root.optional_section("wheel");
+  return is_wheelset_case(TomlSection(table, name));
+}
+
+bool is_wheelset_case(const TomlSection& root) {
+  const TomlSection wheel = root.optional_section("wheel");
   return wheel.has("side") && wheel.text("side", "") == "both";
 }
 
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
-  const TomlSection root(table, name), wheel = root.required_section("wheel");
+  return read_wheel_rail_case(TomlSection(table, name));
+}
+
+WheelRailCase read_wheel_rail_case(const TomlSection& root) {
+  const TomlSection wheel = root.required_section("wheel");
   const Variables variables = wheel_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
   wheel.word("side", "left", TomlSection::Words{"left", "right", "both"});
-  WheelRailCase input{read_setting(root, name, variables), wheel.option("side", TrackSide::left), {}, {}};
-  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  input.states =
-      states_of(read_state(root, wheel, variables, sweeps), sweeps, pitch_is_given, input.wheelset.nominal_radius);
+  WheelRailCase input{read_setting(root, variables), wheel.option("side", TrackSide::left), {}, {}};
+  input.states = read_states(root, input);
   add_varied(input, sweeps);
   if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
   check_places(root, input);
   return input;
 }
 
+std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRailCase& of) {
+  const TomlSection wheel = root.required_section("wheel");
+  const Variables variables = wheel_variables_by_name();
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
+  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
+  return states_of(read_state(root, wheel, variables, sweeps), sweeps, pitch_is_given, of.wheelset.nominal_radius);
+}
+
 WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
-  const TomlSection root(table, name), wheel = root.required_section("wheel");
+  return read_wheelset_case(TomlSection(table, name));
+}
+
+WheelsetCase read_wheelset_case(const TomlSection& root) {
   if (root.has("interior"))
     root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
   const Variables variables = wheelset_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
-  WheelsetCase input{read_setting(root, name, variables), {}};
-  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  input.states = states_of(wheel, read_wheelset_state(root, wheel, variables, sweeps), sweeps, pitch_is_given);
+  WheelsetCase input{read_setting(root, variables), {}};
+  input.states = read_states(root, input);
   add_varied(input, sweeps);
   check_places(root, input);
   return input;
+}
+
+std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase&) {
+  const TomlSection wheel = root.required_section("wheel");
+  const Variables variables = wheelset_variables_by_name();
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
+  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
+  return states_of(wheel, read_wheelset_state(root, wheel, variables, sweeps), sweeps, pitch_is_given);
 }
 
 WheelRailBodies bodies_of(const WheelRailCase& input) {

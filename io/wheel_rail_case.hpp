@@ -13,6 +13,8 @@
 
 namespace microslip {
 
+class TomlSection;
+
 /// A state of the wheel with its load.
 struct LoadedWheelState {
   WheelState<double> state;             ///< its `vertical` counts without a force
@@ -53,14 +55,22 @@ struct WheelsetCase : WheelRailSetting {
 /// Whether the text of a case file is about a wheel on a rail: it has one of the sections that only such files have.
 /// Error as parse_wheel_rail_case for text that is not TOML.
 bool is_wheel_rail_case(std::string_view text, const std::string& name);
+bool is_wheel_rail_case(const TomlSection& root);
 
 /// Whether it is about both wheels of a wheelset.
 bool is_wheelset_case(std::string_view text, const std::string& name);
+bool is_wheelset_case(const TomlSection& root);
 
 /// Reads a case from TOML text, and the profiles it names; `name` is the file's name for messages and where the paths
 /// of profiles start. Errors as of parse_case; those about a profile begin with the line that names it.
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name);
 WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name);
+/// The same of a file that is parsed as TOML already.
+WheelRailCase read_wheel_rail_case(const TomlSection& root);
+WheelsetCase read_wheelset_case(const TomlSection& root);
+/// Its states alone, of the setting `of`.
+std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRailCase& of);
+std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase& of);
 
 /// What the solver needs of it.
 WheelRailBodies bodies_of(const WheelRailCase& input);

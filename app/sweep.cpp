@@ -1,0 +1,160 @@
+#include "app/sweep.hpp"
+
+#include "app/command_line.hpp"
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/json_document.hpp"
+#include "app/progress_bar.hpp"
+#include "campaign/launcher.hpp"
+#include "campaign/sweep_file.hpp"
+#include "io/case_file.hpp"
+#include "io/output_file.hpp"
+#include "microslip/contact/limits.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SweepArguments {
+  fs::path spec, output;
+  /// Of many ranks each has its processors given by the launcher.
+  int threads = has_launcher() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool json = false;
+};
+
+/// One run of the command on one of the ranks.
+class SweepRun {
+public:
+  SweepRun(const SweepArguments& arguments, Ranks& ranks) : arguments_(arguments), ranks_(ranks) {}
+
+  int run() {
+    ranks_.agree([&] { sweep_.emplace(read_case_text(arguments_.spec), arguments_.spec.string()); });
+    const CampaignPlan plan = sweep_->plan();
+    Campaign campaign(checkpoint_of(arguments_.output), plan, ranks_);
+    kept_ = campaign.kept_cases();
+    compute(campaign);
+    ranks_.agree(
+        [&] {
+          if (ranks_.is_first()) write(campaign);
+        },
+        may_go_on);
+    if (!ranks_.is_first()) return ExitCode::done;
+    arguments_.json ? print_document() : print_summary();
+    return count_.failed == 0 ? ExitCode::done : ExitCode::not_met;
+  }
+
+private:
+  static bool may_go_on(double) {
+    InterruptGuard::throw_if_interrupted();
+    return true;
+  }
+
+  void compute(Campaign& campaign) {
+    const double kept = static_cast<double>(kept_) / static_cast<double>(campaign.plan().count);
+    ProgressBar bar(arguments_.spec.filename().string(), kept);
+    const bool complete = campaign.run({.threads = arguments_.threads,
+                                        .progress =
+                                            [&](double fraction) {
+                                              if (ranks_.is_first()) bar.update(fraction);
+                                              return !InterruptGuard::interrupted();
+                                            }},
+                                       [&] { return sweep_->make_worker(); });
+    if (!complete) throw Interrupted();
+  }
+
+  void write(Campaign& campaign) {
+    const Provenance provenance = {.kind = sweep_kind,
+                                   .title = sweep_->spec().title(),
+                                   .command_line = command_line(),
+                                   .case_file = arguments_.spec.string(),
+                                   .case_text = sweep_->spec().text()};
+    if (arguments_.output.has_parent_path()) create_folder(arguments_.output.parent_path());
+    ProgressBar bar(arguments_.output.filename().string());
+    count_ = write_sweep(*sweep_, campaign, provenance, arguments_.output, [&](double fraction) {
+      bar.update(fraction);
+      return may_go_on(fraction);
+    });
+    campaign.remove();
+  }
+
+  void print_summary() const {
+    fmt::print("{} cases", count_.cases);
+    if (kept_ > 0) fmt::print(", {} of them from the checkpoint", kept_);
+    fmt::print("\n{}\n", arguments_.output.string());
+    std::fflush(stdout);
+    if (count_.failed > 0)
+      fmt::print(stderr, "microslip: warning: {}: {} of {} cases have another status than ok, see failures/\n",
+                 arguments_.output.string(), count_.failed, count_.cases);
+  }
+
+  void print_document() const {
+    Json document = json_document(sweep_kind);
+    document["cases"] = count_.cases;
+    document["cases_from_checkpoint"] = kept_;
+    document["cases_failed"] = count_.failed;
+    document["files"] = {arguments_.output.string()};
+    print_json(document);
+  }
+
+  const SweepArguments& arguments_;
+  Ranks& ranks_;
+  std::optional<Sweep> sweep_;
+  std::size_t kept_ = 0;
+  SweepCount count_;
+};
+
+int sweep(const SweepArguments& arguments) {
+  require_count("--threads", arguments.threads, 1, most_threads);
+  const InterruptGuard guard;
+  const auto ranks = launched_ranks();
+  try {
+    return SweepRun(arguments, *ranks).run();
+  } catch (const Error&) { // the same on all ranks
+    if (ranks->is_first()) throw;
+    return ExitCode::bad_input;
+  }
+}
+
+} // namespace
+
+void add_sweep_command(CLI::App& program, int& exit_code) {
+  auto* command = program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys");
+  const auto arguments = std::make_shared<SweepArguments>();
+  command->add_option("SPEC.toml", arguments->spec, "what varies in which case")->required()->type_name("");
+  command->add_option("-o,--output", arguments->output, "result file")->required()->type_name("OUT.h5");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "
+                   "for each rank")
+      ->type_name("COUNT");
+  add_json_flag(*command, arguments->json);
+  command->footer(
+      "SPEC.toml names a case file of `solve` and the keys that vary:\n\n"
+      "  case = \"wheel_on_rail.toml\"\n"
+      "  [grid]                                  # all combinations; or [sample] with count and seed, or\n"
+      "  wheel.lateral = { from = 0, to = 7e-3, count = 71 }              # [list] with file = \"cases.csv\"\n"
+      "  solution.theory = [\"fastsim2\", \"exact\"]\n\n"
+      "OUT.h5 has the parameters and all quantities of every case, in their order, and the reasons of those that are\n"
+      "not solved. Finished chunks of cases are kept in OUT.h5.checkpoint until OUT.h5 is complete: after an\n"
+      "interruption, a crash or a full disk the same command goes on with what is missing. Started by mpirun all\n"
+      "ranks share the cases. The results are the same to the last bit on any threads and ranks. Exit code 1: some\n"
+      "cases have another status than ok.\n\n"
+      "Examples:\n"
+      "  microslip sweep examples/creep_sweep.toml -o creep.h5\n"
+      "  mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5");
+  command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
+}
+
+} // namespace microslip

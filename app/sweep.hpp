@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// `microslip sweep SPEC.toml -o OUT.h5`: many cases, on threads and ranks, with a checkpoint.
+void add_sweep_command(CLI::App& program, int& exit_code);
+
+} // namespace microslip

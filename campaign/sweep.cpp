@@ -1,0 +1,293 @@
+#include "campaign/sweep.hpp"
+
+#include "cases/rolling_contact_result.hpp"
+#include "cases/wheel_rail_result.hpp"
+#include "io/nearest_word.hpp"
+#include "microslip/contact/quantities.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/rolling/solver.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace microslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* status_codes = "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution";
+
+/// A column with how its number is taken from what a kind of cases finds.
+template <class Solved> struct Column {
+  SweepColumn of_file;
+  std::function<double(const Solved&)> value;
+};
+template <class Solved> using Columns = std::vector<Column<Solved>>;
+
+double code_of(Status status) {
+  return static_cast<double>(status);
+}
+
+// A kind of cases: what it finds, its columns, which keys need a new solver, and how it is read and solved. `root` is
+// the case's file; `is_new` says that one of those keys has changed since the last call.
+
+/// Two bodies that touch in an ellipse.
+class RollingKind {
+public:
+  struct Solved {
+    HertzContact hertz;
+    ContactSolution contact;
+  };
+
+  static Columns<Solved> columns(const SweepSpec& spec) {
+    const bool is_shift = spec.base().at_path("motion.kind").value_or(std::string_view()) ==
+                          to_word(ContactMotion::shift);
+    Columns<Solved> all = {{{"contact/status", "-", status_codes},
+                            [](const Solved& s) { return code_of(s.contact.report.status); }}};
+    const auto hertz = hertz_quantities({});
+    for (std::size_t k = 0; k < hertz.size(); ++k)
+      if (hertz[k].path.starts_with("hertz/"))
+        all.push_back({{hertz[k].path, hertz[k].unit, hertz[k].description},
+                       [k](const Solved& s) { return hertz_quantities(s.hertz)[k].value; }});
+    for (const Quantity& q : quantities())
+      all.push_back({{"contact/" + std::string(q.name), std::string(is_shift ? q.shift_unit : q.unit),
+                      std::string(q.description)},
+                     [&q](const Solved& s) { return q.applies(s.contact) ? q.value(s.contact) : nan; }});
+    return all;
+  }
+  static bool needs_new_solver(std::string_view key) { return key.starts_with("solution."); }
+  static void check(const TomlSection& root) { read_case(root); }
+
+  Solved solve(const TomlSection& root, bool is_new, const Progress& progress) {
+    const RollingCase input = read_case(root);
+    if (is_new || !solver_) solver_.emplace(method_of(input));
+    return {hertz_contact(input), solver_->solve(rolling_problem(input), progress)};
+  }
+  static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
+
+private:
+  std::optional<Solver> solver_;
+};
+
+/// Columns of a wheel and its patches; `group` is what stands before wheel/ and patches/.
+template <class Solved, class Wheel>
+void add_wheel(Columns<Solved>& all, const std::string& group, int patches, const Wheel& wheel) {
+  all.push_back({{group + "wheel/status", "-", status_codes}, [=](const Solved& s) { return code_of(wheel(s).status); }});
+  for (const WheelQuantity& q : wheel_quantities())
+    all.push_back({{group + "wheel/" + std::string(q.name), std::string(q.unit), std::string(q.description)},
+                   [=, &q](const Solved& s) { return q.value(wheel(s)); }});
+  for (int k = 0; k < patches; ++k) {
+    const std::string of_patch = group + "patches/" + std::to_string(k) + "/";
+    const auto has = [=](const Solved& s) { return static_cast<std::size_t>(k) < wheel(s).patches.size(); };
+    all.push_back({{of_patch + "status", "-", status_codes},
+                   [=](const Solved& s) { return has(s) ? code_of(wheel(s).patches[k].status) : nan; }});
+    for (const PatchQuantity& q : patch_quantities())
+      all.push_back({{of_patch + std::string(q.name), std::string(q.unit), std::string(q.description)},
+                     [=, &q](const Solved& s) { return has(s) ? q.value(wheel(s).patches[k]) : nan; }});
+  }
+}
+
+/// What wheels and wheelsets share. `Input` is a WheelRailCase or a WheelsetCase.
+template <class Input, class Solver> class RailwayCases {
+public:
+  /// The state alone is read from case to case, unless something else has changed.
+  template <class Read> const auto& state(const TomlSection& root, bool is_new, const Read& read) {
+    if (is_new || !solver_) {
+      solver_.reset();
+      input_ = read(root);
+      solver_.emplace(bodies_of(*input_), input_->method);
+    } else {
+      input_->states = read_states(root, *input_);
+    }
+    return input_->states.front();
+  }
+  Solver& solver() { return *solver_; }
+
+private:
+  std::optional<Input> input_;
+  std::optional<Solver> solver_;
+};
+
+/// A wheel on a rail.
+class WheelKind {
+public:
+  using Solved = WheelRailSolution;
+
+  static Columns<Solved> columns(const SweepSpec& spec) {
+    Columns<Solved> all;
+    add_wheel(all, "", spec.patches(), [](const Solved& s) -> const WheelRailSolution& { return s; });
+    return all;
+  }
+  static bool needs_new_solver(std::string_view key) {
+    const auto of_state = state_quantities();
+    return key != "wheel.vertical_force" && std::none_of(of_state.begin(), of_state.end(), [&](const StateQuantity& q) {
+             return key == std::string(q.section) + "." + std::string(q.name);
+           });
+  }
+  static void check(const TomlSection& root) { read_wheel_rail_case(root); }
+
+  Solved solve(const TomlSection& root, bool is_new, const Progress&) {
+    const LoadedWheelState& s = cases_.state(root, is_new, read_wheel_rail_case);
+    return cases_.solver().solve(s.state, s.vertical_force);
+  }
+  static std::string reason(const Solved& solved) { return wheel_reason(solved.status); }
+
+private:
+  RailwayCases<WheelRailCase, WheelRail> cases_;
+};
+
+/// Both wheels of a wheelset.
+class WheelsetKind {
+public:
+  using Solved = WheelsetSolution;
+
+  static Columns<Solved> columns(const SweepSpec& spec) {
+    Columns<Solved> all = {{{"wheelset/status", "-", status_codes}, [](const Solved& s) { return code_of(s.status); }}};
+    for (const WheelsetQuantity& q : wheelset_quantities())
+      all.push_back({{"wheelset/" + std::string(q.name), std::string(q.unit), std::string(q.description)},
+                     [&q](const Solved& s) { return q.value(s); }});
+    add_wheel(all, "left/", spec.patches(), [](const Solved& s) -> const WheelRailSolution& { return s.left; });
+    add_wheel(all, "right/", spec.patches(), [](const Solved& s) -> const WheelRailSolution& { return s.right; });
+    return all;
+  }
+  static bool needs_new_solver(std::string_view key) {
+    const auto of_state = wheelset_state_quantities();
+    const auto forces = prescribed_forces();
+    const auto is_key = [&](std::string_view section, std::string_view name) {
+      return key == std::string(section) + "." + std::string(name);
+    };
+    return std::none_of(of_state.begin(), of_state.end(),
+                        [&](const auto& q) { return is_key(q.of_wheel->section, q.name); }) &&
+           std::none_of(forces.begin(), forces.end(), [&](const auto& f) { return is_key("wheel", f.name); });
+  }
+  static void check(const TomlSection& root) { read_wheelset_case(root); }
+
+  Solved solve(const TomlSection& root, bool is_new, const Progress&) {
+    const LoadedWheelsetState& s = cases_.state(root, is_new, read_wheelset_case);
+    return cases_.solver().solve(s.state, s.load);
+  }
+  static std::string reason(const Solved& solved) { return wheelset_reason(solved.status); }
+
+private:
+  RailwayCases<WheelsetCase, WheelsetOnTrack> cases_;
+};
+
+/// The case file's table, with the parameters of one case after the other.
+template <class Kind> class CaseTable {
+public:
+  explicit CaseTable(std::shared_ptr<const SweepSpec> spec) : spec_(std::move(spec)), table_(spec_->base()) {
+    for (const SweepParameter& parameter : spec_->parameters())
+      rebuilds_.push_back(std::any_of(parameter.keys.begin(), parameter.keys.end(), Kind::needs_new_solver));
+    last_.resize(rebuilds_.size());
+  }
+
+  /// Whether a key has changed that needs a new solver.
+  bool set(std::size_t index) {
+    bool is_new = std::exchange(is_first_, false);
+    for (std::size_t k = 0; k < rebuilds_.size(); ++k) {
+      spec_->set(index, k, table_);
+      if (!rebuilds_[k]) continue;
+      const CaseValue value = spec_->value(index, k);
+      is_new = is_new || !(std::exchange(last_[k], value) == value);
+    }
+    return is_new;
+  }
+  TomlSection root() const { return {table_, spec_->base_name()}; }
+
+private:
+  std::shared_ptr<const SweepSpec> spec_;
+  toml::table table_;
+  std::vector<bool> rebuilds_;
+  std::vector<CaseValue> last_;
+  bool is_first_ = true;
+};
+
+std::string_view last_name(std::string_view path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+/// Those that the file asks for; the status is always kept.
+template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepSpec& spec) {
+  const auto& wanted = spec.quantities();
+  if (wanted.empty()) return all;
+  const auto is_named = [](const auto& column, const std::string& name) {
+    return column.of_file.path == name || last_name(column.of_file.path) == name;
+  };
+  for (const std::string& name : wanted) {
+    if (std::any_of(all.begin(), all.end(), [&](const auto& column) { return is_named(column, name); })) continue;
+    std::vector<std::string_view> names;
+    for (const auto& column : all) names.push_back(last_name(column.of_file.path));
+    throw Error(spec.name() + ": output.quantities: " + printable(name) + " is no quantity" + suggestion(name, names));
+  }
+  Columns<Solved> some = {all.front()};
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& name) { return is_named(all[k], name); }))
+      some.push_back(all[k]);
+  return some;
+}
+
+} // namespace
+
+template <class Kind> void Sweep::set_up() {
+  const auto columns = std::make_shared<const Columns<typename Kind::Solved>>(chosen(Kind::columns(*spec_), *spec_));
+  for (const auto& column : *columns) columns_.push_back(column.of_file);
+  struct Worker {
+    CaseTable<Kind> table;
+    Kind kind;
+    std::shared_ptr<const Columns<typename Kind::Solved>> columns;
+    bool has_failed = false; ///< the last case: its solver may not be as its keys say
+  };
+  make_worker_ = [spec = spec_, columns]() -> RowWorker {
+    const auto worker = std::make_shared<Worker>(Worker{CaseTable<Kind>(spec), {}, columns});
+    return [worker](std::size_t index, std::span<double> row, const Progress& progress) {
+      const bool is_new = worker->table.set(index) || worker->has_failed;
+      worker->has_failed = true;
+      const auto solved = worker->kind.solve(worker->table.root(), is_new, progress);
+      worker->has_failed = false;
+      std::transform(worker->columns->begin(), worker->columns->end(), row.begin(),
+                     [&](const auto& column) { return column.value(solved); });
+      return row.front() == code_of(Status::ok) ? "" : Kind::reason(solved);
+    };
+  };
+  check_ = [spec = spec_](std::size_t index) {
+    CaseTable<Kind> table(spec);
+    table.set(index);
+    Kind::check(table.root());
+  };
+}
+
+Sweep::Sweep(const std::string& text, const std::string& name)
+    : spec_(std::make_shared<const SweepSpec>(text, name)) {
+  const TomlSection base(spec_->base(), spec_->base_name());
+  if (is_wheelset_case(base))
+    set_up<WheelsetKind>();
+  else if (is_wheel_rail_case(base))
+    set_up<WheelKind>();
+  else
+    set_up<RollingKind>();
+  check_some_cases();
+}
+
+/// A misspelt key is wrong in all cases, a value out of range may be so in one.
+void Sweep::check_some_cases() const {
+  constexpr std::size_t some = 5;
+  std::string first_error;
+  for (std::size_t k = 0; k < some; ++k) {
+    try {
+      check_(k * (spec_->count() - 1) / (some - 1));
+      return;
+    } catch (const Error& error) {
+      if (k == 0) first_error = error.what();
+    }
+  }
+  throw Error(first_error);
+}
+
+CampaignPlan Sweep::plan() const {
+  return {
+      .identity = spec_->identity(), .count = spec_->count(), .width = columns_.size(), .chunk = spec_->chunk()};
+}
+
+} // namespace microslip

@@ -1,0 +1,154 @@
+#include "campaign/sweep_file.hpp"
+
+#include "io/result_file.hpp"
+#include "microslip/status.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t block = 4096; ///< cases that are written at a time
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A column that comes into being with its first number: what no case has, the file leaves out.
+class ColumnWriter {
+public:
+  ColumnWriter(ResultFile& file, SweepColumn column)
+      : file_(file), column_(std::move(column)), is_status_(column_.path.ends_with("status")) {}
+
+  void add(double value) { values_.push_back(value); }
+
+  void flush() {
+    if (is_status_)
+      write_status();
+    else
+      write_numbers();
+    values_.clear();
+  }
+
+private:
+  void write_numbers() {
+    const bool is_given = std::any_of(values_.begin(), values_.end(), [](double v) { return !std::isnan(v); });
+    if (!is_given && !is_begun_) {
+      missing_ += values_.size();
+      return;
+    }
+    for (; missing_ > 0; missing_ -= std::min(missing_, block))
+      write(std::vector<double>(std::min(missing_, block), nan));
+    is_begun_ = true;
+    write(values_);
+  }
+  void write(const std::vector<double>& values) { file_.append(column_.path, values, column_.unit, column_.description); }
+
+  /// A case that could not be read has no row.
+  void write_status() {
+    std::vector<std::uint8_t> codes;
+    for (const double value : values_)
+      codes.push_back(std::isnan(value) ? static_cast<std::uint8_t>(Status::invalid_input)
+                                        : static_cast<std::uint8_t>(value));
+    file_.append(column_.path, codes, column_.unit, column_.description);
+  }
+
+  ResultFile& file_;
+  SweepColumn column_;
+  bool is_status_, is_begun_ = false;
+  std::size_t missing_ = 0; ///< cases before the first number
+  std::vector<double> values_;
+};
+
+class SweepWriter {
+public:
+  SweepWriter(const Sweep& sweep, ResultFile& file) : spec_(sweep.spec()), file_(file) {
+    for (const SweepColumn& column : sweep.columns()) columns_.emplace_back(file, column);
+  }
+
+  void add(const CampaignRows& rows) {
+    for (std::size_t k = 0; k < rows.values.size(); ++k) columns_[k % columns_.size()].add(rows.values[k]);
+    end_ += rows.values.size() / columns_.size();
+    for (const auto& [index, reason] : rows.failed) {
+      failed_.push_back(static_cast<int>(index));
+      reasons_.push_back(reason);
+    }
+    if (end_ - begin_ >= block) flush();
+  }
+
+  SweepCount finish() {
+    flush();
+    if (!spec_.shape().empty()) {
+      const std::vector<int> shape(spec_.shape().begin(), spec_.shape().end());
+      file_.array("shape", shape, "-", "values of each parameter of the grid, the last one varies fastest");
+    }
+    std::string names;
+    for (const SweepParameter& p : spec_.parameters()) names.append(names.empty() ? "" : "\n").append(p.name);
+    file_.attribute("/", "parameters", names);
+    return {end_, failures_};
+  }
+
+private:
+  void flush() {
+    write_parameters();
+    for (ColumnWriter& column : columns_) column.flush();
+    file_.append("failures/case", std::span<const int>(failed_), "-", "cases whose status is not ok, from 0");
+    file_.append("failures/reason", reasons_, "why");
+    failures_ += failed_.size();
+    failed_.clear();
+    reasons_.clear();
+    begin_ = end_;
+  }
+
+  void write_parameters() {
+    for (std::size_t k = 0; k < spec_.parameters().size(); ++k) {
+      const SweepParameter& parameter = spec_.parameters()[k];
+      const std::string path = "parameters/" + parameter.name, description = "key of the case file";
+      std::vector<double> numbers;
+      std::vector<std::string> texts;
+      for (std::size_t i = begin_; i < end_; ++i)
+        if (parameter.is_number)
+          numbers.push_back(number_of(spec_.value(i, k)));
+        else
+          texts.push_back(spec_.text_of(i, k));
+      if (parameter.is_number)
+        file_.append(path, numbers, "SI", description);
+      else
+        file_.append(path, texts, description);
+    }
+  }
+  static double number_of(const CaseValue& value) {
+    return value.node == nullptr ? value.number : value.node->value_or(nan);
+  }
+
+  const SweepSpec& spec_;
+  ResultFile& file_;
+  std::vector<ColumnWriter> columns_;
+  std::size_t begin_ = 0, end_ = 0, failures_ = 0;
+  std::vector<int> failed_;
+  std::vector<std::string> reasons_;
+};
+
+} // namespace
+
+std::filesystem::path checkpoint_of(const std::filesystem::path& output) {
+  return output.string() + ".checkpoint";
+}
+
+SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Provenance& provenance,
+                       const std::filesystem::path& path, const Progress& progress) {
+  ResultFile file(path, provenance, ResultFile::Storage::disk);
+  SweepWriter writer(sweep, file);
+  campaign.read([&](const CampaignRows& rows) {
+    go_on(progress, static_cast<double>(rows.number) / static_cast<double>(campaign.plan().chunks()));
+    writer.add(rows);
+  });
+  const SweepCount count = writer.finish();
+  file.attribute("/", "case", sweep.spec().base_name());
+  if (!sweep.spec().base_text().empty()) file.attribute("/", "base_case_text", sweep.spec().base_text());
+  file.commit();
+  return count;
+}
+
+} // namespace microslip

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "campaign/campaign.hpp"
+#include "campaign/sweep.hpp"
+#include "io/result_writer.hpp"
+#include "microslip/progress.hpp"
+
+#include <filesystem>
+
+namespace microslip {
+
+/// What a sweep's result files hold.
+inline constexpr const char* sweep_kind = "sweep";
+
+/// How the cases of a sweep ended.
+struct SweepCount {
+  std::size_t cases = 0, failed = 0;
+};
+
+/// Where a sweep that writes to `output` keeps its checkpoint: OUT.h5.checkpoint.
+std::filesystem::path checkpoint_of(const std::filesystem::path& output);
+
+/// Writes the rows of a campaign in which nothing is missing as HDF5, in constant memory: `parameters/KEY`, the columns
+/// of the sweep that any case has, `failures/case` and `failures/reason`. The file appears whole or not at all. Throws
+/// Error if it cannot be written, and Stopped if `progress` returns false.
+SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Provenance& provenance,
+                       const std::filesystem::path& path, const Progress& progress = {});
+
+} // namespace microslip

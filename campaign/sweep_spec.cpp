@@ -1,0 +1,349 @@
+#include "campaign/sweep_spec.hpp"
+
+#include "campaign/hash.hpp"
+#include "campaign/rows.hpp"
+#include "io/case_file.hpp"
+#include "io/csv_line.hpp"
+#include "io/nearest_word.hpp"
+#include "io/text_line.hpp"
+#include "microslip/error.hpp"
+#include "microslip/version.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace microslip {
+
+/// The values of a parameter: those of a list, or a range.
+struct SweepSpec::Axis {
+  toml::array list = {};            ///< or else
+  std::vector<double> numbers = {}; ///< a column of numbers, or else
+  double from = 0, to = 0;
+  bool is_logarithmic = false;
+  std::size_t count = 0; ///< 0: any number between the ends
+
+  CaseValue at(std::size_t i) const {
+    if (!list.empty()) return {.number = 0, .node = list.get(i)};
+    if (!numbers.empty()) return {.number = numbers[i]};
+    return {.number = i + 1 == count && count > 1 ? to : between(count > 1 ? double(i) / double(count - 1) : 0)};
+  }
+  /// Where a part of the values lies below.
+  CaseValue at_fraction(double part) const {
+    if (count > 0) return at(std::min(count - 1, static_cast<std::size_t>(part * static_cast<double>(count))));
+    return {.number = between(part)};
+  }
+
+private:
+  double between(double part) const {
+    return is_logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
+  }
+};
+
+/// A parameter in the file.
+struct SweepSpec::Entry {
+  std::string name;
+  const toml::node* values;
+  toml::source_region place;
+};
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// SplitMix64 (Steele, Lea and Flood 2014): numbers by their index, without a state.
+std::uint64_t scrambled(std::uint64_t z) {
+  z += 0x9e3779b97f4a7c15;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+/// In [0, 1): of a case and a parameter.
+double random_part(std::uint64_t seed, const std::string& name, std::size_t index) {
+  const std::uint64_t stream = scrambled(hash_of(name) ^ scrambled(seed));
+  return static_cast<double>(scrambled(stream + index * 0x9e3779b97f4a7c15) >> 11) * 0x1p-53;
+}
+
+std::vector<std::string> keys_of(const std::string& name) {
+  std::vector<std::string> keys;
+  std::stringstream parts(name);
+  for (std::string key; std::getline(parts, key, ',');) keys.emplace_back(trimmed(key));
+  return keys;
+}
+
+bool is_range(const toml::table& table) {
+  const auto is_number = [&](const char* key) { return table.contains(key) && table.get(key)->is_number(); };
+  return table.empty() || is_number("from") || is_number("to") || is_number("count");
+}
+
+/// A number as case files may have it: keys that want a number take a whole one, too.
+void insert(toml::table& table, std::string_view key, const CaseValue& value) {
+  constexpr double largest_whole = 9e15;
+  if (value.node != nullptr)
+    value.node->visit([&](const auto& node) { table.insert_or_assign(key, node); });
+  else if (value.number == std::floor(value.number) && std::abs(value.number) < largest_whole)
+    table.insert_or_assign(key, static_cast<std::int64_t>(value.number));
+  else
+    table.insert_or_assign(key, value.number);
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  if (!file || fs::is_directory(path)) throw Error(path.string() + ": cannot be read");
+  return text;
+}
+
+/// So that up to 20,000 cases each are kept by themselves.
+std::size_t usual_chunk(std::size_t count) {
+  constexpr std::size_t fine = 20'000, largest = 64;
+  return std::max(std::clamp<std::size_t>((count + fine - 1) / fine, 1, largest),
+                  (count + most_chunks - 1) / most_chunks);
+}
+
+} // namespace
+
+SweepSpec::SweepSpec(const std::string& text, const std::string& name) : text_(text), name_(name) {
+  const auto table = parse_toml(text, name);
+  const TomlSection root(table, name_);
+  root.allow({"title", "case", "grid", "list", "sample", "output", "chunk"});
+  title_ = root.text("title", "");
+  read_base(root);
+  const int ways = root.has("grid") + root.has("list") + root.has("sample");
+  if (ways != 1) throw Error(name_ + ": needs one of [grid], [list] and [sample]");
+  for (const char* way : {"grid", "list", "sample"}) root.optional_section(way); // tables
+  if (root.has("grid")) read_grid(*table.get("grid")->as_table());
+  if (root.has("sample")) read_sample(root, *table.get("sample")->as_table());
+  if (root.has("list")) read_list(root.required_section("list"));
+  read_chunk(root);
+  const TomlSection output = root.optional_section("output");
+  output.allow({"quantities", "patches"});
+  quantities_ = output.texts("quantities");
+  output.count("patches", 0, 8, patches_);
+}
+
+void SweepSpec::read_base(const TomlSection& root) {
+  if (!root.has("case")) throw Error(name_ + ": case is missing: a case file's name, or its sections below [case]");
+  const auto table = parse_toml(text_, name_);
+  if (const auto* inside = table.get("case")->as_table()) {
+    base_ = *inside;
+    base_name_ = name_;
+  } else {
+    const auto path = fs::path(name_).parent_path() / root.required_text("case");
+    base_name_ = path.string();
+    root.at("case", [&] { base_text_ = read_case_text(path); });
+    base_ = parse_toml(base_text_, base_name_);
+  }
+  for (const char* section : {"sweep", "interior"})
+    if (base_.contains(section))
+      throw Error(base_name_ + ": [" + section + "]: must be left out of a case that varies in a sweep of its own");
+}
+
+/// In the order of the file. A key may be quoted, or open tables by its dots.
+std::vector<SweepSpec::Entry> SweepSpec::entries_of(const toml::table& section) const {
+  std::vector<Entry> entries;
+  const std::function<void(const toml::table&, const std::string&)> collect = [&](const auto& table,
+                                                                                  const std::string& before) {
+    for (const auto& [key, node] : table) {
+      const std::string name = before + std::string(key.str());
+      const auto* inside = node.as_table();
+      if (inside != nullptr && !is_range(*inside))
+        collect(*inside, name + ".");
+      else
+        entries.push_back({name, &node, key.source()});
+    }
+  };
+  collect(section, "");
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& e, const Entry& f) { return e.place.begin < f.place.begin; });
+  return entries;
+}
+
+void SweepSpec::add(const Entry& entry, bool has_count) {
+  Axis axis;
+  bool is_number = true;
+  if (const auto* list = entry.values->as_array()) {
+    if (list->empty()) fail(entry.place, entry.name + ": must have at least one value");
+    axis.list = *list;
+    axis.count = list->size();
+    is_number = std::all_of(list->begin(), list->end(), [](const toml::node& node) { return node.is_number(); });
+  } else if (const auto* table = entry.values->as_table()) {
+    axis = range_of(TomlSection(*table, name_, entry.name), has_count);
+  } else {
+    fail(entry.place, entry.name + ": must be a list of values or { from = ..., to = ... }");
+  }
+  parameters_.push_back({entry.name, keys_of(entry.name), is_number});
+  axes_.push_back(std::make_shared<const Axis>(std::move(axis)));
+}
+
+/// Of a grid it has a count, of a sample none.
+SweepSpec::Axis SweepSpec::range_of(const TomlSection& range, bool has_count) {
+  constexpr std::array<std::string_view, 2> scales = {"linear", "logarithmic"};
+  TomlSection::Words keys = {"from", "to", "scale"};
+  if (has_count) keys.push_back("count");
+  range.allow(keys);
+  Axis axis;
+  axis.from = range.finite("from", "SI");
+  axis.to = range.finite("to", "SI");
+  axis.is_logarithmic = range.word("scale", "linear", scales) == "logarithmic";
+  range.at("scale", [&] {
+    if (axis.is_logarithmic && !(axis.from * axis.to > 0)) throw Error("a logarithmic scale needs ends of one sign");
+  });
+  if (!has_count) return axis;
+  int count = 0;
+  range.count("count", 1, std::numeric_limits<int>::max(), count);
+  range.at("count", [&] {
+    if (count == 0) throw Error("count is missing");
+  });
+  axis.count = static_cast<std::size_t>(count);
+  return axis;
+}
+
+void SweepSpec::read_grid(const toml::table& section) {
+  for (const Entry& entry : entries_of(section)) add(entry, true);
+  if (axes_.empty()) throw Error(name_ + ": [grid]: names no key that varies");
+  count_ = 1;
+  for (const auto& axis : axes_) {
+    shape_.push_back(axis->count);
+    if (axis->count > most_cases / count_)
+      throw Error(name_ + ": [grid]: more than " + std::to_string(most_cases) + " cases");
+    count_ *= axis->count;
+  }
+}
+
+void SweepSpec::read_sample(const TomlSection& root, const toml::table& section) {
+  const TomlSection sample = root.required_section("sample");
+  int count = 0, seed = -1;
+  sample.count("count", 1, static_cast<int>(most_cases), count);
+  sample.count("seed", 0, std::numeric_limits<int>::max(), seed);
+  if (count == 0 || seed < 0) throw Error(name_ + ": [sample]: needs count and seed");
+  for (const Entry& entry : entries_of(section))
+    if (entry.name != "count" && entry.name != "seed") add(entry, false);
+  if (axes_.empty()) throw Error(name_ + ": [sample]: names no key that varies");
+  is_sample_ = true;
+  count_ = static_cast<std::size_t>(count);
+  seed_ = static_cast<std::uint64_t>(seed);
+}
+
+void SweepSpec::read_list(const TomlSection& list) {
+  list.allow({"file"});
+  const auto path = fs::path(name_).parent_path() / list.required_text("file");
+  list.at("file", [&] { list_text_ = read_text(path); });
+  parse_rows(list_text_, path.string());
+}
+
+/// A table of cases: keys in the first line, a case in each one that follows. The first pass finds which columns are
+/// numbers, the second one keeps them.
+void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  using Fields = std::vector<std::string_view>;
+  const auto visit = [&](const std::function<void(std::size_t row, const Fields&)>& add) {
+    CsvLine line;
+    std::size_t row = 0, number = 0;
+    for (auto rest = text; !rest.empty();) {
+      const auto next = take_line(rest);
+      ++number;
+      if (trimmed(next).empty()) continue;
+      try {
+        add(row++, line.split(next));
+      } catch (const Error& error) {
+        throw Error(file + ":" + std::to_string(number) + ": " + error.what());
+      }
+    }
+    count_ = row == 0 ? 0 : row - 1;
+  };
+  visit([&](std::size_t row, const Fields& fields) {
+    if (row > 0 && fields.size() != parameters_.size())
+      throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(parameters_.size()));
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      if (row == 0 && fields[k].empty()) throw Error("column " + std::to_string(k + 1) + " has no name");
+      if (row == 0)
+        parameters_.push_back({std::string(fields[k]), keys_of(std::string(fields[k])), true});
+      else if (!parse_number(fields[k]))
+        parameters_[k].is_number = false;
+    }
+  });
+  if (count_ == 0) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
+  if (count_ > most_cases) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
+  std::vector<Axis> columns(parameters_.size(), Axis{.count = count_});
+  visit([&](std::size_t row, const Fields& fields) {
+    for (std::size_t k = 0; row > 0 && k < fields.size(); ++k)
+      if (parameters_[k].is_number)
+        columns[k].numbers.push_back(*parse_number(fields[k]));
+      else
+        columns[k].list.push_back(std::string(fields[k]));
+  });
+  for (Axis& column : columns) axes_.push_back(std::make_shared<const Axis>(std::move(column)));
+}
+
+void SweepSpec::read_chunk(const TomlSection& root) {
+  chunk_ = usual_chunk(count_);
+  int chunk = static_cast<int>(chunk_);
+  root.count("chunk", static_cast<int>((count_ + most_chunks - 1) / most_chunks), 1'000'000, chunk);
+  chunk_ = static_cast<std::size_t>(chunk);
+}
+
+CaseValue SweepSpec::value(std::size_t index, std::size_t k) const {
+  if (is_sample_) return axes_[k]->at_fraction(random_part(seed_, parameters_[k].name, index));
+  if (shape_.empty()) return axes_[k]->at(index);
+  std::size_t stride = 1;
+  for (std::size_t later = k + 1; later < shape_.size(); ++later) stride *= shape_[later];
+  return axes_[k]->at(index / stride % shape_[k]);
+}
+
+std::string SweepSpec::text_of(std::size_t index, std::size_t k) const {
+  const toml::node& node = *value(index, k).node;
+  if (const auto* word = node.as_string()) return word->get();
+  std::ostringstream text;
+  node.visit([&](const auto& printed) { text << printed; });
+  return text.str();
+}
+
+void SweepSpec::set(std::size_t index, std::size_t k, toml::table& table) const {
+  const CaseValue of_case = value(index, k);
+  for (const std::string& key : parameters_[k].keys) {
+    toml::table* section = &table;
+    std::size_t begin = 0;
+    for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
+      const auto name = std::string_view(key).substr(begin, dot - begin);
+      auto* inside = section->insert(name, toml::table{}).first->second.as_table();
+      if (inside == nullptr) throw Error(base_name_ + ": " + key + ": " + key.substr(0, dot) + " is no table");
+      section = inside;
+      begin = dot + 1;
+    }
+    insert(*section, std::string_view(key).substr(begin), of_case);
+  }
+}
+
+std::uint64_t SweepSpec::identity() const {
+  const auto build = build_info();
+  std::uint64_t hash = hash_of(build.version);
+  for (const std::string_view part : {build.commit, std::string_view(text_), std::string_view(base_text_),
+                                      std::string_view(list_text_)})
+    hash = hash_of(std::to_string(part.size()) + ":", hash_of(part, hash));
+  const auto add_file = [&](const toml::node* path) {
+    std::ifstream file(fs::path(base_name_).parent_path() / path->value_or(std::string()), std::ios::binary);
+    hash = hash_of(std::string((std::istreambuf_iterator<char>(file)), {}), hash);
+  };
+  for (const char* section : {"rail", "wheelset"}) {
+    if (const auto* path = base_.at_path(std::string(section) + ".profile").node()) add_file(path);
+    for (std::size_t k = 0; k < parameters_.size(); ++k)
+      if (parameters_[k].name.find(std::string(section) + ".profile") != std::string::npos)
+        for (const auto& path : axes_[k]->list) add_file(&path);
+  }
+  return hash;
+}
+
+void SweepSpec::fail(const toml::source_region& place, const std::string& what) const {
+  throw Error(name_ + ":" + std::to_string(place.begin.line) + ": " + what);
+}
+
+} // namespace microslip

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "io/toml_section.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// What a parameter is in a case: a number, or what a list in the file or a column of a table has.
+struct CaseValue {
+  double number = 0;
+  const toml::node* node = nullptr; ///< in place of the number, if there is one; of the specification
+
+  bool operator==(const CaseValue&) const = default;
+};
+
+/// What varies from case to case.
+struct SweepParameter {
+  std::string name;              ///< as the file has it: "motion.spin", or keys that take the same value: "a.x, b.x"
+  std::vector<std::string> keys; ///< of the case file
+  bool is_number = true;         ///< in all cases
+};
+
+/// What the file of a sweep says: a case, and how its keys vary: on a grid, by a list or in a random sample.
+/// docs/campaigns.md has the format.
+class SweepSpec {
+public:
+  /// Reads TOML; `name` is the file's name for messages, and where paths start. Throws Error as parse_case.
+  SweepSpec(const std::string& text, const std::string& name);
+
+  const std::string& title() const { return title_; }
+  const std::string& text() const { return text_; }
+  const std::string& name() const { return name_; }
+  /// The case before anything varies, and its file's name for messages.
+  const toml::table& base() const { return base_; }
+  const std::string& base_name() const { return base_name_; }
+  const std::string& base_text() const { return base_text_; }
+
+  std::size_t count() const { return count_; }
+  /// Cases that are handed out, and kept, at a time: as given, or by their number.
+  std::size_t chunk() const { return chunk_; }
+  const std::vector<SweepParameter>& parameters() const { return parameters_; }
+  /// Of a grid: the number of values of each parameter; the last varies fastest. Else empty.
+  const std::vector<std::size_t>& shape() const { return shape_; }
+  /// Names of the quantities to keep; empty: all.
+  const std::vector<std::string>& quantities() const { return quantities_; }
+  /// Patches of each wheel to keep.
+  int patches() const { return patches_; }
+
+  /// Parameter `k` in a case: depends on the case's number alone. Cost O(parameters).
+  CaseValue value(std::size_t index, std::size_t k) const;
+  /// The same as text, for a parameter that is no number.
+  std::string text_of(std::size_t index, std::size_t k) const;
+  /// Puts it into a case.
+  void set(std::size_t index, std::size_t k, toml::table& table) const;
+
+  /// A hash of all that the cases depend on: this file, the case's, the list's, those of profiles, and the build.
+  std::uint64_t identity() const;
+
+private:
+  struct Axis;
+  struct Entry;
+
+  void read_base(const TomlSection& root);
+  void read_grid(const toml::table& section);
+  void read_sample(const TomlSection& root, const toml::table& section);
+  void read_list(const TomlSection& list);
+  void parse_rows(std::string_view text, const std::string& file);
+  void read_chunk(const TomlSection& root);
+  std::vector<Entry> entries_of(const toml::table& section) const;
+  void add(const Entry& entry, bool has_count);
+  static Axis range_of(const TomlSection& range, bool has_count);
+  [[noreturn]] void fail(const toml::source_region& place, const std::string& what) const;
+
+  std::string title_, text_, name_, base_name_, base_text_, list_text_;
+  toml::table base_;
+  std::size_t count_ = 0, chunk_ = 1;
+  std::vector<SweepParameter> parameters_;
+  std::vector<std::shared_ptr<const Axis>> axes_; ///< of a grid or a sample, or columns of a list
+  std::vector<std::size_t> shape_;
+  std::uint64_t seed_ = 0;
+  bool is_sample_ = false;
+  std::vector<std::string> quantities_;
+  int patches_ = 2;
+};
+
+} // namespace microslip
