@@ -23,7 +23,8 @@ std::string duration(double seconds) {
 } // namespace
 
 ProgressBar::ProgressBar(std::string label, double begun)
-    : label_(std::move(label)), begun_(begun), visible_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()), drawn_(start_) {}
+    : label_(std::move(label)), begun_(begun), visible_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()),
+      drawn_(start_) {}
 
 ProgressBar::~ProgressBar() {
   clear();

@@ -130,7 +130,8 @@ int sweep(const SweepArguments& arguments) {
 } // namespace
 
 void add_sweep_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys");
+  auto* command =
+      program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys");
   const auto arguments = std::make_shared<SweepArguments>();
   command->add_option("SPEC.toml", arguments->spec, "what varies in which case")->required()->type_name("");
   command->add_option("-o,--output", arguments->output, "result file")->required()->type_name("OUT.h5");

@@ -47,8 +47,8 @@ public:
 
   /// Computes what is missing, on *all* ranks; every thread makes a worker. False if progress ended it: some chunks
   /// are not done, and those that were finished are kept. Throws Error, on all ranks, if one cannot write its journal
-  /// (with all earlier chunks kept) or make a worker. Memory does not grow with the number of cases, but by a number for
-  /// each chunk; cost beside the work: some microseconds for a chunk.
+  /// (with all earlier chunks kept) or make a worker. Memory does not grow with the number of cases, but by a number
+  /// for each chunk; cost beside the work: some microseconds for a chunk.
   bool run(const CampaignOptions& options, const std::function<RowWorker()>& make_worker);
 
   /// Keeps a chunk that was computed elsewhere. One thread at a time.

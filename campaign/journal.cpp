@@ -17,7 +17,7 @@ namespace microslip {
 namespace {
 
 constexpr std::array<char, 8> magic = {'m', 's', 'l', 'i', 'p', 'j', 'n', 'l'};
-constexpr std::uint32_t format = 1;          ///< raised by any change of what follows
+constexpr std::uint32_t format = 1; ///< raised by any change of what follows
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t chunk_mark = 0x4b4e4843; // CHNK
 
@@ -124,9 +124,10 @@ std::string fault_of(const FileHead& head, const CampaignPlan& plan) {
   if (head.magic != magic) return no_checkpoint;
   if (head.byte_order != byte_order) return "was written on a machine with another byte order";
   if (head.format != format)
-    return "has format " + std::to_string(head.format) + " of checkpoints; this version of microslip reads and writes " +
-           std::to_string(format);
-  if (head.check != check_of(head)) return "is damaged at its beginning; without this file its chunks are computed anew";
+    return "has format " + std::to_string(head.format) +
+           " of checkpoints; this version of microslip reads and writes " + std::to_string(format);
+  if (head.check != check_of(head))
+    return "is damaged at its beginning; without this file its chunks are computed anew";
   if (head.check != head_of(plan).check)
     return "belongs to another campaign, or to this one before it was changed; remove the checkpoint to begin anew";
   return "";
@@ -186,8 +187,7 @@ JournalReader::~JournalReader() {
 
 CampaignRows JournalReader::at(std::size_t offset) const {
   const auto wrong = [&] {
-    fail("the chunk at byte " + std::to_string(offset) +
-         " is damaged; without this file its chunks are computed anew");
+    fail("the chunk at byte " + std::to_string(offset) + " is damaged; without this file its chunks are computed anew");
   };
   const std::string start = bytes_at(offset, sizeof(ChunkHead));
   if (start.size() < sizeof(ChunkHead)) wrong();

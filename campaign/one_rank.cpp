@@ -8,7 +8,8 @@ namespace microslip {
 
 std::unique_ptr<Ranks> launched_ranks() {
   if (has_launcher())
-    throw Error("this microslip was built without MPI; start it without mpirun, on threads, or build it where Open MPI is");
+    throw Error(
+        "this microslip was built without MPI; start it without mpirun, on threads, or build it where Open MPI is");
   return std::make_unique<Ranks>();
 }
 

@@ -33,9 +33,9 @@ struct FailedCase {
 
 /// The rows of a chunk.
 struct CampaignRows {
-  std::size_t number = 0;          ///< of the chunk, from 0
-  std::vector<double> values;      ///< row after row
-  std::vector<FailedCase> failed;  ///< ascending
+  std::size_t number = 0;         ///< of the chunk, from 0
+  std::vector<double> values;     ///< row after row
+  std::vector<FailedCase> failed; ///< ascending
 
   bool operator==(const CampaignRows&) const = default;
 };

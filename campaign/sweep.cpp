@@ -30,6 +30,21 @@ double code_of(Status status) {
   return static_cast<double>(status);
 }
 
+/// The method of a case that has been checked, without what the other theory has and without what goes without saying.
+Method solver_method(const RollingCase& input) {
+  Method method = method_of(input);
+  const bool exact = input.theory == Theory::exact;
+  if (exact) {
+    method.bound.reset();
+    method.flexibility.reset();
+  }
+  if (!exact || input.discretisation == Discretisation::second_order) method.discretisation.reset();
+  if (!exact || input.elements == ElementShape::constant) method.elements.reset();
+  if (!exact || input.coupling == Coupling::newton) method.coupling.reset();
+  if (!exact || input.slip_start == SlipStart::below) method.slip_start.reset();
+  return method;
+}
+
 // A kind of cases: what it finds, its columns, which keys need a new solver, and how it is read and solved. `root` is
 // the case's file; `is_new` says that one of those keys has changed since the last call.
 
@@ -42,10 +57,10 @@ public:
   };
 
   static Columns<Solved> columns(const SweepSpec& spec) {
-    const bool is_shift = spec.base().at_path("motion.kind").value_or(std::string_view()) ==
-                          to_word(ContactMotion::shift);
-    Columns<Solved> all = {{{"contact/status", "-", status_codes},
-                            [](const Solved& s) { return code_of(s.contact.report.status); }}};
+    const bool is_shift =
+        spec.base().at_path("motion.kind").value_or(std::string_view()) == to_word(ContactMotion::shift);
+    Columns<Solved> all = {
+        {{"contact/status", "-", status_codes}, [](const Solved& s) { return code_of(s.contact.report.status); }}};
     const auto hertz = hertz_quantities({});
     for (std::size_t k = 0; k < hertz.size(); ++k)
       if (hertz[k].path.starts_with("hertz/"))
@@ -62,7 +77,7 @@ public:
 
   Solved solve(const TomlSection& root, bool is_new, const Progress& progress) {
     const RollingCase input = read_case(root);
-    if (is_new || !solver_) solver_.emplace(method_of(input));
+    if (is_new || !solver_) solver_.emplace(solver_method(input));
     return {hertz_contact(input), solver_->solve(rolling_problem(input), progress)};
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
@@ -74,7 +89,8 @@ private:
 /// Columns of a wheel and its patches; `group` is what stands before wheel/ and patches/.
 template <class Solved, class Wheel>
 void add_wheel(Columns<Solved>& all, const std::string& group, int patches, const Wheel& wheel) {
-  all.push_back({{group + "wheel/status", "-", status_codes}, [=](const Solved& s) { return code_of(wheel(s).status); }});
+  all.push_back(
+      {{group + "wheel/status", "-", status_codes}, [=](const Solved& s) { return code_of(wheel(s).status); }});
   for (const WheelQuantity& q : wheel_quantities())
     all.push_back({{group + "wheel/" + std::string(q.name), std::string(q.unit), std::string(q.description)},
                    [=, &q](const Solved& s) { return q.value(wheel(s)); }});
@@ -258,8 +274,7 @@ template <class Kind> void Sweep::set_up() {
   };
 }
 
-Sweep::Sweep(const std::string& text, const std::string& name)
-    : spec_(std::make_shared<const SweepSpec>(text, name)) {
+Sweep::Sweep(const std::string& text, const std::string& name) : spec_(std::make_shared<const SweepSpec>(text, name)) {
   const TomlSection base(spec_->base(), spec_->base_name());
   if (is_wheelset_case(base))
     set_up<WheelsetKind>();
@@ -286,8 +301,7 @@ void Sweep::check_some_cases() const {
 }
 
 CampaignPlan Sweep::plan() const {
-  return {
-      .identity = spec_->identity(), .count = spec_->count(), .width = columns_.size(), .chunk = spec_->chunk()};
+  return {.identity = spec_->identity(), .count = spec_->count(), .width = columns_.size(), .chunk = spec_->chunk()};
 }
 
 } // namespace microslip

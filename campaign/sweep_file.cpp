@@ -43,7 +43,9 @@ private:
     is_begun_ = true;
     write(values_);
   }
-  void write(const std::vector<double>& values) { file_.append(column_.path, values, column_.unit, column_.description); }
+  void write(const std::vector<double>& values) {
+    file_.append(column_.path, values, column_.unit, column_.description);
+  }
 
   /// A case that could not be read has no row.
   void write_status() {

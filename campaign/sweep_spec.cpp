@@ -326,8 +326,8 @@ void SweepSpec::set(std::size_t index, std::size_t k, toml::table& table) const 
 std::uint64_t SweepSpec::identity() const {
   const auto build = build_info();
   std::uint64_t hash = hash_of(build.version);
-  for (const std::string_view part : {build.commit, std::string_view(text_), std::string_view(base_text_),
-                                      std::string_view(list_text_)})
+  for (const std::string_view part :
+       {build.commit, std::string_view(text_), std::string_view(base_text_), std::string_view(list_text_)})
     hash = hash_of(std::to_string(part.size()) + ":", hash_of(part, hash));
   const auto add_file = [&](const toml::node* path) {
     std::ifstream file(fs::path(base_name_).parent_path() / path->value_or(std::string()), std::ios::binary);

@@ -14,6 +14,7 @@ HEADER = '''"""Types of the compiled part of microslip; written by python/bindin
 import enum
 import os
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from typing import Any, Literal, overload
 
 import numpy
@@ -48,6 +49,8 @@ TYPES_OF_ARGUMENTS = {
     "creepage": "Creepage | tuple[float, float, float]",
     "bodies": "Bodies | CombinedMaterial",
     "path": "str | os.PathLike[str]",
+    "output": "str | os.PathLike[str]",
+    "executor": "Executor",
 }
 # Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
 TYPES_OF_PROPERTIES = {
@@ -97,6 +100,8 @@ def argument(text, owner):
     kind = python_type(kind)
     if kind == "str" or name == "body" or (kind == "object" and default != "None" and (owner, name) != ("TangentialProblem", "bound")):
         kind = TYPES_OF_ARGUMENTS.get(f"{owner}.{name}", TYPES_OF_ARGUMENTS.get(name, kind))
+    if name == "executor":
+        kind = TYPES_OF_ARGUMENTS[name]
     if kind == "str | None":
         kind = TYPES_OF_ARGUMENTS.get(name, "str") + " | None"
     if kind == "object":

@@ -1,4 +1,5 @@
 #include "binding/bindings.hpp"
+#include "binding/sweep.hpp"
 
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
@@ -57,5 +58,6 @@ PYBIND11_MODULE(_core, module) {
   bind_wheel_rail(module);
   bind_wheelset_on_track(module);
   bind_wheelset_geometry(module);
+  bind_sweep(module);
   module.attr("__name__") = name;
 }

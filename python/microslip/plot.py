@@ -23,6 +23,7 @@ from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
 from microslip.subsurface_pictures import subsurface_pictures
+from microslip.sweep_picture import sweep_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
 from microslip.wheelset_pictures import wheelset_pictures
 
@@ -36,6 +37,7 @@ PICTURES_OF_KIND = {
     "profile": profile_pictures,
     "refinement": refinement_pictures,
     "subsurface": subsurface_pictures,
+    "sweep": sweep_pictures,
     "wheel_rail": wheel_rail_pictures,
     "wheelset": wheelset_pictures,
 }

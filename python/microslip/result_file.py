@@ -79,6 +79,15 @@ class ResultFile:
             raise ResultError(f"{self.path}: {name} has values that are not finite")
         return values
 
+    def is_number(self, name):
+        """Whether a dataset has numbers, not texts."""
+        return self._dataset(name).dtype.kind in "iuf"
+
+    def entry(self, name, index):
+        """An entry of a dataset, as a number or as text."""
+        value = self._dataset(name)[index]
+        return float(value) if self.is_number(name) else _decoded(value)
+
     def shape(self, name):
         """Shape of a dataset."""
         return self._dataset(name).shape
