@@ -1,0 +1,159 @@
+#include "binding/sweep.hpp"
+
+#include "binding/long_work.hpp"
+#include "binding/paths.hpp"
+#include "campaign/sweep_file.hpp"
+#include "io/case_file.hpp"
+#include "io/output_file.hpp"
+#include "microslip/error.hpp"
+
+#include <pybind11/stl.h>
+
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+struct SweepReport {
+  std::size_t cases = 0, failed = 0, from_checkpoint = 0;
+};
+
+/// A chunk as it travels between processes: its number, its rows, its failed cases.
+using SentChunk = std::tuple<std::size_t, py::bytes, std::vector<std::pair<std::size_t, std::string>>>;
+
+/// Solves chunks of a sweep in one thread of whichever process.
+class ChunkSolver {
+public:
+  ChunkSolver(const std::string& text, const std::string& name)
+      : sweep_(text, name), plan_(sweep_.plan()), worker_(sweep_.make_worker()) {}
+
+  SentChunk solve(std::size_t number) const {
+    CampaignRows rows;
+    {
+      const py::gil_scoped_release release;
+      compute_chunk(plan_, number, worker_, {}, rows);
+    }
+    std::vector<std::pair<std::size_t, std::string>> failed;
+    for (const auto& [index, reason] : rows.failed) failed.emplace_back(index, reason);
+    const py::bytes values(reinterpret_cast<const char*>(rows.values.data()), rows.values.size() * sizeof(double));
+    return {rows.number, values, failed};
+  }
+
+private:
+  Sweep sweep_;
+  CampaignPlan plan_;
+  RowWorker worker_;
+};
+
+CampaignRows rows_of(const SentChunk& sent) {
+  const std::string bytes = std::get<1>(sent);
+  CampaignRows rows{.number = std::get<0>(sent), .values = std::vector<double>(bytes.size() / sizeof(double)), .failed = {}};
+  std::memcpy(rows.values.data(), bytes.data(), bytes.size());
+  for (const auto& [index, reason] : std::get<2>(sent)) rows.failed.push_back({index, reason});
+  return rows;
+}
+
+/// A checkpoint's lock keeps other processes away; this one keeps away the other threads of this one. Python's lock
+/// must be held.
+class OneInProcess {
+public:
+  explicit OneInProcess(const std::filesystem::path& output) : output_(std::filesystem::weakly_canonical(output)) {
+    if (!busy().insert(output_).second) throw Error(output_.string() + ": another sweep of this process writes to it");
+  }
+  OneInProcess(const OneInProcess&) = delete;
+  OneInProcess& operator=(const OneInProcess&) = delete;
+  ~OneInProcess() { busy().erase(output_); }
+
+private:
+  static std::set<std::filesystem::path>& busy() {
+    static std::set<std::filesystem::path> all;
+    return all;
+  }
+  std::filesystem::path output_;
+};
+
+/// Some thousand chunks are with the executor at a time; those that are done wait in a queue.
+void solve_by(const py::object& executor, const SweepSpec& spec, Campaign& campaign) {
+  constexpr std::size_t most_pending = 4096;
+  const py::object submit = executor.attr("submit"), queue = py::module_::import("queue").attr("SimpleQueue")(),
+                   solve_chunk = py::module_::import("microslip.sweep_chunk").attr("solve_chunk");
+  py::set pending;
+  const auto& missing = campaign.missing_chunks();
+  try {
+    for (std::size_t next = 0; next < missing.size() || !pending.empty();) {
+      for (; next < missing.size() && pending.size() < most_pending; ++next) {
+        const py::object future = submit(solve_chunk, spec.text(), spec.name(), missing[next]);
+        pending.add(future);
+        future.attr("add_done_callback")(queue.attr("put"));
+      }
+      const py::object done = queue.attr("get")();
+      pending.attr("discard")(done);
+      campaign.keep(rows_of(done.attr("result")().cast<SentChunk>()));
+    }
+  } catch (...) {
+    const py::error_scope scope;
+    for (const auto& future : pending) future.attr("cancel")();
+    throw;
+  }
+}
+
+void solve_on_threads(const Sweep& sweep, Campaign& campaign, int threads) {
+  const py::gil_scoped_release release;
+  SignalCheck signals;
+  campaign.run({.threads = threads, .progress = signals.progress()}, [&] { return sweep.make_worker(); });
+}
+
+SweepReport sweep(const py::object& spec, const py::object& output, int threads, const py::object& executor) {
+  const int count = thread_count(threads);
+  // Other processes may stand in other folders.
+  const std::string name = std::filesystem::absolute(readable_path(spec)).string();
+  const std::filesystem::path path = std::filesystem::absolute(path_from(output));
+  const OneInProcess alone(path);
+  const Sweep cases(read_case_text(name), name);
+  Ranks one;
+  Campaign campaign(checkpoint_of(path), cases.plan(), one);
+  const std::size_t kept = campaign.kept_cases();
+  executor.is_none() ? solve_on_threads(cases, campaign, count) : solve_by(executor, cases.spec(), campaign);
+  const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
+  // Holds Python's lock: the HDF5 library keeps global state, which other modules may share.
+  const SweepCount found = write_sweep(cases, campaign,
+                                       {.kind = sweep_kind,
+                                        .title = cases.spec().title(),
+                                        .command_line = arguments.cast<std::string>(),
+                                        .case_file = name,
+                                        .case_text = cases.spec().text()},
+                                       path);
+  campaign.remove();
+  return {found.cases, found.failed, kept};
+}
+
+} // namespace
+
+void bind_sweep(py::module_& module) {
+  py::class_<SweepReport>(module, "SweepReport", "How the cases of a sweep ended.")
+      .def_readonly("cases", &SweepReport::cases, "All of them [-].")
+      .def_readonly("failed", &SweepReport::failed, "Those with another status than ok [-].")
+      .def_readonly("from_checkpoint", &SweepReport::from_checkpoint, "Those that an earlier run had computed [-].");
+  py::class_<ChunkSolver>(module, "_ChunkSolver")
+      .def(py::init<const std::string&, const std::string&>())
+      .def("solve", &ChunkSolver::solve);
+  module.def(
+      "sweep", &sweep, "path"_a, "output"_a, "threads"_a = 0, "executor"_a = py::none(),
+      "Solves the cases of a specification file, as `microslip sweep` does, and writes them to an HDF5 file, SI\n"
+      "units [-]. What is finished is kept in OUTPUT.checkpoint: after an interruption the same call goes on with what\n"
+      "is missing. On threads, 0: one for each processor, or by a concurrent.futures.Executor, whose workers import\n"
+      "microslip and read the files of the specification. The results are the same to the last bit. Returns\n"
+      "SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written.");
+}
+
+} // namespace microslip::python

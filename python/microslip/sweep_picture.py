@@ -1,0 +1,78 @@
+"""The forces of a sweep over one of its parameters."""
+
+import math
+
+import numpy as np
+
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes
+from microslip.result_file import ResultError
+
+# What is drawn, of which there are the first three.
+FORCES = ("contact/fx", "contact/fy", "contact/mz", "wheel/force_x", "wheel/force_y", "wheel/moment_z", "wheelset/force_x",
+          "wheelset/force_y", "wheelset/moment_z")
+COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY_BLUE, BLACK)
+MOST_LINES = 12
+
+
+def sweep_pictures(result):
+    """One panel for each force: of a grid lines over its last parameter, one for each combination of the others; of a list
+    or a sample points over its first parameter."""
+    forces = [name for name in FORCES if name in result][:3]
+    if not forces:
+        raise ResultError(f"{result.path}: has none of {', '.join(FORCES)}")
+    names = result.attribute("parameters").split("\n")
+    figure = new_figure(7.2, 1 + 2.6 * len(forces))
+    panels = np.atleast_1d(figure.subplots(len(forces), sharex=True))
+    draw = draw_grid if "shape" in result else draw_points
+    for axes, name in zip(panels, forces):
+        open_axes(axes)
+        axis = draw(axes, result, names, result.array(name, finite=False))
+        axes.set_ylabel(f"{name} [{result.unit(name)}]")
+    panels[-1].set_xlabel(f"{axis} [SI]")
+    if panels[0].get_legend_handles_labels()[0]:
+        panels[0].legend(loc="best", framealpha=0.9, frameon=True, edgecolor="none")
+    figure.suptitle(heading("Sweep", result))
+    return {"sweep.png": figure}
+
+
+def is_logarithmic(values):
+    """Whether positive values have rather constant ratios than constant differences."""
+    if len(values) < 4 or values.min() <= 0 or values.max() < 20 * values.min():
+        return False
+    return np.ptp(np.diff(np.log(values))) < np.ptp(np.diff(values)) / np.abs(np.diff(values)).max() * math.log(10)
+
+
+def draw_grid(axes, result, names, force):
+    """Lines; of very many combinations some, evenly chosen. Returns the parameter along the axis."""
+    shape = result.array("shape")
+    name = next((one for one in reversed(names) if result.is_number(f"parameters/{one}") and shape[names.index(one)] > 1), None)
+    if name is None:
+        raise ResultError(f"{result.path}: no parameter of the grid has two numbers")
+    along = names.index(name)
+    force = np.moveaxis(force.reshape(shape), along, -1).reshape(-1, shape[along])
+    at = np.moveaxis(np.arange(force.size).reshape(shape), along, -1).reshape(-1, shape[along])  # numbers of the cases
+    x = result.array(f"parameters/{name}")[at[0]]
+    lines = np.unique(np.linspace(0, len(force) - 1, MOST_LINES).round().astype(int))
+    for count, line in enumerate(lines):
+        label = ", ".join(f"{one} = {shown(result, one, at[line, 0])}" for place, one in enumerate(names)
+                          if one != name and shape[place] > 1)
+        axes.plot(x, force[line], color=COLOURS[count % len(COLOURS)], linestyle="-" if count < len(COLOURS) else "--", label=label)
+    if is_logarithmic(x):
+        axes.set_xscale("log")
+    return name
+
+
+def shown(result, name, case):
+    """A parameter of a case for a legend."""
+    value = result.entry(f"parameters/{name}", case)
+    return number(value) if isinstance(value, float) else value
+
+
+def draw_points(axes, result, names, force):
+    """A point for each case. Returns the parameter along the axis."""
+    name = next((one for one in names if result.is_number(f"parameters/{one}")), None)
+    if name is None:
+        raise ResultError(f"{result.path}: no parameter is a number")
+    axes.plot(result.array(f"parameters/{name}"), force, ".", markersize=3, color=BLUE)
+    axes.axhline(0, color=GREY, linewidth=0.8)
+    return name

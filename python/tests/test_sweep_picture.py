@@ -1,0 +1,60 @@
+"""The picture of a sweep shows the numbers of its file."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import matplotlib
+import numpy as np
+
+from microslip import plot
+from microslip.picture_style import SETTINGS
+from microslip.result_file import ResultError, ResultFile
+
+
+def write_sweep(path, shape=None):
+    """Fx = 1000 x + k, of a word with two values, k = 0 and 1, and x; the last case has none."""
+    x, k = np.tile(np.linspace(0, 3, 4), 2), np.repeat([0, 1], 4)
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"kind": "sweep", "title": "a test", "version": "0.2.0", "commit": "abc", "parameters": "a.word\na.x"})
+        file["parameters/a.x"] = x
+        file["parameters/a.word"] = [b"one", b"two"][0:1] * 4 + [b"two"] * 4
+        file["contact/fx"] = np.append((1000 * x + k)[:-1], np.nan)
+        file["contact/fx"].attrs["unit"] = "N"
+        if shape:
+            file["shape"] = np.array(shape)
+
+
+class SweepPictureTest(unittest.TestCase):
+    def picture(self, shape):
+        """The axes of the picture."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "s.h5"
+            write_sweep(path, shape)
+            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
+                return plot.pictures(result)["sweep.png"].axes
+
+    def test_a_grid_has_a_line_for_each_combination(self):
+        (axes,) = self.picture((2, 4))
+        self.assertEqual([line.get_label() for line in axes.lines], ["a.word = one", "a.word = two"])
+        np.testing.assert_array_equal(axes.lines[1].get_xdata(), [0, 1, 2, 3])
+        np.testing.assert_array_equal(axes.lines[1].get_ydata(), [1, 1001, 2001, np.nan])
+        self.assertEqual(axes.get_ylabel(), "contact/fx [N]")
+
+    def test_a_list_has_points_over_its_first_number(self):
+        (axes,) = self.picture(None)
+        np.testing.assert_array_equal(axes.lines[0].get_ydata()[:3], [0, 1000, 2000])
+        self.assertEqual(axes.get_xlabel(), "a.x [SI]")
+
+    def test_without_a_force_there_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "s.h5"
+            with h5py.File(path, "w") as file:
+                file.attrs.update({"kind": "sweep", "parameters": "a.x"})
+            with ResultFile(path) as result, self.assertRaisesRegex(ResultError, "has none of contact/fx"):
+                plot.pictures(result)
+
+
+if __name__ == "__main__":
+    unittest.main()

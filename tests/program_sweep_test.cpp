@@ -1,0 +1,232 @@
+// `microslip sweep`: one result file of many cases, whatever happens on the way there.
+
+#include "paths.hpp"
+#include "tests/hdf5_reader.hpp"
+#include "tests/program_run.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const std::string two_bodies = "[case.body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\n"
+                               "poisson_ratio = 0.28\n[case.body2]\nrolling_radius = inf\ntransverse_radius = 0.3\n"
+                               "young_modulus = 210e9\npoisson_ratio = 0.28\n[case.load]\nnormal_force = 80e3\n"
+                               "[case.friction]\ncoefficient = 0.3\n[case.motion]\nrolling_speed = 30\n"
+                               "[case.solution]\ntheory = \"exact\"\ngrid = [12, 12]\n";
+
+std::string grid(int count) {
+  return "[grid]\nmotion.creepage_longitudinal = { from = 1e-4, to = 4e-3, count = " + std::to_string(count) + " }\n" +
+         "load.normal_force = [-1, 40e3, 80e3]\n" + two_bodies;
+}
+
+using Doubles = std::vector<double>;
+
+Doubles doubles(const Hdf5Reader& file, const std::string& path) {
+  return file.values<double>(path, H5T_NATIVE_DOUBLE);
+}
+
+void expect_grid(const std::filesystem::path& path, std::size_t count) {
+  const Hdf5Reader file(path);
+  const Doubles fx = doubles(file, "contact/fx"), force = doubles(file, "parameters/load.normal_force"),
+                creepage = doubles(file, "parameters/motion.creepage_longitudinal");
+  const auto failed = file.values<int>("failures/case", H5T_NATIVE_INT);
+  ASSERT_EQ(fx.size(), 3 * count);
+  ASSERT_EQ(failed.size(), count);
+  for (std::size_t i = 0; i < fx.size(); ++i) {
+    EXPECT_EQ(force[i], (Doubles{-1, 40e3, 80e3}[i % 3]));
+    EXPECT_EQ(std::isnan(fx[i]), i % 3 == 0);
+    if (i % 3 == 0) {
+      EXPECT_EQ(failed[i / 3], static_cast<int>(i));
+    } else {
+      EXPECT_GT(std::abs(fx[i]), i < 3 ? 0 : std::abs(fx[i - 3]) * (1 - 1e-5)); // rises with the creepage
+    }
+  }
+}
+
+TEST(ProgramSweep, WritesParametersResultsAndReasons) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", "title = \"a test\"\n" + grid(5));
+  const auto outcome = run_program(folder, "sweep s.toml -o out/r.h5 --threads 2");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.output, "15 cases\nout/r.h5\n");
+  EXPECT_EQ(outcome.errors, "microslip: warning: out/r.h5: 5 of 15 cases have another status than ok, see failures/\n");
+  expect_grid(folder / "out/r.h5", 5);
+  EXPECT_EQ(folder.entries(), (std::vector<std::string>{"out", "out/r.h5", "s.toml"}));
+  const Hdf5Reader file(folder / "out/r.h5");
+  EXPECT_EQ(file.attribute("/", "title"), "a test");
+  EXPECT_EQ(file.attribute("contact/fx", "unit"), "N");
+  EXPECT_EQ(file.values<int>("shape", H5T_NATIVE_INT), (std::vector<int>{5, 3}));
+  EXPECT_FALSE(file.has("contact/highest_temperature")); // no case has it
+  EXPECT_EQ(file.text("failures/reason"), "s.toml: load.normal_force = -1 [N]: must be positive");
+}
+
+TEST(ProgramSweep, BadInputLeavesNothing) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", two_bodies);
+  auto outcome = run_program(folder, "sweep s.toml -o r.h5");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors, "microslip: s.toml: needs one of [grid], [list] and [sample]\n");
+  save(folder / "s.toml", grid(3));
+  outcome = run_program(folder, "sweep s.toml -o nowhere/there/");
+  EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5 --threads 0").exit_code, 2);
+  outcome = run_program(folder, "sweep s.toml -o /proc/r.h5");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("/proc/r.h5.checkpoint: cannot be written"), std::string::npos) << outcome.errors;
+}
+
+/// The program at work in a folder.
+class Running {
+public:
+  Running(const TemporaryFolder& folder, const std::vector<std::string>& arguments) : child_(fork()) {
+    if (child_ == 0) start(folder, arguments);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() { end(SIGKILL); }
+
+  bool is_there() {
+    if (child_ > 0 && waitpid(child_, &status_, WNOHANG) == child_) child_ = -1;
+    return child_ > 0;
+  }
+  /// Its exit code as a shell has it.
+  int end(int signal) {
+    if (is_there()) {
+      kill(child_, signal);
+      waitpid(child_, &status_, 0);
+      child_ = -1;
+    }
+    return WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
+  }
+
+private:
+  static void start(const TemporaryFolder& folder, std::vector<std::string> arguments) {
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+    if (chdir(folder.path().c_str()) != 0) _exit(127);
+    std::vector<char*> words = {const_cast<char*>("microslip")};
+    for (auto& word : arguments) words.push_back(word.data());
+    words.push_back(nullptr);
+    execv(MICROSLIP_PROGRAM, words.data());
+    _exit(127);
+  }
+
+  pid_t child_;
+  int status_ = 0;
+};
+
+std::uintmax_t size_of(const std::filesystem::path& path) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path, none);
+  return none ? 0 : size;
+}
+
+/// Waits until the checkpoint of r.h5 has some chunks.
+void wait_for_chunks(const TemporaryFolder& folder, Running& program) {
+  for (int k = 0; k < 60000 && program.is_there() && size_of(folder / "r.h5.checkpoint/rank-0") < 2000; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(program.is_there()) << "ended before it could be interrupted";
+}
+
+TEST(ProgramSweep, GoesOnAfterAnInterruptionAndAKill) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(2000));
+  for (const auto& [signal, code] : {std::pair(SIGINT, 130), {SIGTERM, 130}, {SIGKILL, 137}}) {
+    Running program(folder, {"sweep", "s.toml", "-o", "r.h5", "--threads", "2"});
+    wait_for_chunks(folder, program);
+    EXPECT_EQ(program.end(signal), code);
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.h5"));
+  }
+  const auto outcome = run_program(folder, "sweep s.toml -o r.h5 --threads 1");
+  EXPECT_NE(outcome.output.find("6000 cases, "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find(" of them from the checkpoint\nr.h5\n"), std::string::npos) << outcome.output;
+  expect_grid(folder / "r.h5", 2000);
+  EXPECT_EQ(folder.entries(), (std::vector<std::string>{"r.h5", "s.toml"}));
+}
+
+TEST(ProgramSweep, RefusesASecondRunAndAnotherSweep) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(100000));
+  {
+    Running program(folder, {"sweep", "s.toml", "-o", "r.h5", "--threads", "1"});
+    wait_for_chunks(folder, program);
+    const auto second = run_program(folder, "sweep s.toml -o r.h5");
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_NE(second.errors.find("r.h5.checkpoint: another run is writing to it, process "), std::string::npos);
+  }
+  save(folder / "s.toml", grid(7));
+  const auto changed = run_program(folder, "sweep s.toml -o r.h5");
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_NE(changed.errors.find("r.h5.checkpoint/rank-0: belongs to another campaign"), std::string::npos);
+}
+
+TEST(ProgramSweep, AFullDiskIsAnErrorAndTheRestIsComputedLater) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(30));
+  const auto full = run_program(folder, "sweep s.toml -o r.h5 --threads 2", "ulimit -f 8 && trap '' XFSZ");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_NE(full.errors.find("rank-0: cannot be written: File too large"), std::string::npos) << full.errors;
+  // Enough for the checkpoint, too little for the result.
+  const auto fuller = run_program(folder, "sweep s.toml -o r.h5", "ulimit -f 60 && trap '' XFSZ");
+  EXPECT_EQ(fuller.exit_code, 2);
+  EXPECT_NE(fuller.errors.find("r.h5: "), std::string::npos) << fuller.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5"));
+  const auto rest = run_program(folder, "sweep s.toml -o r.h5");
+  EXPECT_EQ(rest.output, "90 cases, 90 of them from the checkpoint\nr.h5\n");
+  expect_grid(folder / "r.h5", 30);
+}
+
+TEST(ProgramSweep, ABillionCasesEndWithinASecond) {
+  const TemporaryFolder folder;
+  const std::string axis = " = { from = 1e-4, to = 4e-3, count = 1000 }\n";
+  auto text = two_bodies;
+  text.replace(text.find("\"exact\""), 7, "\"fastsim2\"");
+  save(folder / "s.toml", "[grid]\nmotion.creepage_longitudinal" + axis + "motion.creepage_lateral" + axis + "motion.spin" +
+                              axis + text);
+  Running program(folder, {"sweep", "s.toml", "-o", "r.h5"});
+  wait_for_chunks(folder, program);
+  EXPECT_EQ(program.end(SIGINT), 130);
+}
+
+TEST(ProgramSweep, RanksFindTheSameBits) {
+  if (std::system("mpirun --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no mpirun";
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(40));
+  run_program(folder, "sweep s.toml -o one.h5 --threads 1");
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && mpirun --allow-run-as-root --oversubscribe -n 3 '" + MICROSLIP_PROGRAM +
+                              "' sweep s.toml -o ";
+  EXPECT_EQ(WEXITSTATUS(std::system((command + "three.h5 >out 2>errors").c_str())), 1) << contents(folder / "errors");
+  EXPECT_NE(contents(folder / "out").find("120 cases\nthree.h5\n"), std::string::npos) << contents(folder / "out");
+  const Hdf5Reader one(folder / "one.h5"), three(folder / "three.h5");
+  for (const char* path : {"contact/fx", "contact/mz", "contact/residual", "contact/elastic_energy", "hertz/a"}) {
+    const Doubles a = doubles(one, path), b = doubles(three, path);
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << path;
+  }
+  // One message for all ranks.
+  save(folder / "s.toml", "[grid]\n" + two_bodies);
+  EXPECT_EQ(WEXITSTATUS(std::system((command + "none.h5 >out 2>errors").c_str())), 2);
+  const std::string errors = contents(folder / "errors"), message = "microslip: s.toml: [grid]: names no key that varies";
+  const auto first = errors.find(message);
+  ASSERT_NE(first, std::string::npos) << errors;
+  EXPECT_EQ(errors.find(message, first + 1), std::string::npos) << errors;
+}
+
+} // namespace
+} // namespace microslip

@@ -1,0 +1,175 @@
+// What a sweep's file says: which values which case has, by its number alone; what is wrong is named.
+
+#include "campaign/sweep_spec.hpp"
+
+#include "campaign/rows.hpp"
+#include "microslip/error.hpp"
+#include "tests/program_run.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+constexpr const char* inside = "[case]\nx.y = 1\n";
+
+double number(const SweepSpec& spec, std::size_t index, std::size_t k) {
+  const CaseValue value = spec.value(index, k);
+  return value.node == nullptr ? value.number : value.node->value_or(std::nan(""));
+}
+
+std::vector<double> numbers(const SweepSpec& spec, std::size_t k) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < spec.count(); ++i) all.push_back(number(spec, i, k));
+  return all;
+}
+
+void expect_refused(const std::string& text, const std::string& what) {
+  try {
+    const SweepSpec spec(text, "s.toml");
+    ADD_FAILURE() << "no Error: " << what;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what() << "\nexpected: " << what;
+  }
+}
+
+TEST(SweepSpec, GridsVaryTheLastKeyFastestInTheOrderOfTheFile) {
+  const SweepSpec spec(std::string("[grid]\nz.z = [1, 2]\n\"a.a\" = { from = 0, to = 1, count = 3 }\nm.b = [7]\n") +
+                           inside,
+                       "s.toml");
+  ASSERT_EQ(spec.count(), 6u);
+  EXPECT_EQ(spec.shape(), (std::vector<std::size_t>{2, 3, 1}));
+  EXPECT_EQ(spec.parameters()[0].name, "z.z");
+  EXPECT_EQ(spec.parameters()[1].name, "a.a");
+  EXPECT_EQ(numbers(spec, 0), (std::vector<double>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(numbers(spec, 1), (std::vector<double>{0, 0.5, 1, 0, 0.5, 1}));
+}
+
+TEST(SweepSpec, ALogarithmicScaleHasConstantRatios) {
+  const SweepSpec spec(
+      std::string("[grid]\na.a = { from = -1e-3, to = -10, count = 9, scale = \"logarithmic\" }\n") + inside, "s.toml");
+  const auto values = numbers(spec, 0);
+  EXPECT_EQ(values.front(), -1e-3);
+  EXPECT_EQ(values.back(), -10);
+  for (std::size_t i = 1; i < values.size(); ++i) EXPECT_NEAR(values[i] / values[i - 1], std::sqrt(10), 1e-12);
+}
+
+TEST(SweepSpec, KeysMayTakeOneValueTogether) {
+  const SweepSpec spec(std::string("[grid]\n\"a.n, b.n\" = [0.25, 0.5]\n") + inside, "s.toml");
+  toml::table table = spec.base();
+  spec.set(1, 0, table);
+  EXPECT_EQ(table.at_path("a.n").value<double>(), 0.5);
+  EXPECT_EQ(table.at_path("b.n").value<double>(), 0.5);
+  EXPECT_EQ(table.at_path("x.y").value<double>(), 1);
+}
+
+TEST(SweepSpec, WholeNumbersServeKeysOfEitherKind) {
+  const SweepSpec spec(std::string("[grid]\na.a = { from = 0, to = 1, count = 3 }\n") + inside, "s.toml");
+  toml::table table = spec.base();
+  spec.set(2, 0, table);
+  EXPECT_TRUE(table.at_path("a.a").is_integer());
+  spec.set(1, 0, table);
+  EXPECT_TRUE(table.at_path("a.a").is_floating_point());
+}
+
+TEST(SweepSpec, ListsAreTablesOfCases) {
+  const TemporaryFolder folder;
+  save(folder / "l.csv", "a.a, b.word ,c.c\n1,left,2.5\n\n-3e2,right,4\n");
+  const SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  ASSERT_EQ(spec.count(), 2u);
+  EXPECT_EQ(numbers(spec, 0), (std::vector<double>{1, -300}));
+  EXPECT_FALSE(spec.parameters()[1].is_number);
+  EXPECT_EQ(spec.text_of(1, 1), "right");
+  save(folder / "l.csv", "a.a,b.b\n1,2\n3\n");
+  EXPECT_THROW(SweepSpec(spec.text(), spec.name()), Error);
+  save(folder / "l.csv", "a.a,b.b\n");
+  EXPECT_THROW(SweepSpec(spec.text(), spec.name()), Error);
+}
+
+std::string sample(int count, int seed) {
+  return "[sample]\ncount = " + std::to_string(count) + "\nseed = " + std::to_string(seed) +
+         "\na.a = { from = 2, to = 4 }\na.b = { from = 2, to = 4 }\na.l = { from = 1, to = 100, scale = "
+         "\"logarithmic\" }\na.w = [\"u\", \"v\"]\n" +
+         inside;
+}
+
+TEST(SweepSpec, SamplesAreUniformAndOfTheirSeedAlone) {
+  const SweepSpec spec(sample(20000, 1), "s.toml"), more(sample(40000, 1), "s.toml"), other(sample(20000, 2), "s.toml");
+  double sum = 0, squares = 0, mixed = 0, logarithms = 0;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < spec.count(); ++i) {
+    const double a = number(spec, i, 0) - 3, b = number(spec, i, 1) - 3;
+    ASSERT_LE(std::abs(a), 1);
+    sum += a;
+    squares += a * a;
+    mixed += a * b;
+    logarithms += std::log10(number(spec, i, 2));
+    words += spec.text_of(i, 3) == "u";
+    ASSERT_EQ(number(more, i, 0), number(spec, i, 0));
+    ASSERT_NE(number(other, i, 0), number(spec, i, 0));
+  }
+  // Five standard deviations of the means.
+  const double n = 20000, sigma = 5 / std::sqrt(n);
+  EXPECT_NEAR(sum / n, 0, sigma * std::sqrt(1. / 3));
+  EXPECT_NEAR(squares / n, 1. / 3, sigma * std::sqrt(4. / 45));
+  EXPECT_NEAR(mixed / n, 0, sigma / 3);
+  EXPECT_NEAR(logarithms / n, 1, sigma * std::sqrt(1. / 3));
+  EXPECT_NEAR(static_cast<double>(words) / n, 0.5, sigma / 2);
+}
+
+TEST(SweepSpec, ABillionCasesTakeNoMemory) {
+  const std::string axis = " = { from = 0, to = 1, count = 1000 }\n";
+  const SweepSpec spec("[grid]\na.a" + axis + "a.b" + axis + "a.c" + axis + inside, "s.toml");
+  EXPECT_EQ(spec.count(), 1'000'000'000u);
+  EXPECT_EQ(number(spec, 999'999'999, 2), 1);
+  EXPECT_LE((spec.count() + spec.chunk() - 1) / spec.chunk(), most_chunks);
+  expect_refused("[grid]\na.a" + axis + "a.b" + axis + "a.c" + axis + "a.d" + axis + inside,
+                 "s.toml: [grid]: more than 2000000000 cases");
+}
+
+TEST(SweepSpec, WhatIsWrongIsNamed) {
+  const auto of_case = [](const std::string& text) { return text + inside; };
+  expect_refused("", "s.toml: case is missing");
+  expect_refused(inside, "needs one of [grid], [list] and [sample]");
+  expect_refused(of_case("[grid]\na.a = [1]\n[sample]\n"), "needs one of");
+  expect_refused(of_case("[grid]\n"), "[grid]: names no key that varies");
+  expect_refused(of_case("[grid]\na.a = []\n"), "s.toml:2: a.a: must have at least one value");
+  expect_refused(of_case("[grid]\na.a = 3\n"), "s.toml:2: a.a: must be a list");
+  expect_refused(of_case("[grid]\na.a = { from = 1, to = 2, cuont = 3 }\n"), "a.a.cuont: unknown key; did you mean count?");
+  expect_refused(of_case("[grid]\na.a = { from = 1, to = 2 }\n"), "count is missing");
+  expect_refused(of_case("[grid]\na.a = { from = 1, to = 2, count = 0 }\n"), "a.a.count = 0");
+  expect_refused(of_case("[grid]\na.a = { from = 0, to = 2, count = 4, scale = \"logarithmic\" }\n"), "ends of one sign");
+  expect_refused(of_case("[sample]\ncount = 0\nseed = 1\na.a = [1]\n"), "sample.count = 0");
+  expect_refused(of_case("[sample]\ncount = 3\na.a = [1]\n"), "needs count and seed");
+  expect_refused(of_case("[list]\nfile = \"nowhere.csv\"\n"), "nowhere.csv: cannot be read");
+  expect_refused(of_case("chunk = 0\n[grid]\na.a = [1]\n"), "chunk = 0");
+  expect_refused("case = \"nowhere.toml\"\n[grid]\na.a = [1]\n", "nowhere.toml: cannot be read");
+  expect_refused("[grid]\na.a = [1]\n[case.sweep]\nx = 1\n", "[sweep]: must be left out");
+}
+
+TEST(SweepSpec, ItsIdentityIsThatOfAllItsFiles) {
+  const TemporaryFolder folder;
+  const auto identity = [&](const std::string& text) {
+    return SweepSpec(text, (folder / "s.toml").string()).identity();
+  };
+  const std::string text = "case = \"c.toml\"\n[grid]\na.a = [1]\n";
+  save(folder / "p.prr", "1");
+  save(folder / "c.toml", "[rail]\nprofile = \"p.prr\"\n");
+  const auto first = identity(text);
+  EXPECT_EQ(identity(text), first);
+  EXPECT_NE(identity(text + "\n"), first);
+  save(folder / "p.prr", "2");
+  const auto second = identity(text);
+  EXPECT_NE(second, first);
+  save(folder / "c.toml", "[rail]\nprofile = \"p.prr\"\n#\n");
+  EXPECT_NE(identity(text), second);
+}
+
+} // namespace
+} // namespace microslip
