@@ -15,6 +15,7 @@
 #include "app/sweep.hpp"
 #include "app/usage_error.hpp"
 #include "app/validate.hpp"
+#include "io/hdf5_exit.hpp"
 #include "microslip/version.hpp"
 
 #include <cstdio>
@@ -88,6 +89,7 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   using namespace microslip;
+  leave_hdf5_at_exit();
   try {
     const int exit_code = run(count, arguments);
     return output_is_written() ? exit_code : fail(output_lost, ExitCode::bad_input);

@@ -152,7 +152,7 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       "interruption, a crash or a full disk the same command goes on with what is missing. Started by mpirun all\n"
       "ranks share the cases. The results are the same to the last bit on any threads and ranks. Exit code 1: some\n"
       "cases have another status than ok.\n\n"
-      "Examples:\n"
+      "Example:\n"
       "  microslip sweep examples/creep_sweep.toml -o creep.h5\n"
       "  mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5");
   command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });

@@ -77,7 +77,8 @@ private:
   std::vector<std::size_t> missing_;
 };
 
-/// The rows of a chunk, in this thread; false if progress ended the work, which leaves them without meaning.
+/// The rows of a chunk, in this thread; false if progress ended the work, which leaves them without meaning. Outside of
+/// a batch solvers may use several threads, on which their last bits depend.
 bool compute_chunk(const CampaignPlan& plan, std::size_t number, const RowWorker& worker, const Progress& progress,
                    CampaignRows& rows);
 

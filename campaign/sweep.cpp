@@ -72,18 +72,16 @@ public:
                      [&q](const Solved& s) { return q.applies(s.contact) ? q.value(s.contact) : nan; }});
     return all;
   }
-  static bool needs_new_solver(std::string_view key) { return key.starts_with("solution."); }
+  static bool needs_new_solver(std::string_view) { return false; }
   static void check(const TomlSection& root) { read_case(root); }
 
-  Solved solve(const TomlSection& root, bool is_new, const Progress& progress) {
+  /// The solver is new each time: with influence coefficients that it keeps for the next contact the last bits are
+  /// others.
+  static Solved solve(const TomlSection& root, bool, const Progress& progress) {
     const RollingCase input = read_case(root);
-    if (is_new || !solver_) solver_.emplace(solver_method(input));
-    return {hertz_contact(input), solver_->solve(rolling_problem(input), progress)};
+    return {hertz_contact(input), Solver(solver_method(input)).solve(rolling_problem(input), progress)};
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
-
-private:
-  std::optional<Solver> solver_;
 };
 
 /// Columns of a wheel and its patches; `group` is what stands before wheel/ and patches/.
@@ -108,15 +106,15 @@ void add_wheel(Columns<Solved>& all, const std::string& group, int patches, cons
 /// What wheels and wheelsets share. `Input` is a WheelRailCase or a WheelsetCase.
 template <class Input, class Solver> class RailwayCases {
 public:
-  /// The state alone is read from case to case, unless something else has changed.
+  /// The state alone is read from case to case, unless something else has changed. The exact theory's solver is new
+  /// each time: with what it keeps for the next state the last bits are others.
   template <class Read> const auto& state(const TomlSection& root, bool is_new, const Read& read) {
-    if (is_new || !solver_) {
-      solver_.reset();
+    is_new = is_new || !solver_;
+    if (is_new)
       input_ = read(root);
-      solver_.emplace(bodies_of(*input_), input_->method);
-    } else {
+    else
       input_->states = read_states(root, *input_);
-    }
+    if (is_new || input_->method.level == WheelRailLevel::exact) solver_.emplace(bodies_of(*input_), input_->method);
     return input_->states.front();
   }
   Solver& solver() { return *solver_; }

@@ -22,8 +22,8 @@ std::string manual() {
 TEST(Manual, HasEveryOptionOfEveryCommand) {
   const TemporaryFolder folder;
   const auto page = manual();
-  for (const std::string command : {"solve", "hertz", "batch", "init", "run", "plot", "profile", "conicity", "convert",
-                                    "validate", "completion", "manual"}) {
+  for (const std::string command : {"solve", "hertz", "batch", "sweep", "init", "run", "plot", "profile", "conicity",
+                                    "convert", "validate", "completion", "manual"}) {
     const auto begin = page.find(".SS \"microslip " + command + " [OPTIONS]");
     ASSERT_NE(begin, std::string::npos) << command;
     const auto section = page.substr(begin, page.find("\n.S", begin) - begin);

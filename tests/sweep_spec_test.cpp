@@ -40,9 +40,8 @@ void expect_refused(const std::string& text, const std::string& what) {
 }
 
 TEST(SweepSpec, GridsVaryTheLastKeyFastestInTheOrderOfTheFile) {
-  const SweepSpec spec(std::string("[grid]\nz.z = [1, 2]\n\"a.a\" = { from = 0, to = 1, count = 3 }\nm.b = [7]\n") +
-                           inside,
-                       "s.toml");
+  const SweepSpec spec(
+      std::string("[grid]\nz.z = [1, 2]\n\"a.a\" = { from = 0, to = 1, count = 3 }\nm.b = [7]\n") + inside, "s.toml");
   ASSERT_EQ(spec.count(), 6u);
   EXPECT_EQ(spec.shape(), (std::vector<std::size_t>{2, 3, 1}));
   EXPECT_EQ(spec.parameters()[0].name, "z.z");
@@ -141,10 +140,12 @@ TEST(SweepSpec, WhatIsWrongIsNamed) {
   expect_refused(of_case("[grid]\n"), "[grid]: names no key that varies");
   expect_refused(of_case("[grid]\na.a = []\n"), "s.toml:2: a.a: must have at least one value");
   expect_refused(of_case("[grid]\na.a = 3\n"), "s.toml:2: a.a: must be a list");
-  expect_refused(of_case("[grid]\na.a = { from = 1, to = 2, cuont = 3 }\n"), "a.a.cuont: unknown key; did you mean count?");
+  expect_refused(of_case("[grid]\na.a = { from = 1, to = 2, cuont = 3 }\n"),
+                 "a.a.cuont: unknown key; did you mean count?");
   expect_refused(of_case("[grid]\na.a = { from = 1, to = 2 }\n"), "count is missing");
   expect_refused(of_case("[grid]\na.a = { from = 1, to = 2, count = 0 }\n"), "a.a.count = 0");
-  expect_refused(of_case("[grid]\na.a = { from = 0, to = 2, count = 4, scale = \"logarithmic\" }\n"), "ends of one sign");
+  expect_refused(of_case("[grid]\na.a = { from = 0, to = 2, count = 4, scale = \"logarithmic\" }\n"),
+                 "ends of one sign");
   expect_refused(of_case("[sample]\ncount = 0\nseed = 1\na.a = [1]\n"), "sample.count = 0");
   expect_refused(of_case("[sample]\ncount = 3\na.a = [1]\n"), "needs count and seed");
   expect_refused(of_case("[list]\nfile = \"nowhere.csv\"\n"), "nowhere.csv: cannot be read");

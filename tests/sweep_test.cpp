@@ -17,6 +17,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 namespace microslip {
 namespace {
@@ -32,11 +33,24 @@ const std::string two_bodies = "[case.body1]\nrolling_radius = 0.46\ntransverse_
 
 std::string wheel_case(const char* side) {
   return "[case.track]\ngauge = 1.435\ncant = 0.05\n[case.rail]\nprofile = \"profiles/60e1.prr\"\n[case.wheelset]\n"
-         "profile = \"profiles/s1002.prw\"\nnominal_radius = 0.46\nflange_back_distance = 1.36\n[case.wheel]\nside = \"" +
+         "profile = \"profiles/s1002.prw\"\nnominal_radius = 0.46\nflange_back_distance = 1.36\n[case.wheel]\nside = "
+         "\"" +
          std::string(side) +
          "\"\nvertical_force = 80e3\nforward_velocity = 30\n[case.material]\nyoung_modulus = 210e9\npoisson_ratio = "
          "0.28\n[case.friction]\ncoefficient = 0.3\n[case.solution]\ngrid = 12\n";
 }
+
+/// The last bits of the exact theory depend on the number of threads.
+class OneThread {
+public:
+  OneThread() : before_(omp_get_max_threads()) { omp_set_num_threads(1); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+  ~OneThread() { omp_set_num_threads(before_); }
+
+private:
+  int before_;
+};
 
 struct Row {
   std::vector<double> values;
@@ -64,6 +78,7 @@ double number(const Sweep& sweep, const Row& row, const std::string& path) {
 /// The same bits for every case by itself, with a new worker, and in random order after one another.
 void expect_independent_rows(const Sweep& sweep) {
   const std::size_t count = sweep.spec().count();
+  const OneThread as_in_a_batch;
   std::vector<Row> alone;
   for (std::size_t i = 0; i < count; ++i) alone.push_back(row_of(sweep, sweep.make_worker(), i));
   std::vector<std::size_t> order(2 * count);
@@ -80,6 +95,7 @@ TEST(Sweep, OfTwoBodiesByBothTheories) {
                     "s.toml");
   ASSERT_EQ(sweep.spec().count(), 12u);
   const RowWorker worker = sweep.make_worker();
+  const OneThread as_in_a_batch;
   for (std::size_t i = 0; i < 12; ++i) {
     auto text = two_bodies.substr(0, two_bodies.find("[case.load]"));
     text += "[case.load]\nnormal_force = " + std::string(i / 3 % 2 == 0 ? "50e3" : "80e3") +
@@ -88,8 +104,7 @@ TEST(Sweep, OfTwoBodiesByBothTheories) {
             (i < 6 ? "fastsim2" : "exact") + "\"\n";
     for (auto at = text.find("[case."); at != std::string::npos; at = text.find("[case.")) text.erase(at + 1, 5);
     const RollingCase input = parse_case(text, "c.toml");
-    const ContactSolution expected =
-        Solver({.theory = input.theory, .mx = 20, .my = 20}).solve(rolling_problem(input));
+    const ContactSolution expected = Solver({.theory = input.theory, .mx = 20, .my = 20}).solve(rolling_problem(input));
     const Row row = row_of(sweep, worker, i);
     EXPECT_EQ(row.values.front(), 0);
     EXPECT_EQ(row.reason, "");
@@ -118,11 +133,12 @@ TEST(Sweep, RowsToAnAccuracyDoNotDependOnEachOther) {
 }
 
 TEST(Sweep, RowsOfWheelsDoNotDependOnEachOther) {
-  expect_independent_rows(Sweep("[sample]\ncount = 14\nseed = 4\nsolution.theory = [\"fastsim2\", \"exact\"]\n"
-                                "wheel.lateral = { from = -0.005, to = 0.0065 }\nwheel.yaw = { from = -0.01, to = 0.01 }\n"
-                                "wheelset.nominal_radius = [0.4, 0.46]\ntrack.cant = [0.025, 0.05]\n" +
-                                    wheel_case("left"),
-                                example("s.toml")));
+  expect_independent_rows(
+      Sweep("[sample]\ncount = 14\nseed = 4\nsolution.theory = [\"fastsim2\", \"exact\"]\n"
+            "wheel.lateral = { from = -0.005, to = 0.0065 }\nwheel.yaw = { from = -0.01, to = 0.01 }\n"
+            "wheelset.nominal_radius = [0.4, 0.46]\ntrack.cant = [0.025, 0.05]\n" +
+                wheel_case("left"),
+            example("s.toml")));
 }
 
 TEST(Sweep, RowsOfWheelsetsDoNotDependOnEachOther) {
@@ -138,10 +154,11 @@ TEST(Sweep, OfAWheelIsThatOfItsCase) {
   for (auto at = text.find("[case."); at != std::string::npos; at = text.find("[case.")) text.erase(at + 1, 5);
   WheelRailCase input = parse_wheel_rail_case(text, example("c.toml"));
   const RowWorker worker = sweep.make_worker();
+  const OneThread as_in_a_batch;
   for (const std::size_t i : {1, 0}) {
     input.states.front().state.lateral = i == 0 ? 0 : 0.006;
-    const auto expected =
-        WheelRail(bodies_of(input), input.method).solve(input.states.front().state, input.states.front().vertical_force);
+    const auto expected = WheelRail(bodies_of(input), input.method)
+                              .solve(input.states.front().state, input.states.front().vertical_force);
     const Row row = row_of(sweep, worker, i);
     EXPECT_EQ(number(sweep, row, "wheel/force_y"), expected.force.y);
     EXPECT_EQ(number(sweep, row, "patches/0/fx"), expected.patches.front().fx);
@@ -160,7 +177,7 @@ TEST(Sweep, SomeCasesMayBeWrongButNotAll) {
       worker(0, row, {});
       ADD_FAILURE();
     } catch (const Error& error) {
-      EXPECT_STREQ(error.what(), "s.toml: load.normal_force = -1 [N]: must be positive");
+      EXPECT_STREQ(error.what(), "s.toml: load.normal_force = -1 [N]: must be positive and finite");
     }
     EXPECT_EQ(worker(1, row, {}), "");
   }

@@ -5,6 +5,7 @@
 #include "campaign/sweep_file.hpp"
 #include "io/case_file.hpp"
 #include "io/output_file.hpp"
+#include "microslip/batch/batch.hpp"
 #include "microslip/error.hpp"
 
 #include <pybind11/stl.h>
@@ -41,7 +42,10 @@ public:
     CampaignRows rows;
     {
       const py::gil_scoped_release release;
-      compute_chunk(plan_, number, worker_, {}, rows);
+      // A batch of one chunk: its solvers use one thread, as in all batches, on which their last bits depend.
+      microslip::run_batch(1, {}, [&]() -> BatchWorker {
+        return [&](std::size_t, std::size_t, const Progress&) { compute_chunk(plan_, number, worker_, {}, rows); };
+      });
     }
     std::vector<std::pair<std::size_t, std::string>> failed;
     for (const auto& [index, reason] : rows.failed) failed.emplace_back(index, reason);
@@ -57,7 +61,8 @@ private:
 
 CampaignRows rows_of(const SentChunk& sent) {
   const std::string bytes = std::get<1>(sent);
-  CampaignRows rows{.number = std::get<0>(sent), .values = std::vector<double>(bytes.size() / sizeof(double)), .failed = {}};
+  CampaignRows rows{
+      .number = std::get<0>(sent), .values = std::vector<double>(bytes.size() / sizeof(double)), .failed = {}};
   std::memcpy(rows.values.data(), bytes.data(), bytes.size());
   for (const auto& [index, reason] : std::get<2>(sent)) rows.failed.push_back({index, reason});
   return rows;
@@ -150,7 +155,8 @@ void bind_sweep(py::module_& module) {
   module.def(
       "sweep", &sweep, "path"_a, "output"_a, "threads"_a = 0, "executor"_a = py::none(),
       "Solves the cases of a specification file, as `microslip sweep` does, and writes them to an HDF5 file, SI\n"
-      "units [-]. What is finished is kept in OUTPUT.checkpoint: after an interruption the same call goes on with what\n"
+      "units [-]. What is finished is kept in OUTPUT.checkpoint: after an interruption the same call goes on with "
+      "what\n"
       "is missing. On threads, 0: one for each processor, or by a concurrent.futures.Executor, whose workers import\n"
       "microslip and read the files of the specification. The results are the same to the last bit. Returns\n"
       "SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written.");

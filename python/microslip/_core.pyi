@@ -3,6 +3,7 @@
 import enum
 import os
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from typing import Any, Literal, overload
 
 import numpy
@@ -1372,6 +1373,18 @@ class SurfaceStrength:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class SweepReport:
+    """How the cases of a sweep ended."""
+    @property
+    def cases(self) -> int:
+        """All of them [-]."""
+    @property
+    def failed(self) -> int:
+        """Those with another status than ok [-]."""
+    @property
+    def from_checkpoint(self) -> int:
+        """Those that an earlier run had computed [-]."""
+
 class TangentialProblem:
     """The tangential contact problem of the exact theory on a grid of elements with constant
     tractions, classical discretisation, elastically similar bodies: shifts, steps of transient
@@ -2302,6 +2315,13 @@ def solve_case(case: RollingCase) -> RollingContactResult:
 
 def surface_fatigue_index(traction_coefficient: float, peak_pressure: float, shear_yield_strength: float) -> float:
     """Traction coefficient [-] less shear_yield_strength [Pa] over peak_pressure [Pa] (Ekberg et al. 2002)."""
+
+def sweep(path: str | os.PathLike[str], output: str | os.PathLike[str], threads: int = 0, executor: Executor | None = None) -> SweepReport:
+    """Solves the cases of a specification file, as `microslip sweep` does, and writes them to an HDF5 file, SI
+    units [-]. What is finished is kept in OUTPUT.checkpoint: after an interruption the same call goes on with what
+    is missing. On threads, 0: one for each processor, or by a concurrent.futures.Executor, whose workers import
+    microslip and read the files of the specification. The results are the same to the last bit. Returns
+    SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written."""
 
 def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, normal_force: float, friction: float, x: ArrayLike, y: ArrayLike) -> Any:
     """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside
