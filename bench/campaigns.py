@@ -264,24 +264,21 @@ def cost(arguments):
             launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)]
             return timed([*launcher, *command], path)
 
-        rounds, count = 5, 6000
-        best = {ranks: (float("inf"), float("inf")) for ranks in (1, 2)}
+        rounds, count = 5, 2000
+        wall = {1: float("inf"), 2: float("inf")}
+        used = float("inf")
         for _ in range(rounds):
-            for ranks in best:
+            for ranks in wall:
                 empty, work = sweep(1, 1, "exact", ranks), sweep(count, CHUNK, "exact", ranks)
-                best[ranks] = tuple(map(min, best[ranks], (work[0] - empty[0], work[1] - empty[1])))
-        wall = {ranks: times[0] for ranks, times in best.items()}
-        used = {ranks: times[1] for ranks, times in best.items()}
-        print(f"{count} cases of the exact theory on 24 x 24 elements, best of {rounds}, less the launch of one case")
-        print(f"  1 rank: {wall[1]:6.2f} s, processor {used[1]:6.2f} s")
-        print(f"  2 ranks: {wall[2]:5.2f} s, processor {used[2]:6.2f} s: efficiency {wall[1] / wall[2] / 2:.2f}, of processor time "
-              f"{used[1] / used[2]:.2f}")
+                wall[ranks] = min(wall[ranks], work[0] - empty[0])
+                used = min(used, (work[1] - empty[1]) / count)
+        print(f"{count} cases of the exact theory on 24 x 24 elements, best of {rounds}, less the launch: {wall[1]:.2f} s on 1 rank,\n"
+              f"{wall[2]:.2f} s on 2: efficiency {wall[1] / wall[2] / 2:.2f}")
         count = 40000
         chunks = {chunk: min(sweep(count, chunk, "fastsim2", 1, 4)[1] for _ in range(3)) for chunk in (1, 64)}
         each = (chunks[1] - chunks[64]) / (count - count / 64)
-        print(f"A chunk in the checkpoint, with its share of the common count: {1e6 * each:.1f} microseconds of processor time; of "
-              f"the\n{1e6 * used[1] / 6000:.0f} of a case above {100 * each / CHUNK / (used[1] / 6000):.2f} % at {CHUNK} cases a "
-              "chunk")
+        print(f"A chunk in the checkpoint, with its share of the common count: {1e6 * each:.1f} microseconds of processor time; at "
+              f"{CHUNK}\ncases of {1e6 * used:.0f} microseconds {100 * each / CHUNK / used:.2f} %")
 
 
 def makespan(times, workers, latency, service):
