@@ -13,6 +13,7 @@
 #include "app/run.hpp"
 #include "app/solve.hpp"
 #include "app/sweep.hpp"
+#include "app/table.hpp"
 #include "app/usage_error.hpp"
 #include "app/validate.hpp"
 #include "io/hdf5_exit.hpp"
@@ -48,6 +49,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_conicity_command(program);
   add_plot_command(program, exit_code);
   add_convert_command(program, exit_code);
+  add_table_command(program, exit_code);
   add_validate_command(program, exit_code);
   add_completion_command(program);
   add_manual_command(program);

@@ -1,0 +1,152 @@
+#include "app/table.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/json_document.hpp"
+#include "app/progress_bar.hpp"
+#include "io/creep_table_file.hpp"
+#include "microslip/contact/limits.hpp"
+#include "microslip/error.hpp"
+#include "microslip/table/making/creep_table_maker.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MakeArguments {
+  fs::path output;
+  CreepTableMaking making = {
+      .axes = {.ratios = 21, .poisson_ratios = {0, 0.28, 0.5}, .levels = 28, .elevations = 15, .azimuths = 31}};
+  std::vector<double> range;
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool json = false;
+};
+
+struct ShowArguments {
+  fs::path file;
+  bool json = false;
+};
+
+void print_text(const CreepTableNodes& nodes) {
+  const CreepTableAxes& axes = nodes.axes;
+  fmt::print("a/b              {:g} to {:g}, {} nodes\n", axes.least_ratio, axes.largest_ratio, axes.ratios);
+  fmt::print("Poisson's ratio  {}\n", fmt::join(axes.poisson_ratios, ", "));
+  fmt::print("creepages        {} levels from no slip to full sliding, {} elevations, {} azimuths\n", axes.levels,
+             axes.elevations, axes.azimuths);
+  fmt::print("nodes            {}, {:.1f} MB\n", axes.blocks() * axes.nodes(),
+             static_cast<double>(nodes.values.size_bytes()) / 1e6);
+  const CreepTableOrigin& origin = nodes.origin;
+  fmt::print("computed from    {} contacts on {} and {} elements across, {} not converged\n", origin.solved,
+             origin.elements, origin.elements / 2, origin.not_converged);
+  fmt::print("estimated error  rms {:.5f} {:.5f} {:.5f}, worst {:.4f} {:.4f} {:.4f} of Fx, Fy, Mz\n",
+             origin.error_rms[0], origin.error_rms[1], origin.error_rms[2], origin.error_worst[0],
+             origin.error_worst[1], origin.error_worst[2]);
+}
+
+void print_document(const CreepTableNodes& nodes, const fs::path& file) {
+  const CreepTableAxes& axes = nodes.axes;
+  const CreepTableOrigin& origin = nodes.origin;
+  auto document = json_document("table");
+  document["file"] = file.string();
+  document["axis_ratios"] = {{"least", axes.least_ratio}, {"largest", axes.largest_ratio}, {"nodes", axes.ratios}};
+  document["poisson_ratios"] = axes.poisson_ratios;
+  document["levels"] = axes.levels;
+  document["elevations"] = axes.elevations;
+  document["azimuths"] = axes.azimuths;
+  document["elements"] = origin.elements;
+  document["contacts_solved"] = origin.solved;
+  document["contacts_not_converged"] = origin.not_converged;
+  document["estimated_error"] = {{"rms", origin.error_rms}, {"worst", origin.error_worst}};
+  print_json(document);
+}
+
+void print(const CreepTableNodes& nodes, const fs::path& file, bool json) {
+  if (json)
+    print_document(nodes, file);
+  else
+    print_text(nodes);
+}
+
+int make(MakeArguments arguments) {
+  require_count("--threads", arguments.threads, 1, most_threads);
+  CreepTableMaking& making = arguments.making;
+  if (!arguments.range.empty()) {
+    making.axes.least_ratio = arguments.range[0];
+    making.axes.largest_ratio = arguments.range[1];
+  }
+  std::sort(making.axes.poisson_ratios.begin(), making.axes.poisson_ratios.end());
+  making.threads = arguments.threads;
+  const InterruptGuard guard;
+  {
+    ProgressBar bar("table");
+    making.progress = [&bar](double fraction) {
+      bar.update(fraction);
+      return !InterruptGuard::interrupted();
+    };
+    try {
+      write_creep_table(make_creep_table(making), arguments.output);
+    } catch (const Stopped&) {
+      InterruptGuard::throw_if_interrupted();
+      throw;
+    }
+  }
+  print(read_creep_table(arguments.output), arguments.output, arguments.json);
+  return ExitCode::done;
+}
+
+void add_show(CLI::App& table) {
+  auto* command = table.add_subcommand("show", "Print what a creep-force table covers and how it was computed");
+  const auto arguments = std::make_shared<ShowArguments>();
+  command->add_option("FILE", arguments->file, "a creep-force table")->required()->type_name("");
+  add_json_flag(*command, arguments->json);
+  command->callback([arguments] { print(read_creep_table(arguments->file), arguments->file, arguments->json); });
+}
+
+void add_make(CLI::App& table, int& exit_code) {
+  auto* command = table.add_subcommand("make", "Compute a creep-force table by the exact theory");
+  const auto arguments = std::make_shared<MakeArguments>();
+  CreepTableMaking& making = arguments->making;
+  command->add_option("-o,--output", arguments->output, "the table")->required()->type_name("FILE");
+  command->add_option("--poisson-ratio", making.axes.poisson_ratios, "Poisson's ratios [-]")
+      ->type_name("NU...")
+      ->capture_default_str();
+  command->add_option("--axis-ratio", arguments->range, "least and largest a/b [-]; default: 0.05 20")
+      ->expected(2)
+      ->type_name("LEAST LARGEST");
+  const auto count = [&](const char* name, int& value, const char* what) {
+    command->add_option(name, value, what)->type_name("COUNT")->capture_default_str();
+  };
+  count("--ratios", making.axes.ratios, "nodes of a/b");
+  count("--levels", making.axes.levels, "nodes from no slip to full sliding");
+  count("--elevations", making.axes.elevations, "nodes from no spin to nothing but spin");
+  count("--azimuths", making.axes.azimuths, "nodes of the direction of the creepage");
+  count("--elements", making.elements, "elements across the ellipse; half of them for the extrapolation");
+  command->add_option("--threads", arguments->threads, "threads, 1 to 1024; default: one for each processor")
+      ->type_name("COUNT");
+  add_json_flag(*command, arguments->json);
+  command->callback([arguments, &exit_code] { exit_code = make(*arguments); });
+}
+
+} // namespace
+
+void add_table_command(CLI::App& program, int& exit_code) {
+  auto* command = program.add_subcommand("table", "Show or make a creep-force table");
+  command->require_subcommand(1);
+  add_show(*command);
+  add_make(*command, exit_code);
+  command->footer("A creep-force table has results of the exact theory, between which --theory table interpolates. The "
+                  "one that\nmicroslip has was made by the defaults of table make.\n\n"
+                  "Example:\n  microslip table make -o steel.creep --poisson-ratio 0.28");
+}
+
+} // namespace microslip

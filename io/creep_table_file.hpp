@@ -1,0 +1,17 @@
+#pragma once
+
+#include "microslip/table/creep_table_nodes.hpp"
+
+#include <filesystem>
+
+namespace microslip {
+
+/// The creep-force table in a file, which is mapped into memory and stays so as long as the nodes or copies of them
+/// are there. Throws Error with the path and the reason: a file that cannot be read or is no table, of another version
+/// or byte order, cut short or corrupted.
+CreepTableNodes read_creep_table(const std::filesystem::path& path);
+
+/// Writes a table; the file appears whole or not at all. Throws Error if it cannot be written.
+void write_creep_table(const CreepTableNodes& nodes, const std::filesystem::path& path);
+
+} // namespace microslip

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "microslip/contact/contact_forces.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/numerics/instruction_set.hpp"
+#include "microslip/table/creep_table_nodes.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// Forces of Hertzian contacts in steady rolling by interpolation between results of the exact theory: at any load,
+/// modulus, size and coefficient of friction, as the table has scaled variables. The forces are continuous with their
+/// first derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the table's axis
+/// ratios and Poisson's ratios the status is out_of_range, and the forces are those of limits: the ellipse, the
+/// Poisson's ratio at the end of the range, with the longer semi-axis and linear theory of the contact itself.
+///
+/// Friction that falls with the slip is that of the rigid slip at the centre, V sqrt(xi^2 + eta^2), all over the
+/// contact. Calls marked noexcept allocate nothing, take no lock, do no input or output, and may come from several
+/// threads at a time.
+class CreepForceTable {
+public:
+  /// For all Poisson's ratios of the nodes; with `poisson_ratio` for that one alone, at a fraction of the memory.
+  /// Throws Error for a Poisson's ratio out of [0, .5]. Cost some tenths of a second and some 10 MB for each.
+  explicit CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction = RollingDirection::forward);
+  CreepForceTable(const CreepTableNodes& nodes, double poisson_ratio,
+                  RollingDirection direction = RollingDirection::forward);
+
+  const CreepTableAxes& axes() const;
+
+  /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. Cost some 100 ns.
+  ContactForces solve(const EllipticContact& contact) const noexcept;
+  void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) const noexcept;
+
+  /// Forces and their derivatives with respect to the creepages and the load, those of the interpolation itself.
+  ContactDerivatives differentiate(const EllipticContact& contact) const noexcept;
+  void differentiate(std::span<const EllipticContact> contacts,
+                     std::span<ContactDerivatives> derivatives) const noexcept;
+
+private:
+  struct Data;
+  std::shared_ptr<const Data> data_; ///< copies share it
+};
+
+} // namespace microslip

@@ -1,0 +1,276 @@
+#include "microslip/table/making/creep_table_maker.hpp"
+
+#include "microslip/batch/batch.hpp"
+#include "microslip/error.hpp"
+#include "microslip/rolling/accurate_contact.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/table/creep_coordinates.hpp"
+#include "microslip/table/creep_force_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+/// One contact stands for all loads, moduli, sizes and coefficients of friction.
+constexpr double shear_modulus = 1, normal_force = 1, friction = 0.01, capacity = friction * normal_force;
+
+using Node = std::array<double, creep_channels>;
+
+EllipticContact contact_of(double a_over_b, double poisson_ratio) {
+  EllipticContact contact;
+  contact.a = std::sqrt(a_over_b);
+  contact.b = 1 / contact.a;
+  contact.shear_modulus = shear_modulus;
+  contact.poisson_ratio = poisson_ratio;
+  contact.normal_force = normal_force;
+  contact.friction = FrictionLaw::coulomb(friction);
+  return contact;
+}
+
+/// The creepages with (X, Y, Z) of length 1 in a direction.
+Creepage creepage_of(double a_over_b, double poisson_ratio, double elevation, double azimuth) {
+  const creep_coordinates::LinearTheory linear(creepage_coefficients(a_over_b, poisson_ratio, CreepageTable::computed),
+                                               creep_coordinates::spin_scale(a_over_b));
+  const double g = shear_modulus / capacity;
+  return {.longitudinal = std::cos(elevation) * std::cos(azimuth) / (g * linear.x),
+          .lateral = std::cos(elevation) * std::sin(azimuth) / (g * linear.y),
+          .spin = std::sin(elevation) / (g * linear.z)};
+}
+
+/// The contact of a node.
+EllipticContact contact_at(const CreepTableAxes& axes, std::size_t material, int ratio, int level, int elevation,
+                           int azimuth) {
+  const double nu = axes.poisson_ratios[material], a_over_b = axes.ratio(ratio);
+  const double t = static_cast<double>(level + 1) / axes.levels;
+  const double r =
+      t < 1 ? creep_coordinates::half_way * t / (1 - t) : 1; // at the last level the direction alone counts
+  const Creepage unit = creepage_of(a_over_b, nu, elevation * axes.elevation_step(),
+                                    azimuth * axes.azimuth_step() - std::numbers::pi / 2);
+  EllipticContact contact = contact_of(a_over_b, nu);
+  contact.creepage = {unit.longitudinal * r, unit.lateral * r, unit.spin * r};
+  return contact;
+}
+
+/// Forces of full sliding under the elliptic pressure: tractions against the rigid slip everywhere.
+Node full_sliding(const EllipticContact& contact) {
+  constexpr int rings = 160, sectors = 256;
+  Node sum = {};
+  for (int i = 0; i < rings; ++i) {
+    // Rings with equal shares of the load: within the radius r it is 1 - (1 - r^2)^(3/2).
+    const double radius = std::sqrt(1 - std::pow((i + 0.5) / rings, 2.0 / 3));
+    for (int k = 0; k < sectors; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / sectors;
+      const double x = contact.a * radius * std::cos(angle), y = contact.b * radius * std::sin(angle);
+      const double slip_x = contact.creepage.longitudinal - contact.creepage.spin * y;
+      const double slip_y = contact.creepage.lateral + contact.creepage.spin * x;
+      const double slip = std::sqrt(slip_x * slip_x + slip_y * slip_y);
+      if (!(slip > 0)) continue;
+      sum[0] -= slip_x / slip;
+      sum[1] -= slip_y / slip;
+      sum[2] -= (x * slip_y - y * slip_x) / slip;
+    }
+  }
+  for (double& number : sum) number /= rings * sectors;
+  return sum;
+}
+
+Node node_of(const ContactForces& forces, const EllipticContact& contact) {
+  return {forces.fx / capacity, forces.fy / capacity, forces.mz / (capacity * std::sqrt(contact.a * contact.b)),
+          forces.adhesion_area / (std::numbers::pi * contact.a * contact.b)};
+}
+
+/// Squares and extremes of the estimated errors of some nodes.
+struct Errors {
+  std::array<double, 3> squares = {}, worst = {};
+  long count = 0, not_converged = 0;
+
+  void add(std::size_t channel, double error) {
+    squares[channel] += error * error;
+    worst[channel] = std::max(worst[channel], error);
+  }
+};
+
+CreepTableOrigin origin_of(const std::vector<Errors>& errors, int elements) {
+  CreepTableOrigin origin = {.elements = elements};
+  for (const Errors& e : errors) {
+    origin.solved += e.count;
+    origin.not_converged += e.not_converged;
+    for (std::size_t c = 0; c < 3; ++c) {
+      origin.error_rms[c] += e.squares[c];
+      origin.error_worst[c] = std::max(origin.error_worst[c], e.worst[c]);
+    }
+  }
+  for (double& square : origin.error_rms) square = std::sqrt(square / (static_cast<double>(origin.solved) / 2));
+  return origin;
+}
+
+/// Which nodes of the axes are solved: all, or every second one along each axis.
+struct Nodes {
+  std::size_t material;
+  int step; ///< 1 or 2
+};
+
+/// Numbers of all nodes of a table, by their places on the axes.
+class Numbers {
+public:
+  explicit Numbers(const CreepTableAxes& axes) : axes_(axes), numbers_(axes.blocks() * axes.nodes() * creep_channels) {}
+
+  const CreepTableAxes& axes() const { return axes_; }
+  const std::vector<double>& all() const { return numbers_; }
+  double* at(std::size_t material, int ratio, int level, int elevation, int azimuth) {
+    std::size_t place = material;
+    for (const auto& [count, i] : {std::pair(axes_.ratios, ratio), std::pair(axes_.levels, level),
+                                   std::pair(axes_.elevations, elevation), std::pair(axes_.azimuths, azimuth)})
+      place = place * std::size_t(count) + std::size_t(i);
+    return &numbers_[place * creep_channels];
+  }
+
+private:
+  CreepTableAxes axes_;
+  std::vector<double> numbers_;
+};
+
+/// Solves nodes of one a/b and nu.
+class BlockMaker {
+public:
+  BlockMaker(int elements, Numbers& numbers)
+      : axes_(numbers.axes()), numbers_(numbers), coarse_({.mx = elements / 2, .my = elements / 2}),
+        fine_({.mx = elements, .my = elements}) {}
+
+  void make(const Nodes& nodes, int ratio, Errors& errors, const Progress& progress) {
+    const int pole = axes_.elevations - 1;
+    for (int i = 0; i <= pole; i += nodes.step)
+      for (int j = 0; j < axes_.azimuths; j += nodes.step) {
+        if (!progress((i + static_cast<double>(j) / axes_.azimuths) / axes_.elevations)) return;
+        if (i < pole || j == 0)
+          make_direction(nodes, ratio, i, j, errors);
+        else
+          for (int level = nodes.step - 1; level < axes_.levels; level += nodes.step)
+            std::copy_n(numbers_.at(nodes.material, ratio, level, i, 0), creep_channels,
+                        numbers_.at(nodes.material, ratio, level, i, j));
+      }
+  }
+
+private:
+  void make_direction(const Nodes& nodes, int ratio, int elevation, int azimuth, Errors& errors) {
+    for (int level = nodes.step - 1; level < axes_.levels; level += nodes.step) {
+      const EllipticContact contact = contact_at(axes_, nodes.material, ratio, level, elevation, azimuth);
+      const Node node = level + 1 == axes_.levels ? full_sliding(contact) : limit(contact, errors);
+      std::copy(node.begin(), node.end(), numbers_.at(nodes.material, ratio, level, elevation, azimuth));
+    }
+  }
+
+  Node limit(const EllipticContact& contact, Errors& errors) {
+    const ContactForces from = coarse_.solve(contact).forces(), to = fine_.solve(contact).forces();
+    errors.not_converged += (from.status != Status::ok) + (to.status != Status::ok);
+    const Node coarse = node_of(from, contact), fine = node_of(to, contact);
+    Node node;
+    for (std::size_t c = 0; c < creep_channels; ++c) node[c] = limit_of_second_order(coarse[c], fine[c]);
+    for (std::size_t c = 0; c < 3; ++c) errors.add(c, std::abs(node[c] - fine[c]));
+    node[3] = std::clamp(node[3], 0.0, 1.0);
+    errors.count += 2;
+    return node;
+  }
+
+  const CreepTableAxes& axes_;
+  Numbers& numbers_;
+  EllipticContactSolver coarse_, fine_;
+};
+
+CreepTableAxes every_second(CreepTableAxes axes) {
+  axes.ratios = (axes.ratios + 1) / 2;
+  axes.levels /= 2;
+  axes.elevations = (axes.elevations + 1) / 2;
+  axes.azimuths = (axes.azimuths + 1) / 2;
+  return axes;
+}
+
+/// The Poisson's ratio that all nodes are solved for: that of steel, or the nearest to it.
+std::size_t main_material(const std::vector<double>& poisson_ratios) {
+  const auto distance = [](double nu) { return std::abs(nu - 0.28); };
+  const auto nearest = std::min_element(poisson_ratios.begin(), poisson_ratios.end(),
+                                        [&](double p, double q) { return distance(p) < distance(q); });
+  return static_cast<std::size_t>(nearest - poisson_ratios.begin());
+}
+
+/// Fills in the nodes that were left out of the other materials: the main one's number, and what the material adds to
+/// it by a table of every second node. What it adds is small and smooth, so that this costs next to no accuracy.
+void fill_in(Numbers& numbers, std::size_t main) {
+  const CreepTableAxes& axes = numbers.axes();
+  Numbers half(every_second(axes));
+  const auto for_all = [](const CreepTableAxes& of, const auto& work) {
+    for (std::size_t m = 0; m < of.poisson_ratios.size(); ++m)
+      for (int ratio = 0; ratio < of.ratios; ++ratio)
+        for (int level = 0; level < of.levels; ++level)
+          for (int i = 0; i < of.elevations; ++i)
+            for (int j = 0; j < of.azimuths; ++j) work(m, ratio, level, i, j);
+  };
+  for_all(half.axes(), [&](std::size_t m, int ratio, int level, int i, int j) {
+    std::copy_n(numbers.at(m, 2 * ratio, 2 * level + 1, 2 * i, 2 * j), creep_channels, half.at(m, ratio, level, i, j));
+  });
+  const CreepForceTable table(quantised(half.axes(), {}, half.all()));
+  for_all(axes, [&](std::size_t m, int ratio, int level, int i, int j) {
+    if (m == main || (ratio % 2 == 0 && level % 2 == 1 && i % 2 == 0 && j % 2 == 0)) return;
+    double* const to = numbers.at(m, ratio, level, i, j);
+    const EllipticContact own = contact_at(axes, m, ratio, level, i, j);
+    Node node;
+    if (level + 1 == axes.levels) {
+      node = full_sliding(own);
+    } else {
+      const EllipticContact steel = contact_at(axes, main, ratio, level, i, j);
+      const Node with = node_of(table.solve(own), own), without = node_of(table.solve(steel), steel);
+      const double* const from = numbers.at(main, ratio, level, i, j);
+      for (std::size_t c = 0; c < creep_channels; ++c) node[c] = from[c] + with[c] - without[c];
+      node[3] = std::clamp(node[3], 0.0, 1.0);
+    }
+    std::copy(node.begin(), node.end(), to);
+  });
+}
+
+void check(const CreepTableMaking& making) {
+  check(making.axes);
+  require_count("elements", making.elements, 8, 256);
+  if (making.elements % 2 != 0) throw Error("elements", making.elements, "-", "even");
+  if (making.axes.poisson_ratios.size() == 1) return;
+  check(every_second(making.axes));
+  const CreepTableAxes& axes = making.axes;
+  if (axes.ratios % 2 == 0 || axes.levels % 2 != 0 || axes.elevations % 2 == 0 || axes.azimuths % 2 == 0)
+    throw Error("with several Poisson's ratios every second node must be one of a coarser table: an even number of "
+                "levels and odd numbers of ratios, elevations and azimuths");
+}
+
+} // namespace
+
+CreepTableNodes make_creep_table(const CreepTableMaking& making) {
+  check(making);
+  const CreepTableAxes& axes = making.axes;
+  Numbers numbers(axes);
+  const std::size_t main = main_material(axes.poisson_ratios);
+  struct Block {
+    Nodes nodes;
+    int ratio;
+  };
+  std::vector<Block> blocks;
+  for (int ratio = 0; ratio < axes.ratios; ++ratio) blocks.push_back({{main, 1}, ratio});
+  for (std::size_t m = 0; m < axes.poisson_ratios.size(); ++m)
+    for (int ratio = 0; m != main && ratio < axes.ratios; ratio += 2) blocks.push_back({{m, 2}, ratio});
+  std::vector<Errors> errors(blocks.size());
+  const auto report =
+      run_batch(blocks.size(), {.threads = making.threads, .progress = making.progress}, [&]() -> BatchWorker {
+        return [&, own = std::make_shared<BlockMaker>(making.elements, numbers)](std::size_t i, std::size_t,
+                                                                                 const Progress& progress) {
+          own->make(blocks[i].nodes, blocks[i].ratio, errors[i], progress);
+        };
+      });
+  if (!report.complete) throw Stopped();
+  if (axes.poisson_ratios.size() > 1) fill_in(numbers, main);
+  return quantised(axes, origin_of(errors, making.elements), numbers.all());
+}
+
+} // namespace microslip
