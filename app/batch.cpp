@@ -6,6 +6,7 @@
 #include "app/option_text.hpp"
 #include "app/progress_bar.hpp"
 #include "io/contact_table.hpp"
+#include "io/creep_table_file.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
@@ -15,6 +16,7 @@
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/rolling/method.hpp"
 #include "microslip/simplified/fastrip.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -43,7 +45,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BatchArguments {
-  fs::path input, output;
+  fs::path input, output, table; ///< empty: the table that microslip has
   std::string theory = "fastsim2", grid = "10x10", direction = "forward", precision = "double";
   std::string bound, flexibility, coefficients; ///< of the simplified theory; empty: not given
   std::string discretisation, elements;         ///< of the exact theory; empty: not given
@@ -151,7 +153,16 @@ private:
   std::string first_error_;
 };
 
-/// Contacts cost next to nothing: the threads share the chunks of text. `Solver` is RowSolver or Fastrip.
+/// Cells that a contact costs the work of.
+std::size_t cells_of(const CreepForceTable&) {
+  return 100;
+}
+template <class Solver> std::size_t cells_of(const Solver& solver) {
+  return static_cast<std::size_t>(solver.options().mx) * static_cast<std::size_t>(solver.options().my);
+}
+
+/// Contacts cost next to nothing: the threads share the chunks of text. `Solver` is RowSolver, Fastrip or
+/// CreepForceTable.
 template <class Solver> class SimplifiedTableSolver : public TableSolver {
 public:
   SimplifiedTableSolver(int threads, Solver solver) : threads_(threads), solver_(std::move(solver)) {}
@@ -170,8 +181,7 @@ private:
   std::string solve(const ContactRows& rows, Solver& solver, const Progress& progress) {
     std::vector<ContactForces> forces(rows.contacts.size());
     // Few enough contacts at a time to see Ctrl-C and to move the bar also on the largest grids.
-    const auto cells = static_cast<std::size_t>(solver.options().mx) * static_cast<std::size_t>(solver.options().my);
-    const auto step = std::clamp<std::size_t>(1000000 / cells, 1, 256);
+    const auto step = std::clamp<std::size_t>(1000000 / cells_of(solver), 1, 256);
     for (std::size_t first = 0; first < forces.size(); first += step) {
       if (!progress(static_cast<double>(first) / static_cast<double>(forces.size()))) return {};
       const auto count = std::min(step, forces.size() - first);
@@ -231,7 +241,26 @@ private:
   ExactOptions options_;
 };
 
+/// By interpolation, of which only the direction of rolling may be said.
+std::unique_ptr<TableSolver> make_table_solver(const BatchArguments& arguments) {
+  constexpr const char* reason = "cannot be combined with --theory table";
+  refuse({{"--bound", !arguments.bound.empty()},
+          {"--flexibility", !arguments.flexibility.empty()},
+          {"--coefficients", !arguments.coefficients.empty()},
+          {"--discretisation", !arguments.discretisation.empty()},
+          {"--elements", !arguments.elements.empty()},
+          {"--precision", arguments.precision != "double"},
+          {"--tolerance", arguments.tolerance.has_value()}},
+         reason);
+  const auto direction = from_word<RollingDirection>("--direction", arguments.direction);
+  const fs::path file = arguments.table.empty() ? shipped_creep_table() : arguments.table;
+  return std::make_unique<SimplifiedTableSolver<CreepForceTable>>(arguments.threads,
+                                                                  CreepForceTable(read_creep_table(file), direction));
+}
+
 std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
+  if (arguments.theory == "table") return make_table_solver(arguments);
+  refuse({{"--table", !arguments.table.empty()}}, "needs --theory table");
   const Method method = method_of(arguments);
   RollingProblem any; // like every row of the table, but for what its columns say
   any.motion.direction = from_word<RollingDirection>("--direction", arguments.direction);
@@ -333,7 +362,11 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   };
   command->add_option("IN.csv", arguments->input, "table of contacts")->required()->type_name("");
   command->add_option("-o,--output", arguments->output, "table of results")->required()->type_name("OUT.csv");
-  option("--theory", arguments->theory, choices<Theory>(), "what the contacts are solved by");
+  option("--theory", arguments->theory, choices<Theory>() + "|table", "what the contacts are solved by");
+  command
+      ->add_option("--table", arguments->table,
+                   "a creep-force table made by `microslip table make`; default: the one that microslip has")
+      ->type_name("FILE");
   option("--grid", arguments->grid, "MXxMY", "cells or elements across the ellipse along x and y");
   option("--bound", arguments->bound, choices<TractionBound>(),
          "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");

@@ -13,6 +13,22 @@ microslip_code microslip_solve_case(const char* /*text*/, const char* /*name*/, 
   return report(error, MICROSLIP_NO_RESULT, without_case_files);
 }
 
+microslip_code microslip_creep_table_read(const char* /*file*/, microslip_direction /*direction*/,
+                                          microslip_creep_table** table, microslip_error* error) {
+  if (table) *table = nullptr;
+  return report(error, MICROSLIP_NO_RESULT, "this library was built without reading files");
+}
+void microslip_creep_table_destroy(microslip_creep_table* /*table*/) {}
+microslip_code microslip_creep_table_solve(const microslip_creep_table* /*table*/, size_t /*count*/,
+                                           const microslip_contact* /*contacts*/, microslip_forces* /*forces*/) {
+  return MICROSLIP_NO_RESULT;
+}
+microslip_code microslip_creep_table_differentiate(const microslip_creep_table* /*table*/, size_t /*count*/,
+                                                   const microslip_contact* /*contacts*/,
+                                                   microslip_derivatives* /*derivatives*/) {
+  return MICROSLIP_NO_RESULT;
+}
+
 microslip_code microslip_wheel_rail_create(const char* /*text*/, const char* /*name*/,
                                            microslip_wheel_rail** wheel_rail, microslip_error* error) {
   if (wheel_rail) *wheel_rail = nullptr;

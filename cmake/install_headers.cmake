@@ -8,7 +8,8 @@ set(public_headers
   microslip/railway/profile_dimensions.hpp microslip/railway/profile_preparation.hpp
   microslip/railway/profile_slices.hpp microslip/railway/profile_smoothing.hpp microslip/railway/wheel_rail.hpp
   microslip/railway/wheel_rail_quantities.hpp microslip/railway/wheelset_on_track.hpp microslip/railway/wheelset_quantities.hpp
-  microslip/rolling/*.hpp microslip/simplified/*.hpp microslip/thermal/*.hpp)
+  microslip/rolling/*.hpp microslip/simplified/*.hpp microslip/table/creep_force_table.hpp
+  microslip/table/making/*.hpp microslip/thermal/*.hpp)
 
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 list(TRANSFORM public_headers PREPEND ${root}/)

@@ -62,6 +62,12 @@ CreepTableNodes read_creep_table(const fs::path& path) {
   }
 }
 
+fs::path shipped_creep_table() {
+  std::error_code error;
+  const auto program = fs::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path() / "share/microslip/python/microslip/hertz.creep";
+}
+
 void write_creep_table(const CreepTableNodes& nodes, const fs::path& path) {
   const auto bytes = encode(nodes);
   OutputFile file(path);

@@ -4,6 +4,8 @@
 #include "microslip/railway/contact_search.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/simplified/row_solver.hpp"
+#include "microslip/table/creep_force_table.hpp"
+#include "microslip/table/making/creep_table_maker.hpp"
 #include "tests/call_counters.hpp"
 #include "tests/test_cases.hpp"
 
@@ -39,6 +41,10 @@ std::vector<EllipticContact> contacts() {
   }
   return contacts;
 }
+
+static_assert(noexcept(std::declval<const CreepForceTable&>().solve(Contacts{}, std::span<ContactForces>{})));
+static_assert(noexcept(std::declval<const CreepForceTable&>().differentiate(Contacts{},
+                                                                            std::span<ContactDerivatives>{})));
 
 TEST(HotCall, CountersCount) {
   counting = true;
@@ -80,6 +86,16 @@ TEST(HotCall, TakesNoMemoryNorLockWritesNothingAndThrowsNothing) {
     });
     expect_silent([&] { solver.differentiate(all, derivatives); });
   }
+}
+
+TEST(HotCall, LookingUpForcesInATableTakesNoMemory) {
+  const CreepForceTable table(make_creep_table(
+      {.axes = {.ratios = 4, .poisson_ratios = {0.28}, .levels = 4, .elevations = 4, .azimuths = 4}, .elements = 8}));
+  const std::vector<EllipticContact> all = contacts();
+  std::vector<ContactForces> forces(all.size());
+  std::vector<ContactDerivatives> derivatives(all.size());
+  expect_silent([&] { table.solve(all, forces); });
+  expect_silent([&] { table.differentiate(all, derivatives); });
 }
 
 TEST(HotCall, SearchingForContactsTakesNoMemory) {

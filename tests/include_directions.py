@@ -30,6 +30,9 @@ ALLOWED = {
                           EXACT + "normal"],
     "microslip/damage": ["microslip/contact"],
     "microslip/batch": ["microslip/contact", "microslip/simplified"],
+    "microslip/table": ["microslip/contact", "microslip/numerics", "microslip/simplified"],
+    "microslip/table/making": ["microslip/batch", "microslip/contact", "microslip/rolling", "microslip/simplified",
+                               "microslip/table"],
     "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/elasticity", "microslip/friction", "microslip/numerics",
                           "microslip/simplified", EXACT + "fitted", EXACT + "halfspace", EXACT + "normal"],
 }

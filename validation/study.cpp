@@ -8,6 +8,7 @@
 #include "validation/contact_cases.hpp"
 #include "validation/contact_wheel_rail.hpp"
 #include "validation/creep_curve.hpp"
+#include "validation/creep_table.hpp"
 #include "validation/edge_constants.hpp"
 #include "validation/exact_112.hpp"
 #include "validation/exact_test_set.hpp"
@@ -48,6 +49,8 @@ constexpr std::array all_studies = {
     Study{"contact-wheel-rail", "wheels on rails of the program CONTACT, every quantity beside what it printed",
           run_contact_wheel_rail},
     Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
+    Study{"creep-table", "the creep-force table beside exact theory, FASTSIM2 and Polach's formula; times",
+          run_creep_table},
     Study{"edge-constants", "where leading elements end inside the edge of contact, for second order",
           run_edge_constants},
     Study{"exact-112", "112 of the 3,220 cases by exact theory", run_exact_112},

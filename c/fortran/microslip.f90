@@ -293,6 +293,38 @@ module microslip
       integer(c_int) :: code
     end function
 
+    function microslip_creep_table_read(file, direction, table, error) bind(c) result(code)
+      import
+      character(kind=c_char), intent(in) :: file(*)
+      integer(c_int), value :: direction
+      type(c_ptr), intent(out) :: table
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_creep_table_destroy(table) bind(c)
+      import
+      type(c_ptr), value :: table
+    end subroutine
+
+    function microslip_creep_table_solve(table, count, contacts, forces) bind(c) result(code)
+      import
+      type(c_ptr), value :: table
+      integer(c_size_t), value :: count
+      type(microslip_contact), intent(in) :: contacts(*)
+      type(microslip_forces), intent(inout) :: forces(*)
+      integer(c_int) :: code
+    end function
+
+    function microslip_creep_table_differentiate(table, count, contacts, derivatives) bind(c) result(code)
+      import
+      type(c_ptr), value :: table
+      integer(c_size_t), value :: count
+      type(microslip_contact), intent(in) :: contacts(*)
+      type(microslip_derivatives), intent(inout) :: derivatives(*)
+      integer(c_int) :: code
+    end function
+
     function microslip_fastsim2_solve_fields(solver, contact, forces, error) bind(c) result(code)
       import
       type(c_ptr), value :: solver
@@ -490,6 +522,8 @@ module microslip
   public :: microslip_fastsim2_options_init, microslip_fastsim2_create, microslip_fastsim2_destroy
   public :: microslip_fastsim2_solve, microslip_fastsim2_differentiate
   public :: microslip_fastsim2_solve_fields, microslip_fastsim2_get
+  public :: microslip_creep_table_read, microslip_creep_table_destroy
+  public :: microslip_creep_table_solve, microslip_creep_table_differentiate
   public :: microslip_fastsim2_quantity, microslip_fastsim2_field
   public :: microslip_exact_options_init, microslip_exact_motion_init
   public :: microslip_exact_create, microslip_exact_destroy

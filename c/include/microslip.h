@@ -274,6 +274,24 @@ MICROSLIP_API microslip_code microslip_fastsim2_quantity(const microslip_fastsim
 MICROSLIP_API microslip_code microslip_fastsim2_field(const microslip_fastsim2* solver, const char* name, size_t count,
                                                       double* values, microslip_error* error);
 
+/* A creep-force table: results of the exact theory, between which it interpolates. */
+typedef struct microslip_creep_table microslip_creep_table;
+/* Reads a table made by `microslip table make`, such as share/microslip/python/microslip/hertz.creep of microslip.
+ * MICROSLIP_INVALID_OPTION for a file that is no table, of another version or byte order, cut short or corrupted. */
+MICROSLIP_API microslip_code microslip_creep_table_read(const char* file, microslip_direction direction,
+                                                        microslip_creep_table** table, microslip_error* error);
+/* NULL is allowed. */
+MICROSLIP_API void microslip_creep_table_destroy(microslip_creep_table* table);
+/* Forces of `count` contacts. Real-time safe: no allocation, no lock, no input or output, some 100 ns a contact; from
+ * several threads at a time. The code is the worst status of all: MICROSLIP_INVALID_INPUT for a contact out of range,
+ * which gets NaN, MICROSLIP_NOT_CONVERGED for one beyond the table, which gets the forces of a limit. */
+MICROSLIP_API microslip_code microslip_creep_table_solve(const microslip_creep_table* table, size_t count,
+                                                         const microslip_contact* contacts, microslip_forces* forces);
+/* The same with derivatives, those of the interpolation itself. */
+MICROSLIP_API microslip_code microslip_creep_table_differentiate(const microslip_creep_table* table, size_t count,
+                                                                 const microslip_contact* contacts,
+                                                                 microslip_derivatives* derivatives);
+
 /* ------------------------------------------------------------------------------------------------- exact theory ----
  */
 

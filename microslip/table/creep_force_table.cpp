@@ -274,7 +274,7 @@ Status CreepForceTable::Data::find(const EllipticContact& contact, ContactDeriva
       }
     }
   }
-  return in_range ? Status::ok : Status::no_solution;
+  return in_range ? Status::ok : Status::not_converged;
 }
 
 Scale CreepForceTable::Data::scale_of(const EllipticContact& contact, const Shape& shape, double capacity,

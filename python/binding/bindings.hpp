@@ -15,6 +15,7 @@ void bind_damage(pybind11::module_& module);
 void bind_simplified(pybind11::module_& module);
 void bind_grid_problems(pybind11::module_& module);
 void bind_exact(pybind11::module_& module);
+void bind_creep_table(pybind11::module_& module);
 void bind_case_files(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);
 void bind_profile(pybind11::module_& module);

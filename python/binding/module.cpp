@@ -52,6 +52,7 @@ PYBIND11_MODULE(_core, module) {
   bind_simplified(module);
   bind_grid_problems(module);
   bind_exact(module);
+  bind_creep_table(module);
   bind_case_files(module);
   bind_contact_input(module);
   bind_profile(module);

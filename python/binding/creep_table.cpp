@@ -1,0 +1,129 @@
+#include "binding/bindings.hpp"
+#include "binding/contact.hpp"
+#include "binding/contact_batch.hpp"
+#include "binding/long_work.hpp"
+#include "binding/paths.hpp"
+#include "binding/words.hpp"
+#include "io/creep_table_file.hpp"
+#include "microslip/table/creep_force_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace microslip::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// The table beside the module, unless another one is named.
+std::string path_of(const py::object& file) {
+  if (!file.is_none()) return readable_path(file);
+  const py::object folder =
+      py::module_::import("os").attr("path").attr("dirname")(py::module_::import("microslip._core").attr("__file__"));
+  return folder.cast<std::string>() + "/hertz.creep";
+}
+
+CreepForceTable table_from(const py::object& file, const std::optional<double>& poisson_ratio,
+                           RollingDirection direction) {
+  const std::string path = path_of(file);
+  const py::gil_scoped_release release;
+  const CreepTableNodes nodes = read_creep_table(path);
+  return poisson_ratio ? CreepForceTable(nodes, *poisson_ratio, direction) : CreepForceTable(nodes, direction);
+}
+
+/// Works on all contacts of a batch, a thousand at a time.
+template <class Work>
+void for_batch(const CreepForceTable& table, const ContactBatch& batch, int threads, const Work& work) {
+  const py::gil_scoped_release release;
+  run_batch(batch.count(), 1000, threads, [&]() -> BatchWorker {
+    return [&](std::size_t first, std::size_t n, const Progress&) {
+      for (std::size_t i = first; i < first + n; ++i) work(table, batch[i], i);
+    };
+  });
+}
+
+ForceArrays solve_batch(const CreepForceTable& table, const ContactBatch& batch, int threads) {
+  ForceArrays out(batch);
+  for_batch(table, batch, threads, [&](const CreepForceTable& own, const EllipticContact& contact, std::size_t i) {
+    out.put(i, own.solve(contact));
+  });
+  return out;
+}
+
+DerivativeArrays differentiate_batch(const CreepForceTable& table, const ContactBatch& batch, int threads) {
+  DerivativeArrays out(batch);
+  for_batch(table, batch, threads, [&](const CreepForceTable& own, const EllipticContact& contact, std::size_t i) {
+    const ContactDerivatives derivatives = own.differentiate(contact);
+    out.forces.put(i, derivatives.forces);
+    const double* jacobian = &derivatives.jacobian[0][0];
+    std::copy(jacobian, jacobian + 12, out.jacobian.begin() + static_cast<std::ptrdiff_t>(12 * i));
+  });
+  return out;
+}
+
+constexpr const char* batch_text =
+    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments\n"
+    "as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],\n"
+    "poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers\n"
+    "or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are\n"
+    "no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
+
+void def_batch(py::class_<CreepForceTable>& table, const char* name, const auto& solve, const std::string& text) {
+  const auto none = py::none();
+  table.def(
+      name,
+      [solve](const CreepForceTable& self, const EllipticContact& like, const py::object& longitudinal,
+              const py::object& lateral, const py::object& spin, const py::object& a, const py::object& b,
+              const py::object& shear_modulus, const py::object& poisson_ratio, const py::object& normal_force,
+              const py::object& friction, const py::object& rolling_speed, const py::object& dissimilarity,
+              int threads) {
+        const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
+                                        friction, rolling_speed, dissimilarity});
+        return solve(self, batch, thread_count(threads));
+      },
+      "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none, py::kw_only(), "a"_a = none, "b"_a = none,
+      "shear_modulus"_a = none, "poisson_ratio"_a = none, "normal_force"_a = none, "friction"_a = none,
+      "rolling_speed"_a = none, "dissimilarity"_a = none, "threads"_a = 0, text.c_str());
+}
+
+} // namespace
+
+void bind_creep_table(py::module_& module) {
+  py::class_<CreepForceTable> table(
+      module, "CreepForceTable",
+      "Forces of Hertzian contacts in steady rolling by interpolation between results of the exact\n"
+      "theory: of its accuracy, at some 100 ns a contact. Forces are continuous with their first\n"
+      "derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the\n"
+      "table's axis ratios and Poisson's ratios forces are those of limits, with Status.not_converged.");
+  table
+      .def(py::init(&table_from), "file"_a = py::none(), "poisson_ratio"_a = py::none(), py::kw_only(),
+           "direction"_a = RollingDirection::forward,
+           "Reads a table made by `microslip table make`, str or os.PathLike; None: the one that comes with\n"
+           "microslip. poisson_ratio [-]: for that one alone, at a fraction of the memory. direction of\n"
+           "rolling 'forward' (along +x) or 'backward'. Error for a file that is no table, of another version\n"
+           "or byte order, cut short or corrupted.")
+      .def(
+          "solve", [](const CreepForceTable& self, const EllipticContact& contact) { return self.solve(contact); },
+          "contact"_a, "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces.")
+      .def(
+          "differentiate",
+          [](const CreepForceTable& self, const EllipticContact& contact) { return self.differentiate(contact); },
+          "contact"_a,
+          "Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
+          "as ContactDerivatives: those of the interpolation itself.")
+      .def_property_readonly(
+          "axis_ratios",
+          [](const CreepForceTable& self) {
+            return py::make_tuple(self.axes().least_ratio, self.axes().largest_ratio);
+          },
+          "Least and largest a/b [-].")
+      .def_property_readonly(
+          "poisson_ratios", [](const CreepForceTable& self) { return py::tuple(py::cast(self.axes().poisson_ratios)); },
+          "Poisson's ratios of the nodes [-].");
+  def_batch(table, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(table, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
+}
+
+} // namespace microslip::python
