@@ -187,7 +187,7 @@ double jacobian_error(const Contacts& contacts, const CreepForceTable& table) {
     const auto found = table.differentiate(contact);
     const auto& k = contact;
     const double c = std::sqrt(k.a * k.b), stiffness = k.shear_modulus * k.a * k.b;
-    const double units[] = {1, 1, 1 / c}, steps[] = {1e-8, 1e-8, 1e-8 / c};
+    const double units[] = {1, 1, 1 / c}, steps[] = {1e-9, 1e-9, 1e-9 / c};
     for (int n = 0; n < 3; ++n) {
       double Creepage::*const which[] = {&Creepage::longitudinal, &Creepage::lateral, &Creepage::spin};
       EllipticContact more = k, less = k;

@@ -26,7 +26,7 @@ ContactForces polach_forces(const EllipticContact& contact) {
                            std::pow(1 - delta * delta, 1.5) / 3;
   const double spin_force = 9.0 / 16 * a * load * mu * reduction * spread * phi / creep;
   forces.fx = -force * xi / creep;
-  forces.fy = -force * eta / creep - spin_force;
+  forces.fy = -force * eta / creep + spin_force; // reduction <= 0
   return forces;
 }
 

@@ -169,7 +169,7 @@ struct Unit {
 
 /// Lets the length of (fx, fy) end at 1: from 1 - bend on it follows a curve with the same slope and curvature there.
 template <bool gradient> void bound(Unit& u) {
-  const double length = std::hypot(u.f[0], u.f[1]);
+  const double length = std::sqrt(u.f[0] * u.f[0] + u.f[1] * u.f[1]);
   const double excess = (length - (1 - bend)) / bend;
   if (!(excess > 0)) return;
   const double root = std::sqrt(1 + excess * excess);
@@ -190,7 +190,7 @@ template <bool gradient>
 Status CreepForceTable::Data::find(const EllipticContact& contact, ContactDerivatives& out) const noexcept {
   if (!is_valid_simplified(contact)) return Status::invalid_input;
   const Creepage& creepage = contact.creepage;
-  const double slip = std::hypot(creepage.longitudinal, creepage.lateral);
+  const double slip = std::sqrt(creepage.longitudinal * creepage.longitudinal + creepage.lateral * creepage.lateral);
   const auto friction =
       contact.friction.coefficient(Dual<double, 1>::variable(slip * contact.rolling_speed, 0)); // and its slope
   const double mu = friction.value, capacity = mu * contact.normal_force;
@@ -218,7 +218,7 @@ Status CreepForceTable::Data::find(const EllipticContact& contact, ContactDeriva
   x *= turned, y *= turned, z *= turned;
   const double mirrored = x < 0 ? -1 : 1;
   x *= mirrored;
-  const double across = std::hypot(x, y), r = std::hypot(across, z);
+  const double across = std::sqrt(x * x + y * y), r = std::sqrt(across * across + z * z);
   if (!std::isfinite(r)) return Status::invalid_input;
   // At the pole alpha has no value: a point beside it has the same forces and derivatives.
   const double cos_alpha = across > 0 ? x / across : 1, sin_alpha = across > 0 ? y / across : 0;
@@ -352,6 +352,7 @@ CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, double poisson_ra
                   nodes.axes.poisson_ratios.back());
   auto data = std::make_shared<Data>(nodes, direction);
   data->add(nodes, poisson_ratio);
+  data->axes.poisson_ratios = {poisson_ratio};
   data_ = std::move(data);
 }
 
