@@ -131,10 +131,11 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
         force += sums.load, vertical += sums.load * patches[k].vertical_share;
         add_rows(patches[k], loads);
       }
+    const Vec2 element = element_of(*rows, group.outline, method.elements);
+    if (!(element.x > 0 && element.y > 0 && std::isfinite(element.x + element.y))) continue; // the coarse level failed
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
     const PatchOutline covered = all_of_overlap ? group.outline : limited_to_load(group.outline, patches, group.shares);
-    ExactPatch exact(bodies.material, surface, covered, method.patch_shape(),
-                     element_of(*rows, group.outline, method.elements), motion);
+    ExactPatch exact(bodies.material, surface, covered, method.patch_shape(), element, motion);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
     // Rows of the coarse level have planes of their own.
@@ -358,7 +359,7 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
   for (const bool all_of_overlap : {false, true}) {
     loaded = loaded_groups(coarse, bodies, method, all_of_overlap);
     if (loaded.empty()) {
-      out.status = Status::no_contact;
+      out.status = coarse.patches().empty() ? Status::no_contact : Status::not_converged;
       return true;
     }
     if (loaded.size() > 1) press_first(loaded);
