@@ -113,7 +113,7 @@ private:
     if (place) {
       const WheelRailData& d = *place->c.wheel_rail;
       config = {double(number(d.digits.config)), double(number(d.search)),
-                (d.digits.is_left() ? -1 : 1) * place->wheel.placement.wheel_on_axle.origin.y};
+                place->wheel.placement.wheel_on_axle.origin.y};
     }
     comment("   MX    MY     XL            YL            DX            DY            CHI           DQ            C1    "
             "        "
