@@ -7,7 +7,6 @@
 #include "compat/contact/run.hpp"
 #include "microslip/error.hpp"
 
-#include <array>
 #include <cerrno>
 #include <fstream>
 #include <memory>
@@ -101,7 +100,7 @@ struct RunPatch {
   std::shared_ptr<const Outcome> solution;
 };
 
-std::array<double, 3> array_of(const Vec3<double>& v) {
+std::vector<double> components_of(const Vec3<double>& v) {
   return {v.x, v.y, v.z};
 }
 
@@ -119,13 +118,13 @@ void bind_patch(py::module_& module) {
                              "A contact patch of a wheel on a rail (module 1), with CONTACT's signs and units.");
   patch
       .def_property_readonly(
-          "track", [](const RunPatch& self) { return array_of(self.location.track); },
+          "track", [](const RunPatch& self) { return components_of(self.location.track); },
           "XCP, YCP, ZCP in the track's axes [mm], shape (3,).")
       .def_property_readonly(
-          "rail", [](const RunPatch& self) { return array_of(self.location.rail); },
+          "rail", [](const RunPatch& self) { return components_of(self.location.rail); },
           "XCP, YCP, ZCP in the axes of the rail's profile [mm], shape (3,).")
       .def_property_readonly(
-          "wheel", [](const RunPatch& self) { return array_of(self.location.wheel); },
+          "wheel", [](const RunPatch& self) { return components_of(self.location.wheel); },
           "XCP, YCP, ZCP in the axes of the wheel's profile [mm], shape (3,).")
       .def_property_readonly(
           "angle", [](const RunPatch& self) { return self.location.angle; }, "DELTCP in the track's axes [rad].")
@@ -230,7 +229,7 @@ void bind_case(py::module_& module) {
         name,
         [member](const RunCase& self) {
           const auto& wheel = self.outcome.wheel;
-          return wheel ? std::optional(array_of(member(*wheel))) : std::nullopt;
+          return wheel ? std::optional(components_of(member(*wheel))) : std::nullopt;
         },
         text);
   };

@@ -145,16 +145,28 @@ class ContactCase:
         """How the calculation ended, a Status [-]."""
     @property
     def totals(self) -> ContactTotals | None:
-        """ContactTotals, CONTACT's units [N], [mm]; None unless solved."""
+        """ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel."""
     @property
     def grid(self) -> ElementGrid | None:
-        """The ElementGrid, SI units; None unless solved."""
+        """The ElementGrid, SI units; None unless solved, and for a wheel."""
     @property
     def normal(self) -> NormalSolution | None:
-        """The NormalSolution, SI units; None unless solved."""
+        """The NormalSolution, SI units; None unless solved, and for a wheel."""
     @property
     def tangential(self) -> TangentialSolution | None:
-        """The TangentialSolution, SI units; None unless solved."""
+        """The TangentialSolution, SI units; None unless solved, and for a wheel."""
+    @property
+    def force_on_rail(self) -> list[float] | None:
+        """FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for a contact of its own."""
+    @property
+    def moment_on_rail(self) -> list[float] | None:
+        """About the rail's marker in the track's axes [N mm], shape (3,); None for a contact of its own."""
+    @property
+    def patches(self) -> list[ContactPatch]:
+        """ContactPatch of each patch of a wheel [-]; empty for a contact of its own."""
+    @property
+    def wheel_height(self) -> float | None:
+        """Z_WS of a wheel, as given or found [mm]; None for a contact of its own."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -190,6 +202,53 @@ class ContactForces:
     @property
     def status(self) -> Status:
         """How the calculation ended, a Status [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class ContactPatch:
+    """A contact patch of a wheel on a rail (module 1), with CONTACT's signs and units."""
+    @property
+    def track(self) -> list[float]:
+        """XCP, YCP, ZCP in the track's axes [mm], shape (3,)."""
+    @property
+    def rail(self) -> list[float]:
+        """XCP, YCP, ZCP in the axes of the rail's profile [mm], shape (3,)."""
+    @property
+    def wheel(self) -> list[float]:
+        """XCP, YCP, ZCP in the axes of the wheel's profile [mm], shape (3,)."""
+    @property
+    def angle(self) -> float:
+        """DELTCP in the track's axes [rad]."""
+    @property
+    def velocity(self) -> float:
+        """VELOC [mm/s]."""
+    @property
+    def cksi(self) -> float:
+        """CKSI [-], in a shift [mm]."""
+    @property
+    def ceta(self) -> float:
+        """CETA [-], in a shift [mm]."""
+    @property
+    def cphi(self) -> float:
+        """CPHI [rad/mm], in a shift [rad]."""
+    @property
+    def previous(self) -> list[int]:
+        """Numbers, from 1, of the patches of the case before that it goes on from [-]."""
+    @property
+    def totals(self) -> ContactTotals:
+        """ContactTotals, CONTACT's units [N], [mm]; fy is FS."""
+    @property
+    def status(self) -> Status:
+        """How the calculation ended, a Status [-]."""
+    @property
+    def grid(self) -> ElementGrid:
+        """The ElementGrid, SI units."""
+    @property
+    def normal(self) -> NormalSolution:
+        """The NormalSolution, SI units."""
+    @property
+    def tangential(self) -> TangentialSolution:
+        """The TangentialSolution, SI units."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -2300,7 +2359,7 @@ def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"]
     of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile."""
 
 def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
-    """Runs the cases of an input file of the program CONTACT, module 3, in their order, each with what
+    """Runs the cases of an input file of the program CONTACT, modules 1 and 3, in their order, each with what
     the ones before it have left: `for case in run_contact_input(path)` gives ContactCase, totals in
     CONTACT's units [N], [mm], fields in SI units. Memory does not grow with the number of cases. A
     case that asks for something unsupported is refused with its reasons, and the others run. Error
