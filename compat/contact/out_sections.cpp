@@ -254,8 +254,11 @@ std::string out_totals(const Case& c, const Outcome& o, bool is_patch) {
   const PrintedTotals& t = o.totals;
   const double noise = noise_level(c), limit = limit_of(c, o) * t.fn;
   const char* across = is_patch ? "S" : "Y";
-  std::string text = fmt::format("     FN          FX          F{}          M{}         ELAST.EN.   FRIC.{}\n", across,
-                                 is_patch ? "N" : "Z", is_patch || c.digits.rolls() ? "POWER" : "WORK");
+  const bool is_curved = is_patch && t.integral_fn; // then the forces are sums in the axes of the reference
+  std::string text = is_curved
+                         ? "     BAR_FN      BAR_FX      BAR_FS      MN         ELAST.EN.   FRIC.POWER\n"
+                         : fmt::format("     FN          FX          F{}          M{}         ELAST.EN.   FRIC.{}\n",
+                                       across, is_patch ? "N" : "Z", is_patch || c.digits.rolls() ? "POWER" : "WORK");
   const double least_moment = is_patch ? 0 : noise * limit;
   constexpr double rounding = 1e-12; // where nothing slides, of what would be lost if all did
   const double speed = c.digits.rolls() ? c.rolling->veloc / per_m : 0;
@@ -272,12 +275,13 @@ std::string out_totals(const Case& c, const Outcome& o, bool is_patch) {
     label.resize(12, ' ');
     return label;
   };
-  text += "     FN/G      " + name(x_name) + (is_patch ? "" : " ") + name(y_name) + (is_patch ? "  " : " ") +
-          "APPROACH     PMAX    " + (t.temperature ? "  MAX(T1,T2)\n" : "\n");
+  text += (is_curved ? "     TILDE_FN  " : "     FN/G      ") + name(x_name) + (is_patch ? "" : " ") + name(y_name) +
+          (is_patch ? "  " : " ") + "APPROACH     PMAX    " + (t.temperature ? "  MAX(T1,T2)\n" : "\n");
   const bool by_force = o.step.force_x.has_value(), both = o.step.force_y.has_value();
   const double x = without_noise(t.x, by_force ? std::abs(t.y) * c.solver.eps * both : noise);
   const double y = without_noise(t.y, both ? std::abs(t.x) * c.solver.eps : noise);
-  text += "  " + significant({t.fn_over_g, x, y}) + significant(t.approach, 12, 6, 4) + significant(t.peak_pressure);
+  text += "  " + significant({is_curved ? *t.integral_fn : t.fn_over_g, x, y}) + significant(t.approach, 12, 6, 4) +
+          significant(t.peak_pressure);
   if (t.temperature) text += significant(*t.temperature);
   return text + "\n";
 }
