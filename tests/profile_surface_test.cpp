@@ -211,6 +211,7 @@ TEST(ProfileSurface, RefusesWhatIsNoSurface) {
   const auto slices = slices_of([](double, double v) { return ProfilePoint{v, 0}; }, {0, 0}, 4);
   EXPECT_THROW(ProfileSurface{slices}, Error);
   EXPECT_THROW(ProfileSurface({{0, 0, {{0, 0}}}}), Error);
+  EXPECT_THROW(ProfileSurface({{0, 4'000'000, {{0, 0}, {1, 0}}}}), Error);
   EXPECT_THROW(ProfileSurface({{0, 0, {{0, 0}, {1, NAN}}}}), Error);
 }
 

@@ -86,6 +86,10 @@ ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions 
       ascends_ = ascends_ && (j == 0 || slice.points[j].y > slice.points[j - 1].y);
     }
   }
+  constexpr std::size_t most_points = 4'000'000;
+  if (slices_.size() > most_points / width_)
+    throw Error("profile surface: " + std::to_string(slices_.size()) + " slices of " + std::to_string(width_) +
+                " points: must be at most 4000000 in all");
   if (options_.is_wheel) close_wheel();
   nodes_.resize(slices_.size() * width_);
   make_splines_across();

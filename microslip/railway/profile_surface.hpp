@@ -51,8 +51,8 @@ struct SurfaceOptions {
 /// Lengths may have any unit, z may point up or down.
 class ProfileSurface {
 public:
-  /// At least one slice, by ascending u, each with at least two points. Throws Error otherwise, and for values that are
-  /// not finite. Cost O(points).
+  /// At least one slice, by ascending u, each with at least two points, four million at most in all. Throws Error
+  /// otherwise, and for values that are not finite. Cost O(points).
   explicit ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions options = {});
 
   /// Nothing where the surface is interrupted or v lies beyond it. Continuous second derivatives in u and v but for
