@@ -1,0 +1,69 @@
+#include "io/creep_table_file.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/table/creep_force_table.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A table without forces.
+CreepTableNodes empty_table() {
+  const CreepTableAxes axes = {.ratios = 4, .poisson_ratios = {0.28}, .levels = 4, .elevations = 4, .azimuths = 4};
+  return quantised(axes, {.elements = 24, .solved = 2, .not_converged = 1, .error_rms = {1, 2, 3}, .error_worst = {}},
+                   std::vector<double>(axes.blocks() * axes.nodes() * creep_channels, 0.5));
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CreepTableFile, IsReadAsItWasWritten) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "some.creep";
+  const CreepTableNodes written = empty_table();
+  write_creep_table(written, path);
+  const CreepTableNodes nodes = read_creep_table(path);
+  fs::remove(path); // it stays mapped
+  EXPECT_EQ(nodes.axes, written.axes);
+  EXPECT_EQ(nodes.origin, written.origin);
+  EXPECT_TRUE(std::ranges::equal(nodes.values, written.values));
+}
+
+TEST(CreepTableFile, WhatCannotBeReadIsNamed) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "some.creep";
+  EXPECT_NE(refusal([&] { read_creep_table(path); }).find(path.string() + ": cannot be read: "), std::string::npos);
+  EXPECT_NE(refusal([&] { read_creep_table(path.parent_path()); }), "");
+  std::ofstream(path).close();
+  EXPECT_EQ(refusal([&] { read_creep_table(path); }), path.string() + ": is empty, no creep-force table");
+  write_creep_table(empty_table(), path);
+  fs::resize_file(path, fs::file_size(path) - 1);
+  EXPECT_NE(refusal([&] { read_creep_table(path); }).find("cut short"), std::string::npos);
+}
+
+TEST(CreepTableFile, WhatCannotBeWrittenIsNamed) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "none/some.creep";
+  EXPECT_NE(refusal([&] { write_creep_table(empty_table(), path); }).find(path.string()), std::string::npos);
+  EXPECT_FALSE(fs::exists(path));
+}
+
+} // namespace
+} // namespace microslip
