@@ -434,6 +434,40 @@ class CreepCurve:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class CreepForceTable:
+    """Forces of Hertzian contacts in steady rolling by interpolation between results of the exact
+    theory: of its accuracy, at some 100 ns a contact. Forces are continuous with their first
+    derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the
+    table's axis ratios and Poisson's ratios forces are those of limits, with Status.not_converged."""
+    def __init__(self, file: ArrayLike | None = None, poisson_ratio: float | None = None, *, direction: Literal["forward", "backward"] = 'forward') -> None:
+        """Reads a table made by `microslip table make`, str or os.PathLike; None: the one that comes with
+        microslip. poisson_ratio [-]: for that one alone, at a fraction of the memory. direction of
+        rolling 'forward' (along +x) or 'backward'. Error for a file that is no table, of another version
+        or byte order, cut short or corrupted."""
+    def solve(self, contact: EllipticContact) -> ContactForces:
+        """Forces [N], [N m] and areas [m^2] of a contact, as ContactForces."""
+    def differentiate(self, contact: EllipticContact) -> ContactDerivatives:
+        """Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],
+        as ContactDerivatives: those of the interpolation itself."""
+    @property
+    def axis_ratios(self) -> tuple:
+        """Least and largest a/b [-]."""
+    @property
+    def poisson_ratios(self) -> tuple:
+        """Poisson's ratios of the nodes [-]."""
+    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments
+        as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],
+        poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers
+        or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are
+        no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns ForceArrays."""
+    def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments
+        as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],
+        poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers
+        or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are
+        no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
+
 class Creepage:
     """Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x)."""
     def __init__(self, longitudinal: float = 0.0, lateral: float = 0.0, spin: float = 0.0) -> None:
