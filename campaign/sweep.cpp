@@ -204,7 +204,8 @@ public:
       spec_->set(index, k, table_);
       if (!rebuilds_[k]) continue;
       const CaseValue value = spec_->value(index, k);
-      is_new = is_new || !(std::exchange(last_[k], value) == value);
+      const bool is_another = std::exchange(last_[k], value) != value;
+      is_new = is_new || is_another;
     }
     return is_new;
   }
