@@ -86,7 +86,6 @@ void set_wheel_defaults(WheelRailData& d) {
   d.wheelset.nominal_radius = 460;
   d.wheelset.tape_circle = 1000;
   d.velocity.vs = 30e3;
-  d.influence_variant = 4;
 }
 
 void set_contact_defaults(Case& c) {
@@ -173,6 +172,7 @@ ContactProblem::ContactProblem(int number) : number_(number) {
   if (is_wheel()) {
     data.wheel_rail.emplace();
     set_wheel_defaults(wheel());
+    data.material->correction.variant = 4;
   } else {
     set_contact_defaults(data);
   }

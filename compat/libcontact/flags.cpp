@@ -81,6 +81,11 @@ void set_extra_slip(ContactProblem& p, int value) {
     p.data.extra = choice;
 }
 
+AngleCorrection& angles_of(ContactProblem& p) {
+  wheel_of(p);
+  return p.data.material->correction;
+}
+
 void set_most_elements(ContactProblem& p, int value) {
   wheel_of(p);
   p.data.solver.npot_max = std::clamp(value, 100, 1000000);
@@ -118,10 +123,10 @@ constexpr Flag flags[] = {
     {CNTC_ic_return, set_digit<&Digits::solve>, get_digit<&Digits::solve>},
     {CNTC_ic_sens, [](ContactProblem& p, int v) { p.sensitivity.of = std::clamp(v, 0, 3); },
      [](const ContactProblem& p) { return p.sensitivity.of; }},
-    {CNTC_ic_ifmeth, [](ContactProblem& p, int v) { wheel_of(p).influence_method = std::clamp(v, 0, 1); },
-     [](const ContactProblem& p) { return wheel_of(p).influence_method; }},
-    {CNTC_ic_ifvari, [](ContactProblem& p, int v) { wheel_of(p).influence_variant = std::clamp(v, 1, 4); },
-     [](const ContactProblem& p) { return wheel_of(p).influence_variant; }},
+    {CNTC_ic_ifmeth, [](ContactProblem& p, int v) { angles_of(p).method = std::clamp(v, 0, 1); },
+     [](const ContactProblem& p) { return p.data.material->correction.method; }},
+    {CNTC_ic_ifvari, [](ContactProblem& p, int v) { angles_of(p).variant = std::clamp(v, 1, 4); },
+     [](const ContactProblem& p) { return p.data.material->correction.variant; }},
     {CNTC_ic_npomax, set_most_elements, [](const ContactProblem& p) { return p.data.solver.npot_max; }},
     {CNTC_if_units, set_units,
      [](const ContactProblem& p) {

@@ -79,7 +79,7 @@ std::vector<double> location(const ContactProblem& p, int icp) {
   const double sign = p.was_left() ? -1 : 1, unit = 1 / p.units.length;
   const Vec centre = pressure_centre(patch, sign), in_wheelset = placed.wheelset.inner(patch.reference.origin);
   const Vec wheel_in_track = placed.wheel.origin, wheel_in_wheelset = placed.wheel_on_axle.origin;
-  const double s_wheel = placed.wheel_profile ? -placed.wheel_profile->nearest_s_at_y(sign * l.wheel.y) : 0;
+  const double s_wheel = placed.wheel_profile.curve ? -placed.wheel_profile.curve->nearest_s_at_y(sign * l.wheel.y) : 0;
   const double on_wheelset = roll_of_normal(placed.wheelset.axes, patch.reference.axes);
   return {// the reference in the axes of the track
           l.track.x * unit, l.track.y * unit, l.track.z * unit, l.angle,

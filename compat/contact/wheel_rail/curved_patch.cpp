@@ -27,7 +27,7 @@ CurvedPatch::CurvedPatch(const PatchFrame& frame, const Placement& placement, co
     : placement_(placement), rail_(rail), reference_(frame.reference.origin),
       s_origin_(frame.s_rail - frame.grid.inner(reference_).y), s_rail_(frame.s_rail) {
   const Vec on_wheel = placement.wheel.inner(reference_);
-  s_wheel_ = placement.wheel_profile->nearest_s_at_y(on_wheel.y);
+  s_wheel_ = placement.wheel_profile.curve->nearest_s_at_y(on_wheel.y);
   x_wheel_ = on_wheel.x;
 }
 
@@ -37,7 +37,7 @@ CurvedPatch::Middle CurvedPatch::middle(double s) const {
   const auto within = [](const ProfileCurve& curve, double at) { return std::clamp(at, curve.start(), curve.end()); };
   const double along = s + s_origin_;
   const CurvePoint on_rail = rail_.at(within(rail_, along));
-  const ProfileCurve& profile = *placement_.wheel_profile;
+  const ProfileCurve& profile = *placement_.wheel_profile.curve;
   const CurvePoint on_wheel = profile.at(within(profile, s_wheel_ + along - s_rail_));
   const double radius = placement_.radius + on_wheel.value.z;
   double x = x_wheel_;
