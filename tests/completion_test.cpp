@@ -74,8 +74,8 @@ protected:
 };
 
 Words commands() {
-  return {"batch", "completion", "conicity", "convert", "hertz", "init",    "manual",
-          "plot",  "profile",    "run",      "solve",   "sweep", "validate"};
+  return {"batch", "completion", "conicity", "convert", "hertz", "init",  "manual",
+          "plot",  "profile",    "run",      "solve",   "sweep", "table", "validate"};
 }
 
 Words study_names() {

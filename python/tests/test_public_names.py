@@ -11,7 +11,7 @@ import microslip
 from tests.compiled import load_tests_if_compiled
 
 PACKAGE = Path(microslip.__file__).resolve().parent
-UNIT = re.compile(r"\[(-|1/m|m/s|s|rad|rad/s|mm|mm\^2|m|m\^2|N|N m|N mm|N/m|N/m\^2|N/mm\^2|Pa|Pa/m|1/Pa|m/Pa|J|W|K|deg C|kg/m|kg/m\^3|W/\(m K\)|J/\(kg K\))\]")
+UNIT = re.compile(r"\[(-|1/m|m/s|mm/s|s|rad|rad/s|mm|mm\^2|m|m\^2|N|N m|N mm|N/m|N/m\^2|N/mm\^2|Pa|Pa/m|1/Pa|m/Pa|J|W|K|deg C|kg/m|kg/m\^3|W/\(m K\)|J/\(kg K\))\]")
 SHAPE = re.compile(r"[Ss]hape \((\.\.\.|[a-z\d]+)(, [a-z\d]+)*\)")
 
 
