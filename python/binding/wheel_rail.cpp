@@ -293,10 +293,10 @@ void bind_wheel_rail(py::module_& module) {
            "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
            "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
            "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
-           "elements across each patch [-]; its patches flat, or curved as fastsim2's always are; tolerance [-] of the "
-           "vertical force; the\n"
-           "SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields. Error for values out of\n"
-           "range and profiles that do not fit the track or the wheelset.")
+           "elements across each patch [-] and its patches' shape: flat (default), curved or conformal; rows of\n"
+           "fastsim2 always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength, for wear\n"
+           "and fatigue; whether solutions of fastsim2 have fields. Error for values out of range and profiles that\n"
+           "do not fit the track or the wheelset.")
       .def("solve", &solve, state_text().c_str())
       .def("solve_batch", &solve_batch, "threads"_a = 0,
            "The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on\n"
