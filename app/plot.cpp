@@ -60,7 +60,10 @@ int plot(const PlotArguments& arguments) {
 void add_plot_command(CLI::App& program, int& exit_code) {
   auto* command = program.add_subcommand("plot", "Draw the pictures of a result file");
   const auto arguments = std::make_shared<PlotArguments>();
-  command->add_option("RESULT.h5", arguments->result, "a file written by solve or validate")->required()->type_name("");
+  command
+      ->add_option("RESULT.h5", arguments->result, "a result file of solve, run, sweep, profile, conicity or validate")
+      ->required()
+      ->type_name("");
   command->add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5")
       ->type_name("FOLDER");
   const auto field_option = [&](const char* name, std::vector<std::string>& fields, const char* what) {

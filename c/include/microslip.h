@@ -282,7 +282,7 @@ MICROSLIP_API microslip_code microslip_creep_table_read(const char* file, micros
                                                         microslip_creep_table** table, microslip_error* error);
 /* NULL is allowed. */
 MICROSLIP_API void microslip_creep_table_destroy(microslip_creep_table* table);
-/* Forces of `count` contacts. Real-time safe: no allocation, no lock, no input or output, some 100 ns a contact; from
+/* Forces of `count` contacts. Real-time safe: no allocation, no lock, no input or output, about 1 us a contact; from
  * several threads at a time. The code is the worst status of all: MICROSLIP_INVALID_INPUT for a contact out of range,
  * which gets NaN, MICROSLIP_NOT_CONVERGED for one beyond the table, which gets the forces of a limit. */
 MICROSLIP_API microslip_code microslip_creep_table_solve(const microslip_creep_table* table, size_t count,

@@ -31,7 +31,7 @@ public:
 
   const CreepTableAxes& axes() const;
 
-  /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. Cost some 100 ns.
+  /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. Cost about 1 us.
   ContactForces solve(const EllipticContact& contact) const noexcept;
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) const noexcept;
 

@@ -94,7 +94,7 @@ void bind_creep_table(py::module_& module) {
   py::class_<CreepForceTable> table(
       module, "CreepForceTable",
       "Forces of Hertzian contacts in steady rolling by interpolation between results of the exact\n"
-      "theory: of its accuracy, at some 100 ns a contact. Forces are continuous with their first\n"
+      "theory: of its accuracy, at about 1 us a contact. Forces are continuous with their first\n"
       "derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the\n"
       "table's axis ratios and Poisson's ratios forces are those of limits, with Status.not_converged.");
   table

@@ -436,7 +436,7 @@ class CreepCurve:
 
 class CreepForceTable:
     """Forces of Hertzian contacts in steady rolling by interpolation between results of the exact
-    theory: of its accuracy, at some 100 ns a contact. Forces are continuous with their first
+    theory: of its accuracy, at about 1 us a contact. Forces are continuous with their first
     derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the
     table's axis ratios and Poisson's ratios forces are those of limits, with Status.not_converged."""
     def __init__(self, file: ArrayLike | None = None, poisson_ratio: float | None = None, *, direction: Literal["forward", "backward"] = 'forward') -> None:
