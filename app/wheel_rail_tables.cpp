@@ -95,8 +95,8 @@ template <class Table> const auto& find(const Table& table, std::string_view nam
 
 std::string description_of(const WheelRailSetting& input, std::string_view what) {
   const bool is_exact = input.method.level == WheelRailLevel::exact;
-  const std::string theory =
-      is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements) : "fastsim2";
+  const std::string theory = is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements)
+                                      : std::string(to_word(input.method.level));
   return fmt::format("{}, {}, {} patches", what, theory, to_word(input.method.patch_shape()));
 }
 std::string description_of(const WheelRailCase& input) {

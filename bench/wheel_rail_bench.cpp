@@ -1,14 +1,16 @@
-// What a state of a wheel on a rail costs at both levels, one thread (OMP_NUM_THREADS=1): the right wheel of the
+// What a state of a wheel on a rail costs at its levels, one thread (OMP_NUM_THREADS=1): the right wheel of the
 // Manchester benchmark or, where its profiles are not beside MICROSLIP_REFERENCE_DATA, the example's S1002 on 60E1.
 // Prints a Markdown table of processor time, beside a yardstick measured between the rows: the exact theory of second
 // order on one ellipse of 24 x 24 elements. What counts are ratios within one run, and steps.
 //   wheel_rail_bench [states of each row at the exact level; default 500]
 
+#include "io/creep_table_file.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -130,12 +133,12 @@ void take(Row& row, const WheelRailSolution& s) {
 }
 
 /// States with so many patches, again and again for a third of a second.
-void fast(const WheelRailBodies& bodies, const std::vector<Posed>& all, const char* name, std::size_t patches,
-          bool derivatives) {
+void fast(const WheelRailBodies& bodies, const std::vector<Posed>& all, const WheelRailMethod& method, const char* name,
+          std::size_t patches, bool derivatives) {
   std::vector<Posed> some;
   std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](const Posed& p) { return p.patches == patches; });
   if (some.empty()) return;
-  WheelRail contact(bodies);
+  WheelRail contact(bodies, method);
   WheelRailSolution s;
   WheelRailDerivatives d;
   Row row{.name = name};
@@ -187,10 +190,16 @@ int main(int argc, char** argv) {
   std::printf(
       "| a state of a wheel | states | time [us] | / exact ellipse | elements in contact | rounds | Newton steps "
       "|\n|---|---|---|---|---|---|---|\n");
-  fast(pair, all, "fastsim2, one patch", 1, false);
-  fast(pair, all, "fastsim2, two patches", 2, false);
-  fast(pair, all, "fastsim2 with derivatives, one patch", 1, true);
-  fast(pair, all, "fastsim2 with derivatives, two patches", 2, true);
+  const auto table = std::make_shared<const CreepForceTable>(
+      read_creep_table(MICROSLIP_EXAMPLES "/../python/microslip/hertz.creep"), steel.poisson_ratio);
+  const WheelRailMethod look_up{.level = WheelRailLevel::table, .table = table};
+  fast(pair, all, {}, "fastsim2, one patch", 1, false);
+  fast(pair, all, look_up, "table, one patch", 1, false);
+  fast(pair, all, {}, "fastsim2, two patches", 2, false);
+  fast(pair, all, look_up, "table, two patches", 2, false);
+  fast(pair, all, {}, "fastsim2 with derivatives, one patch", 1, true);
+  fast(pair, all, look_up, "table with derivatives, one patch", 1, true);
+  fast(pair, all, {}, "fastsim2 with derivatives, two patches", 2, true);
   exact(pair, all, states, "exact, 24 elements across, force given", 0, true);
   exact(pair, all, states, "exact, elements of .5 mm, height given", 0.5e-3, false);
   exact(pair, all, states, "exact, elements of .5 mm, force given", 0.5e-3, true);

@@ -335,7 +335,7 @@ std::string wheelset_reason(Status status) {
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
-  method.fields = has_points || is_single;
+  method.fields = method.level != WheelRailLevel::table && (has_points || is_single);
   WheelRail solver(bodies_of(input), method);
   std::vector<std::vector<InteriorState>> interior;
   auto result = solve_states<WheelRailResult>(input, progress, wheel_reason, [&](const LoadedWheelState& s) {
@@ -353,7 +353,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
 
 WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
-  method.fields = input.states.size() == 1;
+  method.fields = method.level != WheelRailLevel::table && input.states.size() == 1;
   WheelsetOnTrack solver(bodies_of(input), method);
   auto result = solve_states<WheelsetResult>(
       input, progress, wheelset_reason, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });

@@ -1,5 +1,6 @@
 #include "io/wheel_rail_case.hpp"
 
+#include "io/creep_table_file.hpp"
 #include "io/interior_section.hpp"
 #include "io/length_unit.hpp"
 #include "io/profile_file.hpp"
@@ -8,6 +9,7 @@
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -160,16 +162,36 @@ std::vector<InclinedFriction> read_friction(const TomlSection& section) {
   return friction;
 }
 
-WheelRailMethod read_method(const TomlSection& section) {
-  section.allow({"theory", "shape", "grid", "tolerance"});
+/// The creep-force table that is named, or the one that microslip has, for a Poisson's ratio.
+std::shared_ptr<const CreepForceTable> read_table(const TomlSection& section, double poisson_ratio) {
+  const auto path = section.has("table")
+                        ? std::filesystem::path(section.file()).parent_path() / section.required_text("table")
+                        : shipped_creep_table();
+  std::shared_ptr<const CreepForceTable> table;
+  section.at(section.has("table") ? "table" : "theory", [&] {
+    try {
+      table = std::make_shared<const CreepForceTable>(read_creep_table(path), poisson_ratio);
+    } catch (const Error& error) {
+      throw Error(std::string("solution.table: ") + error.what());
+    }
+  });
+  return table;
+}
+
+WheelRailMethod read_method(const TomlSection& section, double poisson_ratio) {
+  section.allow({"theory", "shape", "grid", "tolerance", "table"});
   WheelRailMethod method;
   method.level = section.option("theory", method.level);
   if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
   section.at("shape", [&] {
-    if (method.level == WheelRailLevel::fastsim2 && method.patch_shape() != PatchShape::curved)
-      throw Error("solution.shape = \"" + std::string(to_word(method.patch_shape())) +
-                  "\": the rows of fastsim2 follow the surface: leave it out, or \"curved\"");
+    if (method.level != WheelRailLevel::exact && method.patch_shape() != PatchShape::curved)
+      throw Error("solution.shape = \"" + std::string(to_word(method.patch_shape())) + "\": the rows of " +
+                  std::string(to_word(method.level)) + " follow the surface: leave it out, or \"curved\"");
   });
+  if (method.level == WheelRailLevel::table)
+    method.table = read_table(section, poisson_ratio);
+  else if (section.has("table"))
+    section.at("table", [] { throw Error("solution.table needs theory = \"table\""); });
   section.count("grid", 6, 1000, method.elements);
   method.tolerance = section.between("tolerance", "-", 1e-12, 1e-2, method.tolerance);
   return method;
@@ -323,15 +345,16 @@ WheelRailSetting read_setting(const TomlSection& root, const Variables& variable
   for (const auto* key : {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"})
     wheelset_keys.emplace_back(key);
   wheelset.allow(wheelset_keys);
+  const Material material = read_material(root.required_section("material"));
   return {.title = root.text("title", ""),
           .track = read_track(track, variables),
           .wheelset = read_wheelset(wheelset),
           .rail = read_profile(rail, ProfileRole::rail),
           .wheel = read_profile(wheelset, ProfileRole::wheel),
-          .material = read_material(root.required_section("material")),
+          .material = material,
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
-          .method = read_method(root.optional_section("solution")),
+          .method = read_method(root.optional_section("solution"), material.poisson_ratio),
           .varied = {}};
 }
 
@@ -390,6 +413,8 @@ WheelRailCase read_wheel_rail_case(const TomlSection& root) {
   WheelRailCase input{read_setting(root, variables), wheel.option("side", TrackSide::left), {}, {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);
+  if (root.has("interior") && input.method.level == WheelRailLevel::table)
+    root.at("interior", [] { throw Error("interior: a creep-force table has no tractions: fastsim2 or exact have"); });
   if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
   check_places(root, input);
   return input;

@@ -10,6 +10,7 @@
 #include "tests/test_cases.hpp"
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -88,9 +89,13 @@ TEST(HotCall, TakesNoMemoryNorLockWritesNothingAndThrowsNothing) {
   }
 }
 
+CreepTableNodes few_nodes() {
+  return make_creep_table(
+      {.axes = {.ratios = 4, .poisson_ratios = {0.28}, .levels = 4, .elevations = 4, .azimuths = 4}, .elements = 8});
+}
+
 TEST(HotCall, LookingUpForcesInATableTakesNoMemory) {
-  const CreepForceTable table(make_creep_table(
-      {.axes = {.ratios = 4, .poisson_ratios = {0.28}, .levels = 4, .elevations = 4, .azimuths = 4}, .elements = 8}));
+  const CreepForceTable table(few_nodes());
   const std::vector<EllipticContact> all = contacts();
   std::vector<ContactForces> forces(all.size());
   std::vector<ContactDerivatives> derivatives(all.size());
@@ -138,26 +143,30 @@ TEST(HotCall, AWheelOnARailTakesNoMemory) {
                            side,
                            {82e9, 0.28, 0},
                            {{0, 0.3}, {0.1, 0.2}}};
-    WheelRail contact(bodies, {});
-    WheelRailSolution found;
-    WheelRailDerivatives derivatives;
-    WheelState<double> state;
-    state.forward_velocity = 20, state.pitch_velocity = 20 / 0.46;
-    contact.solve(state, 50e3, found); // gives the solution its size
-    int solved = 0;
-    expect_silent([&] {
-      for (int k = -10; k <= 10; ++k) {
-        WheelState<double> there = state;
-        there.lateral = 5e-4 * k, there.yaw = 1e-3 * (k % 3);
-        if (k == 3) there.yaw = std::numeric_limits<double>::quiet_NaN();
-        if (k == 4) there.vertical = 0.1;
-        contact.solve(there, k == 4 ? std::nullopt : std::optional(20e3 + 5e3 * k * k), found);
-        solved += found.status == Status::ok;
-        contact.differentiate(there, k == 4 ? std::nullopt : std::optional(50e3), found, derivatives);
-        solved += found.status == Status::ok;
-      }
-    });
-    EXPECT_GE(solved, 30);
+    const auto table = std::make_shared<const CreepForceTable>(few_nodes());
+    for (const WheelRailMethod& method :
+         {WheelRailMethod{}, WheelRailMethod{.level = WheelRailLevel::table, .table = table}}) {
+      WheelRail contact(bodies, method);
+      WheelRailSolution found;
+      WheelRailDerivatives derivatives;
+      WheelState<double> state;
+      state.forward_velocity = 20, state.pitch_velocity = 20 / 0.46;
+      contact.solve(state, 50e3, found); // gives the solution its size
+      int solved = 0;
+      expect_silent([&] {
+        for (int k = -10; k <= 10; ++k) {
+          WheelState<double> there = state;
+          there.lateral = 5e-4 * k, there.yaw = 1e-3 * (k % 3);
+          if (k == 3) there.yaw = std::numeric_limits<double>::quiet_NaN();
+          if (k == 4) there.vertical = 0.1;
+          contact.solve(there, k == 4 ? std::nullopt : std::optional(20e3 + 5e3 * k * k), found);
+          solved += found.status == Status::ok;
+          contact.differentiate(there, k == 4 ? std::nullopt : std::optional(50e3), found, derivatives);
+          solved += found.status == Status::ok;
+        }
+      });
+      EXPECT_GE(solved, 30);
+    }
   }
 }
 

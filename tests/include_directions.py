@@ -34,7 +34,8 @@ ALLOWED = {
     "microslip/table/making": ["microslip/batch", "microslip/contact", "microslip/rolling", "microslip/simplified",
                                "microslip/table"],
     "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/elasticity", "microslip/friction", "microslip/numerics",
-                          "microslip/simplified", EXACT + "fitted", EXACT + "halfspace", EXACT + "normal"],
+                          "microslip/simplified", "microslip/table", EXACT + "fitted", EXACT + "halfspace",
+                          EXACT + "normal"],
 }
 
 

@@ -2,12 +2,14 @@
 
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/table/creep_force_table.hpp"
 #include "tests/temporary_folder.hpp"
 #include "tests/wheel_rail_text.hpp"
 
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +107,10 @@ TEST(WheelRailCase, ReadsTheRest) {
   EXPECT_EQ(method.shape, PatchShape::curved);
   EXPECT_EQ(method.elements, 30);
   EXPECT_EQ(method.tolerance, 1e-8);
+  const auto look_up = parse_with("\"fastsim2\"", "\"table\"").method;
+  EXPECT_EQ(look_up.level, WheelRailLevel::table);
+  ASSERT_NE(look_up.table, nullptr);
+  EXPECT_EQ(look_up.table->axes().poisson_ratios, std::vector<double>{0.28});
   const auto friction = parse_with("coefficient = 0.3", "coefficient = [0.1, 0.4]\nangle = [-1, 0]").friction;
   ASSERT_EQ(friction.size(), 2u);
   EXPECT_EQ(friction[0].angle, -1);
@@ -166,7 +172,10 @@ TEST(WheelRailCase, MessagesNameLineKeyValueAndRange) {
       {{"coefficient = 0.3", "coefficient = [0.3, 0.2]\nangle = [1, 0]"},
        "w.toml:21: friction.angle: must be ascending"},
       {{"coefficient = 0.3", "law = \"linear\""}, "w.toml:20: friction.law = \"linear\": must be coulomb"},
-      {{"\"fastsim2\"", "\"fastsim\""}, "w.toml:22: solution.theory = \"fastsim\": must be fastsim2 or exact; did you"},
+      {{"\"fastsim2\"", "\"fastsim\""}, "w.toml:22: solution.theory = \"fastsim\": must be fastsim2, exact or table"},
+      {{"\"fastsim2\"", "\"table\"\ntable = \"none.creep\""}, "w.toml:23: solution.table: "},
+      {{"\"fastsim2\"", "\"fastsim2\"\ntable = \"a.creep\""}, "w.toml:23: solution.table needs theory = \"table\""},
+      {{"\"fastsim2\"", "\"table\"\nshape = \"flat\""}, "w.toml:23: solution.shape = \"flat\": the rows of table"},
       {{"\"fastsim2\"", "\"fastsim2\"\nshape = \"flat\""},
        "w.toml:23: solution.shape = \"flat\": the rows of fastsim2"},
       {{"[material]", "[sweep]\nlatteral = [1, 2]\n[material]"},

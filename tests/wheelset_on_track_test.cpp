@@ -15,7 +15,7 @@ namespace microslip {
 namespace {
 
 constexpr CombinedMaterial steel{82e9, 0.28, 0};
-constexpr WheelRailMethod accurate{.tolerance = 1e-10};
+const WheelRailMethod accurate{.tolerance = 1e-10};
 
 Profile example_profile(const char* name) {
   return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;

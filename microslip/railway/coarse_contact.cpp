@@ -109,6 +109,7 @@ CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMetho
       loaded_(most_rows), forces_(most_rows) {
   normal_rows_.reserve(most_rows);
   patches_.reserve(most_rows);
+  if (method.level == WheelRailLevel::table) look_up_.emplace(method.table, most_rows);
 }
 
 double CoarseContact::friction(double angle) const {
@@ -161,6 +162,7 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
     found.stiffness = hertzian * hertz_.stiffness();
     add(hertzian, hertz_.loads(), hertz_.half_lengths(), [&](std::size_t k) { return hertz_.centres()[k]; });
   }
+  find_ellipse(hertzian);
   if (hertzian < 1) {
     const RowNormal::Result rest = normal_.solve(bodies_.material, normal_rows_, vertical_force, warm_, steps);
     warm_ = true;
@@ -185,6 +187,14 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
   return {-0.3 * depth_, goal.value_or(1) / depth_, false};
 }
 
+/// Hertz's ellipse of the last loads, under the rows that it was fitted to: those of one region.
+void CoarseContact::find_ellipse(double hertzian) {
+  ellipse_ = {hertz_.half_length(), hertz_.half_width(), hertzian};
+  if (!(hertzian > 0)) return;
+  for (std::size_t k = 0; k < normal_rows_.size(); ++k)
+    if (hertz_.has(k) && ellipse_.count++ == 0) ellipse_.first = k;
+}
+
 /// Rows as FASTSIM2 takes them, with their creepages about x = 0 of the track axes.
 void CoarseContact::load_rows() {
   const PatchSurface surface = this->surface();
@@ -205,12 +215,15 @@ void CoarseContact::load_rows() {
   }
 }
 
-/// FASTSIM2 on all rows; returns by how much the vertical part of the tangential forces changes [N].
+/// FASTSIM2 or the look-up on all rows; returns by how much the vertical part of the tangential forces changes [N].
 double CoarseContact::roll() {
   load_rows();
   const std::span<const LoadedRow> loaded(loaded_.data(), normal_rows_.size());
-  (rolls_forward() ? forward_ : backward_)
-      .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, loaded, forces_);
+  if (look_up_)
+    look_up_->solve(bodies_.material, loaded, ellipse_, rolls_forward() ? 1 : -1, forces_);
+  else
+    (rolls_forward() ? forward_ : backward_)
+        .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, loaded, forces_);
   double change = 0;
   for (std::size_t k = 0; k < loaded.size(); ++k) {
     const double load = loaded[k].load, lateral = forces_[k].fy;
@@ -356,6 +369,7 @@ void CoarseContact::sum(WheelRailSolution& out) {
       sum.contact_area += 2 * row.half_length * row.width, sum.slip_area += f.slip_area;
       sum.frictional_power -=
           speed_[k] * (row.creepage.longitudinal * f.fx + row.creepage.lateral * f.fy + row.creepage.spin * f.mz);
+      if (look_up_ && !look_up_->in_range(k)) sum.status = Status::not_converged;
       // Of a semi-ellipse along the row.
       sum.peak_pressure = std::max(sum.peak_pressure, 2 * row.load / (std::numbers::pi * row.half_length * row.width));
     }

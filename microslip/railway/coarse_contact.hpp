@@ -3,6 +3,7 @@
 #include "microslip/railway/contact_rows.hpp"
 #include "microslip/railway/hertzian_rows.hpp"
 #include "microslip/railway/patch_outline.hpp"
+#include "microslip/railway/row_look_up.hpp"
 #include "microslip/railway/row_normal.hpp"
 #include "microslip/railway/wheel_rail_types.hpp"
 #include "microslip/simplified/loaded_rows.hpp"
@@ -37,8 +38,8 @@ struct WheelForces {
            WheelRailPatch& patch);
 };
 
-/// A left wheel on its rail by rows: where it touches, how high it is, and its forces by FASTSIM2. Allocates nothing
-/// after it was made.
+/// A left wheel on its rail by rows: where it touches, how high it is, and its forces by FASTSIM2 or from a creep-force
+/// table. Allocates nothing after it was made.
 class CoarseContact {
 public:
   /// The bodies must outlive it.
@@ -74,6 +75,7 @@ private:
     bool converged = true; ///< the rows' own normal problem
   };
   Loads find_loads(std::optional<double> vertical_force, int steps);
+  void find_ellipse(double hertzian);
   void load_rows();
   double roll();
   ContactPatch patch_of(const ContactRegion& region, std::size_t first, std::size_t count) const;
@@ -88,7 +90,9 @@ private:
   RowNormal normal_;
   HertzianRows hertz_;
   bool warm_ = false; ///< the normal problem has a solution in a place near by
+  HertzianEllipse ellipse_;
   LoadedRowSolver forward_, backward_;
+  std::optional<RowLookUp> look_up_; ///< at the level `table`
   std::vector<NormalRow> normal_rows_;
   std::vector<double> shear_, speed_;               ///< of the rows: force along s over the load, V [m/s]
   std::vector<double> load_, half_length_, centre_; ///< of the rows: q [N/m], a, x [m]

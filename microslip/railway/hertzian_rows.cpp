@@ -119,15 +119,15 @@ double HertzianRows::load(const CombinedMaterial& material, std::span<const Norm
                           std::optional<double> vertical_force) {
   const auto put = [&](const TurnedHertz& hertz) {
     const Ellipse& e = hertz.ellipse;
-    const double half_width = 1 / std::sqrt(e.e22 - e.e12 * e.e12 / e.e11), length = 1 / std::sqrt(e.e11);
+    half_width_ = 1 / std::sqrt(e.e22 - e.e12 * e.e12 / e.e11), length_ = 1 / std::sqrt(e.e11);
     double vertical = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       const double t = place_[k] - s0_, half = rows[k].width / 2;
-      const double part =
-          weight_[k] > 0 ? parabola_between((t - half) / half_width, (t + half) / half_width) * half_width / (2 * half)
-                         : 0;
-      load_[k] = pi / 2 * hertz.contact.peak_pressure * length * part;
-      half_length_[k] = length * std::sqrt(part);
+      const double part = weight_[k] > 0 ? parabola_between((t - half) / half_width_, (t + half) / half_width_) *
+                                               half_width_ / (2 * half)
+                                         : 0;
+      load_[k] = pi / 2 * hertz.contact.peak_pressure * length_ * part;
+      half_length_[k] = length_ * std::sqrt(part);
       centre_[k] = x0_ - e.e12 / e.e11 * t;
       vertical += load_[k] * rows[k].vertical_weight();
     }

@@ -27,6 +27,12 @@ public:
   /// Change of the vertical force with the lowering in the last load() [N/m].
   double stiffness() const { return stiffness_; }
 
+  /// Of the ellipse in the last load(): half the length of its middle row, half its width [m].
+  double half_length() const { return length_; }
+  double half_width() const { return half_width_; }
+  /// Whether a row is one of those that were fitted.
+  bool has(std::size_t row) const { return weight_[row] > 0; }
+
   std::span<const double> loads() const { return {load_.data(), count_}; }
   std::span<const double> half_lengths() const { return {half_length_.data(), count_}; }
   /// x of the rows' middles [m].
@@ -38,6 +44,7 @@ private:
   std::size_t count_ = 0;
   std::vector<double> weight_, load_, half_length_, centre_, place_;
   double s0_ = 0, x0_ = 0, skew_ = 0, along_ = 0, across_ = 0, overlap_ = 0, cosine_ = 1, stiffness_ = 0;
+  double length_ = 0, half_width_ = 0;
 };
 
 } // namespace microslip

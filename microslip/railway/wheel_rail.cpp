@@ -8,9 +8,11 @@
 #include "microslip/railway/patch_damage.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
 #include "microslip/railway/relative_motion.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace microslip {
@@ -31,8 +33,15 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
     if (k > 0 && !(bodies.friction[k].angle > bodies.friction[k - 1].angle))
       throw Error("friction angle", bodies.friction[k].angle, "rad", "larger than the one before");
   }
-  if (method.level == WheelRailLevel::fastsim2 && method.patch_shape() != PatchShape::curved)
-    throw Error("shape: the rows of fastsim2 follow the surface: curved, or left out");
+  if (method.level != WheelRailLevel::exact && method.patch_shape() != PatchShape::curved)
+    throw Error(std::string("shape: the rows of ") + (method.level == WheelRailLevel::table ? "table" : "fastsim2") +
+                " follow the surface: curved, or left out");
+  if (method.level == WheelRailLevel::table) {
+    if (!method.table) throw Error("table: the level \"table\" needs a creep-force table, and none is given");
+    if (method.table->direction() != RollingDirection::forward)
+      throw Error("table: must be one for rolling forward; the other direction is its mirror image");
+    if (method.fields) throw Error("fields: a creep-force table has none; the levels fastsim2 and exact do");
+  }
   require_count("elements", method.elements, 6, 1000);
   require_between("tolerance", method.tolerance, "-", 1e-12, 1e-2);
   const auto& [hardness, shear_yield_strength, wear_map] = bodies.strength;
@@ -193,7 +202,7 @@ private:
     if (!solve_coarse(state, vertical_force, out)) return;
     if (method.level == WheelRailLevel::exact)
       solve_exact(coarse, state, bodies, method, vertical_force, out);
-    else if (method.fields || bodies.strength.hardness)
+    else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
       coarse.add_fields(out);
     if (!has_numbers(out)) {
       out.patches.clear(), out.fields.clear();

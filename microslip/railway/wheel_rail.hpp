@@ -62,13 +62,13 @@ public:
 
   /// The forces in a state. `vertical_force` [N] > 0 is F_z on the wheel, its height then an unknown; without it the
   /// state's is taken. No contact, a force that no height gives, and not converging are statuses; NaN in the state
-  /// gives invalid_input. At the level `fastsim2` it allocates nothing once `solution` has had its size,
-  /// unless fields are asked for, or wear, which needs them: with a hardness.
+  /// gives invalid_input. At the levels `fastsim2` and `table` it allocates nothing once `solution` has had its
+  /// size, unless fields are asked for, or wear, which needs them: with a hardness.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution);
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
-  /// differences, by the others they follow (relative_motion.hpp). At the level `fastsim2`, where they cost some two
+  /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
   /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
   /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
   /// places differ by up to 5e-3, and by velocities by 1e-3. Derivatives of a solution that is not ok are zero.

@@ -8,10 +8,13 @@
 #include "microslip/railway/track.hpp"
 #include "microslip/railway/wheelset.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace microslip {
+
+class CreepForceTable;
 
 /// Friction that depends on the inclination of the rail's surface against the track plane.
 struct InclinedFriction {
@@ -37,13 +40,16 @@ struct WheelRailBodies {
 enum class WheelRailLevel {
   fastsim2, ///< normal problem on few elements, FASTSIM2 on the rows of the patch
   exact,    ///< the exact theory at second order on each patch
+  table,    ///< the normal problem of fastsim2, forces of the patches' equivalent ellipses from a creep-force table
 };
 struct WheelRailMethod {
   WheelRailLevel level = WheelRailLevel::fastsim2;
-  std::optional<PatchShape> shape = {}; ///< exact: flat unless given; the rows of fastsim2 always follow the surface
-  int elements = 24;                    ///< exact: across each contact
+  std::optional<PatchShape> shape =
+      {};                  ///< exact: flat unless given; the rows of fastsim2 and table always follow the surface
+  int elements = 24;       ///< exact: across each contact
   double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
   bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
+  std::shared_ptr<const CreepForceTable> table = {}; ///< table: rolling forward; one for nu alone is the smallest
 
   /// The shape that is given, or the level's own.
   PatchShape patch_shape() const {

@@ -360,6 +360,10 @@ const CreepTableAxes& CreepForceTable::axes() const {
   return data_->axes;
 }
 
+RollingDirection CreepForceTable::direction() const {
+  return data_->side > 0 ? RollingDirection::forward : RollingDirection::backward;
+}
+
 ContactForces CreepForceTable::solve(const EllipticContact& contact) const noexcept {
   ContactDerivatives out;
   const Status status = data_->find<false>(contact, out);

@@ -30,6 +30,7 @@ public:
                   RollingDirection direction = RollingDirection::forward);
 
   const CreepTableAxes& axes() const;
+  RollingDirection direction() const;
 
   /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. Cost about 1 us.
   ContactForces solve(const EllipticContact& contact) const noexcept;

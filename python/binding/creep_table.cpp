@@ -3,6 +3,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
+#include "binding/wheel_rail.hpp"
 #include "binding/words.hpp"
 #include "io/creep_table_file.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -32,6 +33,14 @@ CreepForceTable table_from(const py::object& file, const std::optional<double>& 
   const CreepTableNodes nodes = read_creep_table(path);
   return poisson_ratio ? CreepForceTable(nodes, *poisson_ratio, direction) : CreepForceTable(nodes, direction);
 }
+
+} // namespace
+
+CreepForceTable own_creep_table(double poisson_ratio) {
+  return table_from(py::none(), poisson_ratio, RollingDirection::forward);
+}
+
+namespace {
 
 /// Works on all contacts of a batch, a thousand at a time.
 template <class Work>

@@ -33,7 +33,7 @@ TYPES_OF_ARGUMENTS = {
     "coupling": 'Literal["newton", "alternating"]',
     "slip_start": 'Literal["below", "above"]',
     "side": 'Literal["left", "right"]',
-    "theory": 'Literal["fastsim2", "exact"]',
+    "theory": 'Literal["fastsim2", "exact", "table"]',
     "shape": 'Literal["flat", "curved", "conformal"]',
     "motion": 'Literal["steady", "transient", "shift"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',

@@ -81,12 +81,18 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
 }
 
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
-                            double tolerance, bool fields) {
-  return {.level = from_word<WheelRailLevel>("theory", theory),
+                            double tolerance, bool fields, const std::optional<CreepForceTable>& table,
+                            double poisson_ratio) {
+  const auto level = from_word<WheelRailLevel>("theory", theory);
+  if (table && level != WheelRailLevel::table) throw Error("table needs theory = \"table\"");
+  return {.level = level,
           .shape = shape ? std::optional(from_word<PatchShape>("shape", *shape)) : std::nullopt,
           .elements = grid,
           .tolerance = tolerance,
-          .fields = fields};
+          .fields = fields,
+          .table = level == WheelRailLevel::table
+                       ? std::make_shared<const CreepForceTable>(table ? *table : own_creep_table(poisson_ratio))
+                       : nullptr};
 }
 
 namespace {
@@ -96,7 +102,7 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                                                  const Material& material, const py::object& friction,
                                                  const std::string& theory, const std::optional<std::string>& shape,
                                                  int grid, double tolerance, const SurfaceStrength& strength,
-                                                 bool fields) {
+                                                 bool fields, const std::optional<CreepForceTable>& table) {
   WheelRailBodies bodies{.rail = rail.profile(),
                          .wheel = wheel.profile(),
                          .track = track,
@@ -105,7 +111,8 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                          .material = combine(material, material),
                          .friction = inclined_friction_from(friction),
                          .strength = strength};
-  return std::make_unique<PythonWheelRail>(std::move(bodies), method_from(theory, shape, grid, tolerance, fields));
+  return std::make_unique<PythonWheelRail>(std::move(bodies), method_from(theory, shape, grid, tolerance, fields, table,
+                                                                          combine(material, material).poisson_ratio));
 }
 
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
@@ -289,14 +296,15 @@ void bind_wheel_rail(py::module_& module) {
       .def(py::init(&make_wheel_rail), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a, "side"_a = "left",
            "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
            "shape"_a = py::none(), "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
-           "fields"_a = false,
+           "fields"_a = false, "table"_a = py::none(),
            "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
            "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
            "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
            "elements across each patch [-] and its patches' shape: flat (default), curved or conformal; rows of\n"
-           "fastsim2 always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength, for wear\n"
-           "and fatigue; whether solutions of fastsim2 have fields. Error for values out of range and profiles that\n"
-           "do not fit the track or the wheelset.")
+           "fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength,\n"
+           "for wear and fatigue; whether solutions of fastsim2 have fields; of theory \"table\" the CreepForceTable,\n"
+           "by default the one of microslip for the bodies' Poisson's ratio. Error for values out of range and\n"
+           "profiles that do not fit the track or the wheelset.")
       .def("solve", &solve, state_text().c_str())
       .def("solve_batch", &solve_batch, "threads"_a = 0,
            "The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on\n"

@@ -4,6 +4,7 @@
 #include "binding/long_work.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -22,8 +23,12 @@ std::string text_of(std::string_view description, std::string_view unit, const s
 
 /// A number, or a pair of arrays: angles and coefficients.
 std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
+/// The creep-force table that microslip has, for one Poisson's ratio.
+CreepForceTable own_creep_table(double poisson_ratio);
+/// With theory "table" and no table the one that microslip has, for the bodies' Poisson's ratio.
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
-                            double tolerance, bool fields);
+                            double tolerance, bool fields, const std::optional<CreepForceTable>& table,
+                            double poisson_ratio);
 
 /// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
 class StateArrays {

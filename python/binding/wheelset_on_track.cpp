@@ -85,7 +85,8 @@ std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileV
                                               const ProfileValue* right_wheel, const Material& material,
                                               const py::object& friction, const std::string& theory,
                                               const std::optional<std::string>& shape, int grid, double tolerance,
-                                              const SurfaceStrength& strength, bool fields) {
+                                              const SurfaceStrength& strength, bool fields,
+                                              const std::optional<CreepForceTable>& table) {
   const WheelRailBodies left{.rail = rail.profile(),
                              .wheel = wheel.profile(),
                              .track = track,
@@ -96,7 +97,8 @@ std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileV
   WheelRailBodies right = left;
   if (right_rail != nullptr) right.rail = right_rail->profile();
   if (right_wheel != nullptr) right.wheel = right_wheel->profile();
-  return std::make_unique<PythonWheelset>(left, right, method_from(theory, shape, grid, tolerance, fields));
+  return std::make_unique<PythonWheelset>(
+      left, right, method_from(theory, shape, grid, tolerance, fields, table, left.material.poisson_ratio));
 }
 
 std::string table(const WheelsetSolution& self) {
@@ -224,7 +226,7 @@ void bind_wheelset_on_track(py::module_& module) {
       .def(py::init(&make_wheelset), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a,
            "right_rail"_a = py::none(), "right_wheel"_a = py::none(), "material"_a = Material::from_young(210e9, 0.28),
            "friction"_a = py::float_(0.3), "theory"_a = "fastsim2", "shape"_a = py::none(), "grid"_a = 24,
-           "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(), "fields"_a = false,
+           "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(), "fields"_a = false, "table"_a = py::none(),
            "The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with\n"
            "profiles of its own, given as those of a left one. tolerance [-] is that of forces and moments over the\n"
            "load. Error for values out of range and profiles that do not fit the track or the wheelset.")

@@ -1653,14 +1653,14 @@ class WheelDimensions:
 
 class WheelRail:
     """A wheel on a rail by their profiles: finds the patches and solves them. May be used from many threads, one call at a time."""
-    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False) -> None:
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
         """The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both
         bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays
         (angles [rad], coefficients) of surfaces that rise to the field side; theory "exact" with grid
-        elements across each patch [-] and its patches' shape: flat (default), curved or conformal; rows of
-        fastsim2 always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength, for wear
-        and fatigue; whether solutions of fastsim2 have fields. Error for values out of range and profiles that
-        do not fit the track or the wheelset."""
+        elements across each patch [-]; its patches flat, or curved as those of fastsim2 and table always are; tolerance [-] of the vertical force; the
+        SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields; of theory "table"
+        the CreepForceTable, by default the one of microslip for the bodies' Poisson's ratio. Error for values out
+        of range and profiles that do not fit the track or the wheelset."""
     def solve(self, **kwargs) -> WheelRailSolution:
         """The WheelRailSolution in a state, given by keywords, 0 where they are left out:
             lateral [m]: position of the wheelset's centre, to the left positive
@@ -2213,7 +2213,7 @@ class WheelsetGeometry:
 
 class WheelsetOnTrack:
     """Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling speed for a torque. May be used from many threads, one call at a time."""
-    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False) -> None:
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
         """The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with
         profiles of its own, given as those of a left one. tolerance [-] is that of forces and moments over the
         load. Error for values out of range and profiles that do not fit the track or the wheelset."""

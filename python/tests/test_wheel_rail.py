@@ -172,6 +172,18 @@ class WheelRailTest(unittest.TestCase):
         self.assertEqual(microslip.Track(gauge=1.5), microslip.Track(gauge=1.5))
         self.assertIn("angle=", repr(solution.patches[0]))
 
+    def test_the_level_table_has_the_shipped_table_or_another_one(self):
+        own = wheel_rail(theory="table")
+        given = wheel_rail(theory="table", table=microslip.CreepForceTable(poisson_ratio=0.28))
+        found = own.solve(**STATE)
+        self.assertEqual(found.status, microslip.Status.ok)
+        self.assertEqual(given.solve(**STATE).force_y, found.force_y)
+        self.assertNotEqual(self.pair.solve(**STATE).force_y, found.force_y)
+        self.assertAlmostEqual(found.force_z, STATE["vertical_force"], delta=1e-5 * STATE["vertical_force"])
+        self.assertEqual(wheel_rail(theory="table").solve_batch(**STATE).force_y, found.force_y)
+        with self.assertRaisesRegex(microslip.Error, "table needs theory"):
+            wheel_rail(table=microslip.CreepForceTable(poisson_ratio=0.28))
+
     def test_what_makes_no_sense_is_refused(self):
         for text, call in (("did you mean lateral", lambda: self.pair.solve(latteral=0.0, vertical_force=1e3)),
                            ("either of them", lambda: self.pair.solve(lateral=0.0)),
@@ -179,7 +191,7 @@ class WheelRailTest(unittest.TestCase):
                            ("solve_batch takes arrays", lambda: self.pair.solve(lateral=[0.0, 1.0], vertical_force=1e3)),
                            ("gauge", lambda: wheel_rail(track=microslip.Track(gauge=-1.0))),
                            ("must be left or right", lambda: wheel_rail(side="lefft")),
-                           ("must be fastsim2 or exact", lambda: wheel_rail(theory="fastsim")),
+                           ("must be fastsim2, exact or table", lambda: wheel_rail(theory="fastsim")),
                            ("friction", lambda: wheel_rail(friction=-0.1)),
                            ("rail", lambda: wheel_rail(rail=microslip.read_profile(PROFILES / "s1002.prw")))):
             with self.assertRaisesRegex(microslip.Error, text):

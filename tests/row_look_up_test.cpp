@@ -1,0 +1,255 @@
+// The level `table` of wheel on rail.
+
+#include "microslip/railway/row_look_up.hpp"
+
+#include "io/creep_table_file.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail.hpp"
+#include "microslip/railway/wheelset_contact.hpp"
+
+#include "wheel_rail_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr CombinedMaterial steel{82e9, 0.28, 0};
+constexpr double a = 6e-3, b = 4e-3, mu = 0.3, load = 60e3, speed = 2;
+
+std::shared_ptr<const CreepForceTable> steel_table() {
+  static const auto table = std::make_shared<const CreepForceTable>(
+      read_creep_table(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep"), steel.poisson_ratio);
+  return table;
+}
+
+/// The loads of an ellipse with its centre at (x, y), in rows of equal width of which the outer ones lie partly beside
+/// it. The rows move as one plane body does.
+std::vector<LoadedRow> ellipse_rows(int count, double x, double y, const Creepage& at_centre) {
+  const auto integral = [](double t) {
+    t = std::clamp(t, -1.0, 1.0);
+    return t - t * t * t / 3;
+  };
+  std::vector<LoadedRow> rows;
+  const double width = 2.3 * b / count;
+  for (int k = 0; k < count; ++k) {
+    const double from = -1.15 * b + k * width;
+    const double part = (integral((from + width) / b) - integral(from / b)) * b / width;
+    LoadedRow row{.y = y + from + width / 2, .width = width, .centre = x, .half_length = 1e-9, .friction = mu};
+    row.load = 0.75 * load * part * width / b;
+    if (part > 0) row.half_length = a * std::sqrt(part);
+    row.creepage = {at_centre.longitudinal - at_centre.spin * (row.y - y), at_centre.lateral - at_centre.spin * x,
+                    at_centre.spin};
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+ContactForces table_forces(const Creepage& creepage) {
+  return steel_table()->solve({.a = a,
+                               .b = b,
+                               .shear_modulus = steel.shear_modulus,
+                               .poisson_ratio = steel.poisson_ratio,
+                               .normal_force = load,
+                               .friction = FrictionLaw::coulomb(mu),
+                               .creepage = creepage});
+}
+
+/// Forces of all rows, and the moment about the ellipse's centre.
+struct Sum {
+  double fx = 0, fy = 0, mz = 0;
+};
+Sum sum_of(const std::vector<LoadedRow>& rows, double x, double y, double hertzian, double side = 1) {
+  RowLookUp look_up(steel_table(), rows.size());
+  std::vector<RowForces> forces(rows.size());
+  look_up.solve(steel, rows, {a, b, hertzian, 0, rows.size()}, side, forces);
+  Sum sum;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    sum.fx += forces[k].fx, sum.fy += forces[k].fy;
+    sum.mz += forces[k].mz - x * forces[k].fy - (rows[k].y - y) * forces[k].fx;
+  }
+  return sum;
+}
+
+const Creepage creepages[] = {{1e-3, 0, 0}, {-3e-4, 8e-4, 0.2}, {2e-4, -5e-4, -0.8}, {1e-4, -1e-4, 1.5}};
+
+TEST(RowLookUp, HertzsEllipseHasTheTablesForces) {
+  for (const Creepage& w : creepages) {
+    const Sum found = sum_of(ellipse_rows(13, 2e-3, 0.03, w), 2e-3, 0.03, 1);
+    const ContactForces wanted = table_forces(w);
+    EXPECT_NEAR(found.fx, wanted.fx, 1e-9 * mu * load);
+    EXPECT_NEAR(found.fy, wanted.fy, 1e-9 * mu * load);
+    EXPECT_NEAR(found.mz, wanted.mz, 1e-9 * mu * load * std::sqrt(a * b));
+  }
+}
+
+TEST(RowLookUp, RowsOfAnEllipseTellWhichItIs) {
+  // Errors of the ellipse fall with the third power of the rows' width: with 13 they are some thousandths.
+  for (const Creepage& w : creepages) {
+    const ContactForces wanted = table_forces(w);
+    const auto error = [&](int count) {
+      const Sum found = sum_of(ellipse_rows(count, 0, 0, w), 0, 0, 0);
+      return std::hypot(found.fx - wanted.fx, found.fy - wanted.fy) / (mu * load);
+    };
+    EXPECT_LT(error(13), 4e-3);
+    EXPECT_LT(error(52), 1.5e-4);
+  }
+}
+
+TEST(RowLookUp, BackwardIsForwardInAMirror) {
+  for (const Creepage& w : creepages) {
+    const Creepage mirrored{-w.longitudinal, w.lateral, -w.spin};
+    const Sum forward = sum_of(ellipse_rows(13, 1e-3, 0, w), 1e-3, 0, 1),
+              backward = sum_of(ellipse_rows(13, -1e-3, 0, mirrored), -1e-3, 0, 1, -1);
+    EXPECT_NEAR(backward.fx, -forward.fx, 1e-9 * mu * load);
+    EXPECT_NEAR(backward.fy, forward.fy, 1e-9 * mu * load);
+    EXPECT_NEAR(backward.mz, -forward.mz, 1e-12 * load);
+  }
+}
+
+TEST(RowLookUp, ForcesAreContinuousWhereTwoEllipsesMeet) {
+  const auto forces_with = [](double saddle) {
+    const Creepage w{3e-4, 2e-4, 0.3};
+    std::vector<LoadedRow> rows = ellipse_rows(13, 0, -1.15 * b, w);
+    for (const LoadedRow& row : ellipse_rows(13, 0, 1.15 * b, w)) rows.push_back(row);
+    for (const std::size_t k : {12U, 13U}) rows[k].load = saddle, rows[k].half_length = 1e-4 * std::sqrt(saddle + 1e-9);
+    return sum_of(rows, 0, 0, 0);
+  };
+  const auto change = [&, apart = forces_with(0)](double saddle) {
+    const Sum together = forces_with(saddle);
+    return std::hypot(together.fx - apart.fx, together.fy - apart.fy) / (mu * load);
+  };
+  // In proportion to the load between them: no jump.
+  for (const double saddle : {1e-3, 1e-2, 1e-1})
+    EXPECT_NEAR(change(saddle), saddle * change(1e-3) / 1e-3, 3e-4 * saddle);
+  EXPECT_LT(change(1e-3), 1e-5);
+  EXPECT_GT(change(1e3), 1e-2) << "united they have other forces";
+}
+
+/// The example's profiles, a wheel on the right.
+WheelRailBodies example_bodies() {
+  const std::string folder = std::string(MICROSLIP_SOURCE_DIR) + "/examples/profiles/";
+  WheelRailBodies bodies{read_profile(folder + "60e1.prr").profile,
+                         read_profile(folder + "s1002.prw").profile,
+                         {},
+                         {},
+                         TrackSide::right,
+                         steel,
+                         {{0, mu}}};
+  bodies.track.cant = 1.0 / 40;
+  return bodies;
+}
+
+WheelRail table_level(WheelRailBodies bodies) {
+  return WheelRail(std::move(bodies), {.level = WheelRailLevel::table, .table = steel_table()});
+}
+
+/// The roll angle in equilibrium, yaw in proportion.
+WheelState<double> state_at(const WheelRailBodies& bodies, double lateral, double yaw_per_metre, double braking) {
+  const WheelsetSearch::Side pair{bodies.rail, bodies.wheel};
+  WheelState<double> state;
+  state.lateral = lateral, state.yaw = yaw_per_metre * lateral;
+  state.roll = WheelsetSearch(bodies.track, bodies.wheelset, pair, pair).solve(lateral, state.yaw).roll;
+  state.forward_velocity = speed;
+  state.pitch_velocity = (1 - braking) * speed / bodies.wheelset.nominal_radius;
+  return state;
+}
+
+TEST(TableLevel, ForcesAreThoseOfTheExactLevelWithinAFewPercent) {
+  const WheelRailBodies bodies = example_bodies();
+  WheelRail exact(bodies, {.level = WheelRailLevel::exact}), table = table_level(bodies);
+  std::vector<double> errors;
+  for (int k = 0; k < 24; ++k) {
+    const WheelState<double> state = state_at(bodies, -4e-4 * (k + 0.5), k % 2 == 0 ? 2.4 : 0.2, 3e-4 * (k % 3 - 1));
+    const WheelRailSolution wanted = exact.solve(state, 10e3), found = table.solve(state, 10e3);
+    ASSERT_EQ(wanted.status, Status::ok);
+    ASSERT_EQ(found.status, Status::ok);
+    double capacity = 0, fx = 0, fs = 0;
+    for (const WheelRailPatch& p : wanted.patches) capacity += mu * p.normal_force, fx -= p.fx, fs -= p.fs;
+    for (const WheelRailPatch& p : found.patches) fx += p.fx, fs += p.fs;
+    errors.push_back(std::hypot(fx, fs) / capacity);
+  }
+  const double rms = std::sqrt(std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0) / 24);
+  EXPECT_LT(rms, 0.04);
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[12], 0.01) << "median";
+  EXPECT_LT(errors.back(), 0.15);
+}
+
+TEST(TableLevel, LeftAndRightAreMirrorImages) {
+  WheelRailBodies bodies = example_bodies();
+  WheelRail right = table_level(bodies);
+  bodies.side = TrackSide::left;
+  WheelRail left = table_level(bodies);
+  for (const double lateral : {-1e-3, -4e-3, -7e-3}) {
+    const WheelState<double> state = state_at(example_bodies(), lateral, 0.5, 2e-4);
+    const auto r = right.solve(state, 50e3), l = left.solve(state.mirrored(), 50e3);
+    EXPECT_NEAR(l.force.x, r.force.x, 1e-9 * 50e3);
+    EXPECT_NEAR(l.force.y, -r.force.y, 1e-9 * 50e3);
+    EXPECT_NEAR(l.moment.z, -r.moment.z, 1e-9 * 50e3);
+  }
+}
+
+TEST(TableLevel, DerivativesAreThoseOfDifferences) {
+  const WheelRailBodies bodies = example_bodies();
+  WheelRail contact = table_level(bodies);
+  for (const double lateral : {-1.5e-3, -3.5e-3}) {
+    const WheelState<double> state = state_at(bodies, lateral, 0.3, 1e-4);
+    WheelRailSolution here;
+    WheelRailDerivatives d;
+    contact.differentiate(state, 50e3, here, d);
+    ASSERT_EQ(here.status, Status::ok);
+    const auto check = [&](WheelVariable variable, double step) {
+      const auto k = static_cast<std::size_t>(variable);
+      WheelState<double> up = state, down = state;
+      *up.numbers()[k] += step, *down.numbers()[k] -= step;
+      const Vec3<double> wanted = 1 / (2 * step) * (contact.solve(up, 50e3).force - contact.solve(down, 50e3).force);
+      const double size = std::sqrt(dot(wanted, wanted));
+      EXPECT_NEAR(d.force[k].x, wanted.x, 2e-3 * size) << "variable " << k;
+      EXPECT_NEAR(d.force[k].y, wanted.y, 2e-3 * size) << "variable " << k;
+    };
+    check(WheelVariable::lateral_velocity, 1e-6 * speed);
+    check(WheelVariable::pitch_velocity, 1e-6 * speed);
+    check(WheelVariable::yaw_velocity, 1e-6 * speed);
+    check(WheelVariable::yaw, 1e-6);
+  }
+}
+
+void expect_refused(const WheelRailMethod& method, const std::string& reason) {
+  try {
+    WheelRail(example_bodies(), method);
+    ADD_FAILURE() << "no Error: " << reason;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+  }
+}
+
+TEST(TableLevel, WhatItCannotDoIsSaid) {
+  WheelRailMethod method{.level = WheelRailLevel::table};
+  expect_refused(method, "needs a creep-force table, and none is given");
+  method.table = steel_table();
+  method.fields = true;
+  expect_refused(method, "fields");
+  method.fields = false, method.shape = PatchShape::flat;
+  expect_refused(method, "shape");
+  method.shape.reset();
+  method.table = std::make_shared<const CreepForceTable>(
+      read_creep_table(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep"), steel.poisson_ratio,
+      RollingDirection::backward);
+  expect_refused(method, "rolling forward");
+  WheelRail contact = table_level(example_bodies());
+  WheelState<double> state;
+  state.yaw = NAN;
+  EXPECT_EQ(contact.solve(state, 50e3).status, Status::invalid_input);
+}
+
+} // namespace
+} // namespace microslip
