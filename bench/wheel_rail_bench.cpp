@@ -181,6 +181,38 @@ void exact(const WheelRailBodies& bodies, const std::vector<Posed>& all, int sta
   print(row);
 }
 
+/// Differences of the tangential force from the exact level's, over mu Fn, from 0 to 10 mm to the right with so much
+/// yaw for each metre; the wheel turns by up to `slip` faster or slower than it rolls.
+void differences(const WheelRailBodies& bodies, const WheelRailMethod& look_up, int states, double yaw, double slip) {
+  WheelsetSearch search(bodies.track, bodies.wheelset, {bodies.rail, bodies.wheel}, {bodies.rail, bodies.wheel});
+  WheelRail exact(bodies, {.level = WheelRailLevel::exact}), table(bodies, look_up), fast(bodies);
+  std::vector<double> of_table, of_fast;
+  for (int k = 0; k < states; ++k) {
+    WheelState<double> state;
+    state.lateral = -0.01 * (k + 0.5) / states, state.yaw = yaw * state.lateral;
+    state.roll = search.solve(state.lateral, state.yaw).roll;
+    state.forward_velocity = speed;
+    state.pitch_velocity = speed / bodies.wheelset.nominal_radius * (1 + slip * (k % 7 - 3) / 3);
+    const WheelRailSolution wanted = exact.solve(state, vertical_force);
+    const auto difference = [&](WheelRail& contact) {
+      const WheelRailSolution found = contact.solve(state, vertical_force);
+      double capacity = 0, fx = 0, fs = 0;
+      for (const WheelRailPatch& p : wanted.patches) capacity += friction * p.normal_force, fx -= p.fx, fs -= p.fs;
+      for (const WheelRailPatch& p : found.patches) fx += p.fx, fs += p.fs;
+      return std::hypot(fx, fs) / capacity;
+    };
+    of_table.push_back(difference(table)), of_fast.push_back(difference(fast));
+  }
+  std::printf("| %.1f, %g |", yaw, slip);
+  for (std::vector<double>* all : {&of_table, &of_fast}) {
+    double squares = 0;
+    for (const double x : *all) squares += x * x;
+    std::sort(all->begin(), all->end());
+    std::printf(" %.4f, %.4f, %.3f |", std::sqrt(squares / states), (*all)[all->size() / 2], all->back());
+  }
+  std::printf("\n");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -205,4 +237,8 @@ int main(int argc, char** argv) {
   exact(pair, all, states, "exact, elements of .5 mm, force given", 0.5e-3, true);
   exact(pair, all, states, "exact, elements of .2 mm, height given", 0.2e-3, false);
   exact(pair, all, states, "exact, elements of .2 mm, force given", 0.2e-3, true);
+  std::printf("\n| yaw [rad/m], slip | table: rms, median, largest | fastsim2 |\n|---|---|---|\n");
+  differences(pair, look_up, states, 2.4, 0);
+  differences(pair, look_up, states, 0.2, 1e-3);
+  differences(pair, look_up, states, 0, 3e-4);
 }
