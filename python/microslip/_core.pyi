@@ -1657,10 +1657,11 @@ class WheelRail:
         """The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both
         bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays
         (angles [rad], coefficients) of surfaces that rise to the field side; theory "exact" with grid
-        elements across each patch [-]; its patches flat, or curved as those of fastsim2 and table always are; tolerance [-] of the vertical force; the
-        SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields; of theory "table"
-        the CreepForceTable, by default the one of microslip for the bodies' Poisson's ratio. Error for values out
-        of range and profiles that do not fit the track or the wheelset."""
+        elements across each patch [-] and its patches' shape: flat (default), curved or conformal; rows of
+        fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength,
+        for wear and fatigue; whether solutions of fastsim2 have fields; of theory "table" the CreepForceTable,
+        by default the one of microslip for the bodies' Poisson's ratio. Error for values out of range and
+        profiles that do not fit the track or the wheelset."""
     def solve(self, **kwargs) -> WheelRailSolution:
         """The WheelRailSolution in a state, given by keywords, 0 where they are left out:
             lateral [m]: position of the wheelset's centre, to the left positive
