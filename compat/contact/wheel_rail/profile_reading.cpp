@@ -78,9 +78,9 @@ private:
   std::shared_ptr<const ProfileCurve> curve() {
     drop_close_points(points_);
     points_ = without_zigzags(points_, record_.zigzag);
+    if (points_.size() < 2) fail("there are fewer than two points");
     mirror();
     scale();
-    if (points_.size() < 2) fail("there are fewer than two points");
     if (points_.front().y > points_.back().y) std::reverse(points_.begin(), points_.end());
     check_length();
     const auto kinks = find_kinks(points_, {record_.kink_high, record_.kink_low, record_.kink_width});
