@@ -26,6 +26,11 @@ struct Call {
   std::string heading() const;
 };
 
+/// A call for a patch of either module.
+inline Call patch_call(const char* name, const int* ire, const int* icp) {
+  return {name, ire, icp, Module::any, Scope::patch};
+}
+
 /// Runs the body of a call, which returns nothing or a code. Whatever it throws becomes a code, and a message in the
 /// log.
 template <class Body> int guarded(const std::string& heading, Body body) noexcept {

@@ -11,12 +11,6 @@ namespace {
 
 using namespace contact_program;
 
-constexpr double mm_per_m = 1e3, newton_per_mm2 = 1e-6;
-
-Call patch_call(const char* name, const int* ire, const int* icp) {
-  return {name, ire, icp, Module::any, Scope::patch};
-}
-
 /// An element's value of a field.
 using Value = std::function<double(std::size_t)>;
 

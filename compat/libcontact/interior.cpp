@@ -10,7 +10,6 @@ namespace {
 
 using namespace contact_program;
 
-constexpr double mm_per_m = 1e3, newton_per_mm2 = 1e-6;
 constexpr int most_blocks = 10, most_points = 9999, any_element = 999999, most_columns = 1000;
 
 bool is_kind(int isubs) {

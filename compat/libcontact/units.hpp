@@ -4,6 +4,9 @@
 
 namespace microslip::libcontact {
 
+/// From SI, in which the library computes, to CONTACT's units.
+inline constexpr double mm_per_m = 1e3, newton_per_mm2 = 1e-6;
+
 /// The units that a contact problem's numbers are exchanged in, over CONTACT's mm, N and s; angles are in rad always.
 struct Units {
   double length = 1; ///< [mm]

@@ -12,8 +12,6 @@ namespace {
 using namespace contact_program;
 using Vec = Vec3<double>;
 
-constexpr double mm_per_m = 1e3;
-
 Wrench mirrored(Wrench w) {
   for (double* odd : {&w.force.y, &w.moment.x, &w.moment.z}) *odd *= -1;
   return w;

@@ -121,7 +121,7 @@ void RowNormal::find_influences(bool linear) {
   }
 }
 
-/// Residuals ln(C kappa S/(2 A)), S = sum of tau Psi between the edges of each strip, tau = min(1, q_k/(.15 q_j)), with
+/// Residuals ln(C kappa S/(2 A)), S = sum of tau Psi between the edges of each strip, tau = min(1, q_k/(.06 q_j)), with
 /// all kappa equal to the row's own, and their derivatives.
 void RowNormal::find_curvatures(std::span<const NormalRow> rows, bool alone) {
   for (std::size_t k : near_) root_load_[k] = half_length_[k] * std::exp(log_kappa_[k] / 2);
