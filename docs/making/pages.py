@@ -33,7 +33,9 @@ def tutorial_page(app, docname):
     place = os.path.relpath(folder, Path(app.srcdir) / Path(docname).parent)
     text = re.sub(r"^!\[(.*)\]\((\S+)\)$", rf"![\1]({place}/\2)", page.read_text(), flags=re.MULTILINE)
     name = f"docs/{docname}.py"
-    return text + f"\n---\n\n*This page is the output of the script `{name}`; its cells run in editors that know `# %%`, or as a whole: `python3 {name}`.*\n"
+    book = f"{place}/{Path(docname).name}.ipynb"
+    return text + (f"\n---\n\n*This page is the output of the script `{name}`; its cells run in editors that know `# %%`, or as a whole:"
+                   f" `python3 {name}`. {{download}}`The same as a notebook<{book}>`, with all output.*\n")
 
 
 def header_sections(app, match):

@@ -1,14 +1,18 @@
 """Turns a tutorial, a Python script in cells, into a page with what it prints and draws.
 
-    tutorial.py SCRIPT FOLDER     writes FOLDER/page.md and its pictures
+    tutorial.py SCRIPT FOLDER     writes FOLDER/page.md with its pictures, and FOLDER/SCRIPT.ipynb, a notebook with all output
 
 Cells begin with `# %%`, as editors know them, and those of text with `# %% [markdown]`. After each cell of code the page has what it printed,
-and the figures that it made, under the titles that their windows have. Scripts run in the folder of the project.
+what its last line was worth, as in notebooks, and the figures that it made, under the titles that their windows have. Scripts run in the folder of the project.
 """
 
+import ast
+import base64
 import contextlib
 import io
+import json
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -44,6 +48,38 @@ def fence(language, text):
     return f"```{language}\n{text}\n```"
 
 
+class Cell:
+    """What a cell of code left: its text, what it printed, what its last line was worth, its pictures with titles."""
+
+    def __init__(self, code):
+        self.code, self.printed, self.value, self.pictures = code, "", None, []
+
+    def markdown(self):
+        parts = [fence("python", self.code)]
+        if self.printed.strip():
+            parts.append(fence("text", self.printed))
+        if hasattr(self.value, "_repr_html_"):
+            parts.append(fence("{raw} html", self.value._repr_html_()))
+        elif self.value is not None:
+            parts.append(fence("text", repr(self.value)))
+        return parts + [f"![{title}]({file.name})\n\n*{title}*" for title, file in self.pictures]
+
+    def outputs(self, count):
+        """The same as outputs of a notebook."""
+        found = []
+        if self.printed:
+            found.append({"output_type": "stream", "name": "stdout", "text": self.printed})
+        if self.value is not None:
+            data = {"text/plain": repr(self.value)}
+            if hasattr(self.value, "_repr_html_"):
+                data["text/html"] = self.value._repr_html_()
+            found.append({"output_type": "execute_result", "execution_count": count, "data": data, "metadata": {}})
+        for title, file in self.pictures:
+            data = {"text/plain": f"<{title}>", "image/png": base64.b64encode(file.read_bytes()).decode()}
+            found.append({"output_type": "display_data", "data": data, "metadata": {}})
+        return found
+
+
 class Runner:
     """Runs cells one after the other and keeps their figures in a folder."""
 
@@ -53,39 +89,61 @@ class Runner:
         self.pictures = 0
 
     def run(self, first, lines):
-        """Code that begins in line `first`, its output and its figures as Markdown."""
+        """Runs code that begins in line `first`; what it left."""
+        cell = Cell("\n".join(lines).rstrip("\n"))
+        tree = ast.parse("\n" * (first - 1) + cell.code, str(self.script))
+        last = ast.Expression(tree.body.pop().value) if tree.body and isinstance(tree.body[-1], ast.Expr) else None
         out = io.StringIO()
-        code = "\n".join(lines).rstrip("\n")
         with contextlib.redirect_stdout(out):
-            exec(compile("\n" * (first - 1) + code, str(self.script), "exec"), self.names)
-        parts = [fence("python", code)]
-        if out.getvalue().strip():
-            parts.append(fence("text", out.getvalue()))
-        return parts + self.figures()
+            exec(compile(tree, str(self.script), "exec"), self.names)
+            if last:
+                cell.value = eval(compile(last, str(self.script), "eval"), self.names)
+        cell.printed, cell.pictures = out.getvalue(), self.figures()
+        return cell
 
     def figures(self):
-        """Saves and closes the open figures."""
+        """Saves and closes the open figures: their titles and files."""
         from matplotlib import pyplot
 
-        parts = []
+        found = []
         for number in pyplot.get_fignums():
             figure = pyplot.figure(number)
             if not figure.get_label():
                 raise ValueError(f"{self.script}: a figure needs a title, subplots(num=...)")
             self.pictures += 1
-            name = f"{self.script.stem}_{self.pictures}.png"
-            figure.savefig(self.folder / name, dpi=150)
-            parts.append(f"![{figure.get_label()}]({name})\n\n*{figure.get_label()}*")
+            file = self.folder / f"{self.script.stem}_{self.pictures}.png"
+            figure.savefig(file, dpi=150)
+            found.append((figure.get_label(), file))
             pyplot.close(figure)
-        return parts
+        return found
 
 
-def page(script, folder):
-    """The Markdown of a tutorial; its pictures go to `folder`."""
-    runner, parts = Runner(script, folder), []
-    for is_text, first, lines in cells(Path(script).read_text()):
-        parts += [prose(lines)] if is_text else runner.run(first, lines)
-    return "\n\n".join(parts) + "\n"
+def notebook_cell(kind, number, source, **further):
+    return {"cell_type": kind, "id": f"cell-{number}", "metadata": {}, "source": source, **further}
+
+
+def notebook(parts):
+    """An executed Jupyter notebook (format 4.5) of texts and cells of code. Links within the site are left as words."""
+    found = []
+    for number, part in enumerate(parts):
+        if isinstance(part, str):
+            found.append(notebook_cell("markdown", number, re.sub(r"\[([^\]]*)\]\((?!https?:)[^)]*\)", r"\1", part)))
+        else:
+            found.append(notebook_cell("code", number, part.code, execution_count=number + 1, outputs=part.outputs(number + 1)))
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    return {"nbformat": 4, "nbformat_minor": 5, "cells": found,
+            "metadata": {"kernelspec": kernel, "language_info": {"name": "python"}}}
+
+
+def executed(script, folder):
+    """Runs a tutorial: its texts as strings, its code as cells. Pictures go to `folder`."""
+    runner = Runner(script, folder)
+    return [prose(lines) if is_text else runner.run(first, lines) for is_text, first, lines in cells(Path(script).read_text())]
+
+
+def page(parts):
+    """The Markdown of a tutorial that has been run."""
+    return "\n\n".join(text for part in parts for text in ([part] if isinstance(part, str) else part.markdown())) + "\n"
 
 
 if __name__ == "__main__":
@@ -95,4 +153,6 @@ if __name__ == "__main__":
     folder.mkdir(parents=True, exist_ok=True)
     os.chdir(ROOT)
     os.environ["MPLBACKEND"] = "Agg"
-    (folder / "page.md").write_text(page(script, folder))
+    parts = executed(script, folder)
+    (folder / f"{script.stem}.ipynb").write_text(json.dumps(notebook(parts), indent=1))
+    (folder / "page.md").write_text(page(parts))

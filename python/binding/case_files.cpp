@@ -249,6 +249,7 @@ void bind_curve(py::module_& module) {
       .def_property_readonly("fy", along([](const ContactForces& f) { return f.fy; }), "Shape (n) [N].")
       .def_property_readonly("mz", along([](const ContactForces& f) { return f.mz; }), "Shape (n) [N m].");
   add_value(curve, {"variable", "unit", "value", "fx", "fy", "mz"});
+  add_labelled_arrays(curve);
 }
 
 void bind_theories(py::module_& module) {

@@ -107,6 +107,7 @@ void bind_contact_batch(py::module_& module) {
                              "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def("__len__", [](const ForceArrays& self) { return self.fx.size(); });
   add_value(force_arrays, {"fx", "fy", "mz", "status"});
+  add_labelled_arrays(force_arrays);
 
   py::class_<DerivativeArrays> derivative_arrays(module, "DerivativeArrays",
                                                  "Forces of many contacts and their derivatives.");
@@ -125,6 +126,7 @@ void bind_contact_batch(py::module_& module) {
           "spin [1/m] and normal force [N], shape (..., 3, 4); that with respect to the normal force keeps\n"
           "the ellipse as it is.");
   add_value(derivative_arrays, {"forces", "jacobian"});
+  add_labelled_arrays(derivative_arrays);
 
   py::class_<ExactForceArrays> exact_arrays(module, "ExactForceArrays", "Forces of many contacts by the exact theory.");
   exact_arrays
@@ -145,6 +147,7 @@ void bind_contact_batch(py::module_& module) {
           },
           "Steps of Newton's method, shape (...) [-].");
   add_value(exact_arrays, {"forces", "residual", "newton_steps"});
+  add_labelled_arrays(exact_arrays);
 }
 
 } // namespace microslip::python

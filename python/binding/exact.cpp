@@ -166,6 +166,11 @@ void bind_solver(py::module_& module) {
           "Steady rolling at second order: forces [N], [N m] and their derivatives with respect to xi [-],\n"
           "eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem, accurate to 1e-5\n"
           "away from kinks.")
+      .def("__repr__",
+           [](const Solver& self) {
+             const auto& options = self.object.options();
+             return "EllipticContactSolver(" + std::to_string(options.mx) + ", " + std::to_string(options.my) + ")";
+           })
       .def("deformed_gap", &deformed_gap, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady,
            "Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in "
            "contact.")

@@ -67,6 +67,7 @@ void bind_states(py::module_& module) {
                              "sigma1 - sigma3, twice the largest shear stress, shape (...) [Pa].")
       .def_property_readonly("principal", &principal, "sigma1 >= sigma2 >= sigma3, shape (..., 3) [Pa].");
   add_value(states, {"von_mises"});
+  add_labelled_arrays(states);
 }
 
 Body body_from(int body) {

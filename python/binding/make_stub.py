@@ -66,7 +66,8 @@ RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "an
            "at": "Any", "equivalent_conicity": "Any", "wavelength": "Any", "nonlinearity_parameter": "Any",
            "radial_steering_index": "Any",
            "point": "tuple[Any, Any]",  # a number for numbers, else an array
-           "to_dict": "dict[str, Any]"}
+           "to_dict": "dict[str, Any]",
+           "to_dataframe": "Any", "to_xarray": "Any"}  # a pandas.DataFrame, an xarray.Dataset
 
 
 def python_type(text):

@@ -177,7 +177,10 @@ void bind_row_solver(py::module_& module) {
       .def_property_readonly(
           "mx", [](const RowSolver& self) { return self.options().mx; }, "Cells of a row [-].")
       .def_property_readonly(
-          "my", [](const RowSolver& self) { return self.options().my; }, "Rows [-].");
+          "my", [](const RowSolver& self) { return self.options().my; }, "Rows [-].")
+      .def("__repr__", [](const py::object& self) {
+        return py::str("{}({}, {})").format(py::type::of(self).attr("__name__"), self.attr("mx"), self.attr("my"));
+      });
   def_batch(solver, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
   def_batch(solver, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
 }

@@ -62,6 +62,7 @@ void bind_fields(py::module_& module) {
         return "SurfaceFields(" + std::to_string(self.of().elements.my()) + " rows of " +
                std::to_string(self.of().elements.mx()) + " elements)";
       });
+  add_labelled_arrays(surface);
 }
 
 void bind_step(py::module_& module) {

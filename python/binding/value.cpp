@@ -58,6 +58,17 @@ py::dict to_dict(const py::object& self) {
   return out;
 }
 
+void add_labelled_arrays(py::object of) {
+  const auto add = [&](const char* name, const char* text) {
+    const auto call = [name](const py::object& self) {
+      return py::module_::import("microslip.labelled_arrays").attr(name)(self);
+    };
+    of.attr(name) = py::cpp_function(call, py::name(name), py::is_method(of), text);
+  };
+  add("to_dataframe", "All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas.");
+  add("to_xarray", "All arrays [SI units] as an xarray.Dataset with their units; needs xarray.");
+}
+
 py::object checked_state(const std::string& name, const py::tuple& state) {
   const std::string wanted = std::to_string(state_version);
   if (state.size() != 2 || !py::isinstance<py::int_>(state[0])) throw Error(name + ": is no pickled state");

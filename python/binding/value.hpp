@@ -132,6 +132,9 @@ template <class T> bool are_equal(const T& one, const T& other) {
 /// All public fields of an object with their names, objects of this package as dicts of their own.
 pybind11::dict to_dict(const pybind11::object& self);
 
+/// Gives a class of results with arrays to_dataframe() and to_xarray().
+void add_labelled_arrays(pybind11::object of);
+
 /// Takes a pickled state apart. Throws Error for one of another version.
 pybind11::object checked_state(const std::string& name, const pybind11::tuple& state);
 

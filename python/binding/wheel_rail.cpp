@@ -269,6 +269,7 @@ void bind_wheel_solution(py::module_& module) {
           "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def("__len__", [](const SolvedStates& self) { return self.solutions.size(); });
   add_description(states, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});
+  add_labelled_arrays(states);
 }
 
 /// The names of the state, for the text of solve.

@@ -242,6 +242,7 @@ void bind_contacts(py::module_& module) {
           "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def("__len__", [](const WheelsetContacts& self) { return self.contacts.size(); });
   add_description(contacts, {"lateral", "rolling_radius_difference", "contact_angle_difference", "roll", "status"});
+  add_labelled_arrays(contacts);
 }
 
 void bind_rolling_radius_difference(py::module_& module) {

@@ -433,6 +433,10 @@ class CreepCurve:
         """Shape (n) [N m]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class CreepForceTable:
     """Forces of Hertzian contacts in steady rolling by interpolation between results of the exact
@@ -521,6 +525,10 @@ class DerivativeArrays:
         the ellipse as it is."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class ElementGrid:
     """The potential contact: mx x my equal rectangles, x and y ascending. Fields on it have shape (my, mx)."""
@@ -689,6 +697,10 @@ class ExactForceArrays:
         """Steps of Newton's method, shape (...) [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class ExactResult:
     """What the exact theory makes of a case."""
@@ -755,6 +767,10 @@ class ForceArrays:
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class FrictionLaw:
     """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear:
@@ -981,6 +997,10 @@ class InteriorStates:
         """sigma1 >= sigma2 >= sigma3, shape (..., 3) [Pa]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class LineContact:
     """Two cylinders with parallel axes, per unit length."""
@@ -1448,6 +1468,10 @@ class SurfaceFields:
         """Codes of CellState as uint8, shape (my, mx) [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class SurfaceStrength:
     """What surfaces bear before they wear or yield; None: not known."""
@@ -1864,6 +1888,10 @@ class WheelRailArrays:
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class WheelRailDerivativeArrays:
     """Forces on a wheel in many states and their derivatives."""
@@ -2166,6 +2194,10 @@ class WheelsetContacts:
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
 
 class WheelsetDerivatives:
     """Forces on a wheelset and their derivatives."""

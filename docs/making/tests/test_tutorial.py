@@ -3,13 +3,14 @@
 import tempfile
 import traceback
 import unittest
+from importlib.util import find_spec
 from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 
-from tutorial import cells, page, prose
+from tutorial import cells, executed, notebook, page, prose
 
 SCRIPT = '''# %% [markdown]
 # # A title
@@ -34,7 +35,8 @@ class TutorialTest(unittest.TestCase):
         self.folder = Path(folder.name)
         script = self.folder / "lesson.py"
         script.write_text(text)
-        return page(script, self.folder)
+        self.parts = executed(script, self.folder)
+        return page(self.parts)
 
     def test_cells_are_text_or_code(self):
         self.assertEqual([(is_text, first) for is_text, first, _ in cells(SCRIPT)], [(True, 2), (False, 7), (False, 12)])
@@ -49,6 +51,30 @@ class TutorialTest(unittest.TestCase):
         self.assertTrue(made.endswith("```text\n__main__\n```\n\n![A picture](lesson_1.png)\n\n*A picture*\n"))
         self.assertEqual((self.folder / "lesson_1.png").read_bytes()[:4], b"\x89PNG")
         self.assertEqual(matplotlib.pyplot.get_fignums(), [])
+
+    def test_what_the_last_line_is_worth_is_shown(self):
+        made = self.page("# %%\n3 * 7\n\n# %%\nprint(1)\n")
+        self.assertEqual(made, "```python\n3 * 7\n```\n\n```text\n21\n```\n\n```python\nprint(1)\n```\n\n```text\n1\n```\n")
+
+    def test_tables_are_shown_as_such(self):
+        made = self.page("# %%\nclass Table:\n    def _repr_html_(self):\n        return '<b>x</b>'\n\nTable()\n")
+        self.assertTrue(made.endswith("```{raw} html\n<b>x</b>\n```\n"))
+
+    def test_a_notebook_has_text_output_and_pictures(self):
+        self.page(SCRIPT.replace("words", "[words](../page.md)") + "5\n")
+        text, first, second = notebook(self.parts)["cells"]
+        self.assertEqual(text["source"], "# A title\n\nSome words.")
+        self.assertEqual(first["outputs"], [{"output_type": "stream", "name": "stdout", "text": "3\n"}])
+        printed, value, picture = second["outputs"]
+        self.assertEqual((printed["text"], value["data"]["text/plain"]), ("__main__\n", "5"))
+        self.assertTrue(picture["data"]["image/png"].startswith("iVBOR"))
+
+    @unittest.skipUnless(find_spec("nbformat"), "nbformat is not installed")
+    def test_a_notebook_is_valid(self):
+        import nbformat
+
+        self.page(SCRIPT + "5\n")
+        nbformat.validate(notebook(self.parts))
 
     def test_a_figure_needs_a_title(self):
         with self.assertRaisesRegex(ValueError, "needs a title"):

@@ -1,0 +1,104 @@
+# %% [markdown]
+# # A measured profile to forces
+#
+# A profile from a measuring device, a rail, a track: where do they touch, how does the wheelset steer, and what forces
+# act on the wheel at 6 mm to the side? Files here are nominal profiles that come with microslip; one of a MiniProf or
+# of another program is read by the same call ([profiles](../profiles.md)).
+
+# %%
+import matplotlib.pyplot as plt
+import microslip
+import numpy as np
+from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, VERMILION
+
+plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
+wheel = microslip.read_profile("examples/profiles/s1002.prw")
+rail = microslip.read_profile("examples/profiles/60e1.prr")
+flange = wheel.wheel_dimensions()
+print(f"wheel: {len(wheel.y)} points, flange {1e3 * flange.flange_height:.1f} mm high, {1e3 * flange.flange_thickness:.1f} mm thick")
+print(f"rail:  {len(rail.y)} points")
+
+# %% [markdown]
+# ## Where they touch
+#
+# A track puts the rails in their place, a wheelset the wheels. First without any load: the wheelset as a rigid body that
+# touches both rails, displaced sideways. The difference of the rolling radii is what steers it.
+
+# %%
+track = microslip.Track(gauge=1.435, cant=1 / 40)
+wheelset = microslip.Wheelset(nominal_radius=0.46, flange_back_distance=1.36)
+geometry = microslip.WheelsetGeometry(track=track, rail=rail, wheelset=wheelset, wheel=wheel)
+lateral = np.linspace(-7e-3, 7e-3, 141)
+touching = geometry.contact(lateral)
+
+figure, (above, below) = plt.subplots(2, 1, num="Rolling radius difference, and where the left wheel touches the rail",
+                                      figsize=(7, 5.6), sharex=True)
+above.plot(1e3 * lateral, 1e3 * touching.rolling_radius_difference, color=BLUE)
+above.set(ylabel="$r_l - r_r$ [mm]")
+below.plot(1e3 * lateral, 1e3 * touching.left_rail_y, ".", markersize=3, color=VERMILION)
+below.set(xlabel="wheelset to the left [mm]", ylabel="y on the rail [mm]")
+plt.show()
+
+# %% [markdown]
+# **How to read it.** The upper curve is flat in the middle, where the wheelset is steered little, and steep from 5 mm
+# on. Where it bends abruptly, the point of contact in the lower curve jumps over a part of the rail that is never
+# touched: at such places a wheel touches at two points for a moment, and forces must be shared between them.
+#
+# ## Forces
+#
+# Now with 80 kN on the left wheel, which runs 6 mm to the left with an angle of attack of 2 mrad. The solver finds all
+# patches, shares the load between them and solves friction in each. At this level a state takes a tenth of a
+# millisecond:
+
+# %%
+setup = dict(track=track, rail=rail, wheelset=wheelset, wheel=wheel, side="left", friction=0.3)
+state = dict(lateral=6e-3, yaw=2e-3, vertical_force=80e3, forward_velocity=30.0)
+fast = microslip.WheelRail(**setup).solve(**state)
+exact = microslip.WheelRail(**setup, theory="exact", grid=48).solve(**state)
+print("                       fastsim2       exact")
+for name in ("force_x", "force_y", "force_z", "t_gamma"):
+    print(f"{name:12} [N]   {getattr(fast, name):12.1f} {getattr(exact, name):12.1f}")
+for k, (one, other) in enumerate(zip(fast.patches, exact.patches), 1):
+    print(f"patch {k}: {1e3 * one.rail_y:.2f}, {1e3 * other.rail_y:.2f} mm on the rail, "
+          f"{1e-3 * one.normal_force:.2f}, {1e-3 * other.normal_force:.2f} kN")
+
+# %% [markdown]
+# ## Tractions
+#
+# The exact theory's patches hold their fields, each in its own plane, y along the rail's surface:
+
+# %%
+def traction_on_fine_grid(patch, across=300):
+    """x, y [mm] and the size of the traction [MPa] on a grid that is finer than the elements."""
+    cells = patch.fields
+    x0, x1, y0, y1 = cells.x.min(), cells.x.max(), cells.y.min(), cells.y.max()
+    grid = microslip.ElementGrid(mx=across, my=across, x0=x0, y0=y0, dx=(x1 - x0) / (across - 1), dy=(y1 - y0) / (across - 1))
+    size = np.hypot(patch.sampled("px", grid), patch.sampled("py", grid))
+    return 1e3 * grid.x, 1e3 * grid.y, 1e-6 * np.where(size > 0, size, np.nan)
+
+
+figure, axes = plt.subplots(len(exact.fields), 1, num="Size of the tractions in each patch, exact theory", squeeze=False,
+                            figsize=(6.5, 2.4 * len(exact.fields)))
+for k, (axis, patch) in enumerate(zip(axes[:, 0], exact.fields), 1):
+    drawn = axis.pcolormesh(*traction_on_fine_grid(patch), cmap="viridis")
+    axis.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", title=f"patch {k}", aspect="equal")
+    figure.colorbar(drawn, ax=axis, label="traction [MPa]")
+plt.show()
+
+# %% [markdown]
+# ## The whole range
+#
+# Arrays of states broadcast. Where forces bend, the flange has begun to carry: the steep surface there pushes the wheel
+# back with more and more of its load.
+
+# %%
+positions = np.linspace(-6e-3, 6.4e-3, 125)
+many = microslip.WheelRail(**setup).solve_batch(lateral=positions, yaw=2e-3, vertical_force=80e3, forward_velocity=30.0)
+figure, axis = plt.subplots(num="Forces on the left wheel over its lateral position, yaw 2 mrad", figsize=(7, 3.8))
+axis.plot(1e3 * positions, 1e-3 * many.force_x, color=BLUE, label="longitudinal")
+axis.plot(1e3 * positions, 1e-3 * many.force_y, color=ORANGE, label="lateral, to the left")
+axis.axhline(0, color=GREY, linewidth=0.8)
+axis.set(xlabel="wheelset to the left [mm]", ylabel="force on the wheel [kN]")
+axis.legend()
+plt.show()
+print(f"{(many.status == microslip.Status.ok).sum()} of {len(positions)} states solved")
