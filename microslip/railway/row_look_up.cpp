@@ -9,76 +9,125 @@
 namespace microslip {
 namespace {
 
-struct SemiAxes {
-  double a, b;
-};
-
 /// Of the ellipse that stands for rows of whose loads a patch has these shares. Sheppard's correction takes the spread
 /// within rows of the load's means; the share of the squared half-lengths is exact then.
-SemiAxes semi_axes_of(std::span<const LoadedRow> rows, std::span<const double> share,
-                      const detail::LoadMoments& moments) {
-  double inertia = 0, least = 0, squares = 0;
+PatchEllipse ellipse_of(std::span<const LoadedRow> rows, std::span<const double> share,
+                        const detail::LoadMoments& moments) {
+  double inertia = 0, least = 0, squares = 0, product = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const LoadedRow& row = rows[k];
     const double y = row.y - moments.centre.y, own = row.width * row.width / 12, part = share[k] * row.load;
     inertia += part * (y * y - own), least += part * own;
+    product += part * y * (row.centre - moments.centre.x);
     if (row.load > 0) squares += share[k] * row.width * row.half_length * row.half_length;
   }
   const double b = std::sqrt(5 * std::max(inertia, least) / moments.load);
-  return {std::sqrt(0.75 * squares / b), b};
+  return {std::sqrt(0.75 * squares / b), b, product / std::max(inertia, least)};
+}
+
+/// The mirror image in x.
+LoadedRow mirrored(LoadedRow row) {
+  row.centre = -row.centre;
+  row.creepage.longitudinal = -row.creepage.longitudinal, row.creepage.spin = -row.creepage.spin;
+  return row;
 }
 
 } // namespace
 
 RowLookUp::RowLookUp(std::shared_ptr<const CreepForceTable> table, std::size_t most_rows)
-    : table_(std::move(table)), share_(most_rows), share_before_(most_rows), in_range_(most_rows, 1) {}
+    : table_(std::move(table)), share_(most_rows), share_before_(most_rows), strip_(most_rows), patch_of_(most_rows) {
+  rows_.reserve(most_rows);
+  patches_.reserve(most_rows + 1);
+  patches_.resize(1);
+}
 
-/// The contact that stands for a row's patch; its shares are found.
-EllipticContact RowLookUp::contact_of(const CombinedMaterial& material, std::span<const LoadedRow> rows,
-                                      std::size_t row, const HertzianEllipse& hertz) const noexcept {
+/// The patch that a row sees; the shares that it has of the rows are found.
+RowLookUp::Patch RowLookUp::patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row,
+                                     const HertzianEllipse& hertz) const noexcept {
   const std::span<const double> shares(share_.data(), rows.size());
   const detail::LoadMoments moments(rows, shares);
-  SemiAxes axes = semi_axes_of(rows, shares, moments);
+  PatchEllipse ellipse = ellipse_of(rows, shares, moments);
+  Patch patch;
+  patch.row = row, patch.load = moments.load, patch.capacity = moments.capacity, patch.change = 1;
   if (row >= hertz.first && row < hertz.first + hertz.count) {
-    axes.a += hertz.share * (hertz.a - axes.a);
-    axes.b += hertz.share * (hertz.b - axes.b);
+    ellipse.a += hertz.share * (hertz.a - ellipse.a);
+    ellipse.b += hertz.share * (hertz.b - ellipse.b);
+    patch.change = 1 - hertz.share;
   }
-  return {.a = axes.a,
-          .b = axes.b,
-          .shear_modulus = material.shear_modulus,
-          .poisson_ratio = material.poisson_ratio,
-          .normal_force = moments.load,
-          .friction = FrictionLaw::coulomb(moments.capacity / moments.load),
-          .creepage = moments.creepage};
+  const double stretch = ellipse.stretch();
+  patch.table = table_->solve({.a = ellipse.a * stretch,
+                               .b = ellipse.b / stretch,
+                               .shear_modulus = material.shear_modulus,
+                               .poisson_ratio = material.poisson_ratio,
+                               .normal_force = moments.load,
+                               .friction = FrictionLaw::coulomb(moments.capacity / moments.load),
+                               .creepage = moments.creepage});
+  if (!(patch.change > 0)) return patch;
+  patch.strips = RowStrips(material, ellipse, moments.capacity);
+  patch.ellipse = patch.strips.ellipse(moments.creepage);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (shares[k] * rows[k].load > 0) patch.strip_stiffness += shares[k] * patch.strips.stiffness(rows[k]);
+  return patch;
+}
+
+/// The patches of all rows, and the forces of their strips.
+void RowLookUp::find_patches(const CombinedMaterial& material, const HertzianEllipse& hertz) noexcept {
+  const std::span<double> shares(share_.data(), rows_.size()), before(share_before_.data(), rows_.size());
+  const auto is_hertzian = [&](std::size_t k) { return k >= hertz.first && k < hertz.first + hertz.count; };
+  patches_.resize(1);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    patch_of_[k] = 0, strip_[k] = {};
+    if (!(rows_[k].load > 0)) continue;
+    detail::find_shares(rows_, k, shares);
+    // Rows of one hump have the same shares.
+    if (patches_.size() == 1 || is_hertzian(k) != is_hertzian(patches_.back().row) ||
+        !std::equal(shares.begin(), shares.end(), before.begin()))
+      patches_.push_back(patch_of(material, rows_, k, hertz));
+    std::copy(shares.begin(), shares.end(), before.begin());
+    const Patch& patch = patches_.back();
+    patch_of_[k] = patches_.size() - 1;
+    if (patch.change > 0) strip_[k] = patch.strips.row(rows_[k], patch.strip_stiffness);
+  }
+}
+
+/// The strips may make a patch's force larger than the table's, which is below mu Fn: of what is left to mu Fn they
+/// take x/(1 + x^4)^(1/4), x what they would take of it.
+double RowLookUp::bound_of(const Patch& patch) noexcept {
+  if (!(patch.change > 0)) return 1;
+  const std::span<double> shares(share_.data(), rows_.size());
+  detail::find_shares(rows_, patch.row, shares);
+  double fx = patch.table.fx - patch.change * patch.ellipse.fx, fy = patch.table.fy - patch.change * patch.ellipse.fy;
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const double part = shares[k] * patches_[patch_of_[k]].change;
+    fx += part * strip_[k].fx, fy += part * strip_[k].fy;
+  }
+  const double before = std::hypot(patch.table.fx, patch.table.fy), length = std::hypot(fx, fy),
+               left = patch.capacity - before;
+  if (!(length > before && left > 0)) return length > before ? before / length : 1;
+  const double x = (length - before) / left;
+  return (before + left * x / std::sqrt(std::sqrt(1 + x * x * x * x))) / length;
 }
 
 void RowLookUp::solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, const HertzianEllipse& hertz,
                       double side, std::span<RowForces> forces) noexcept {
-  const std::span<double> shares(share_.data(), rows.size()), before(share_before_.data(), rows.size());
-  const auto is_hertzian = [&](std::size_t k) { return k >= hertz.first && k < hertz.first + hertz.count; };
-  ContactForces found;
-  double load = 0, area = 0;
-  std::size_t last = rows.size(); // the last row that was looked up
+  rows_.resize(rows.size());
+  std::transform(rows.begin(), rows.end(), rows_.begin(),
+                 [side](const LoadedRow& row) { return side < 0 ? mirrored(row) : row; });
+  find_patches(material, hertz);
+  for (Patch& patch : patches_) patch.bound = bound_of(patch);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const LoadedRow& row = rows[k];
-    forces[k] = {}, in_range_[k] = 1;
+    const LoadedRow& row = rows_[k];
+    forces[k] = {};
     if (!(row.load > 0)) continue;
-    detail::find_shares(rows, k, shares);
-    // Rows of one hump have the same shares.
-    if (last == rows.size() || is_hertzian(k) != is_hertzian(last) ||
-        !std::equal(shares.begin(), shares.end(), before.begin())) {
-      EllipticContact contact = contact_of(material, rows, k, hertz);
-      contact.creepage.longitudinal *= side, contact.creepage.spin *= side;
-      found = table_->solve(contact);
-      found.fx *= side, found.mz *= side;
-      load = contact.normal_force, area = found.adhesion_area + found.slip_area;
-    }
-    std::copy(shares.begin(), shares.end(), before.begin());
-    last = k;
-    const double part = row.load / load;
-    forces[k] = {part * found.fx, part * found.fy, part * (found.mz + row.centre * found.fy),
-                 2 * row.half_length * row.width * (area > 0 ? found.slip_area / area : 0)};
-    in_range_[k] = found.status == Status::ok;
+    const Patch& patch = patches_[patch_of_[k]];
+    const ContactForces& table = patch.table;
+    const double part = row.load / patch.load, change = patch.change;
+    const double fx = part * (table.fx - change * patch.ellipse.fx) + change * strip_[k].fx;
+    const double fy = part * (table.fy - change * patch.ellipse.fy);
+    const double mz = part * (table.mz - change * patch.ellipse.mz) + row.centre * fy + change * strip_[k].mz;
+    const double area = table.adhesion_area + table.slip_area;
+    forces[k] = {side * patch.bound * fx, patch.bound * (fy + change * strip_[k].fy), side * patch.bound * mz,
+                 2 * row.half_length * row.width * (area > 0 ? table.slip_area / area : 0)};
   }
 }
 

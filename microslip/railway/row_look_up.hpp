@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/elasticity/material.hpp"
+#include "microslip/railway/row_strips.hpp"
 #include "microslip/simplified/loaded_rows.hpp"
 #include "microslip/table/creep_force_table.hpp"
 
@@ -17,11 +18,13 @@ struct HertzianEllipse {
   std::size_t first = 0, count = 0; ///< its rows
 };
 
-/// Tangential forces of rows from a creep-force table. A patch is as large as the ellipse with b = sqrt(5) times the
-/// radius of inertia of its load across, and a such that the squared half-lengths have the ellipse's integral, 4/3 a^2
-/// b: on an ellipse its own, to third order in the rows' width. Where a contact is Hertzian it is Hertz's. Load and
-/// friction are those of the patch, creepages the means over its load. Rows have the forces in proportion to their
-/// loads.
+/// Tangential forces of rows from a creep-force table: those of an ellipse that stands for their patch, and what the
+/// patch's shape changes in them by RowStrips. The ellipse has b = sqrt(5) times the radius of inertia of the load
+/// across, a such that the squared half-lengths have the ellipse's integral, 4/3 a^2 b (on an ellipse its own, to third
+/// order in the rows' width), and the slant that a straight line has through the middles of the rows, weighted by their
+/// loads. Where a contact is Hertzian it is Hertz's, and nothing is changed in its forces. Load and friction are those
+/// of the patch, creepages the means over its load. A row has the force of its strip, and in proportion to its load
+/// what the ellipse has beyond its own strips. Forces of a patch stay below what its friction bears.
 ///
 /// What a row sees of other rows is as of LoadedRowSolver, so that forces are continuous where patches merge: one
 /// look-up for a single hump, at most one for each row.
@@ -31,20 +34,37 @@ public:
   RowLookUp(std::shared_ptr<const CreepForceTable> table, std::size_t most_rows);
 
   /// Forces of at most `most_rows` rows into as many places; rows without load have none. `side` is -1 for rolling
-  /// backward, else 1. Cost some 1 us for each look-up.
+  /// backward, else 1. Cost some 1 us for each look-up and .1 us for each row.
   void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, const HertzianEllipse& hertz,
              double side, std::span<RowForces> forces) noexcept;
 
   /// Whether a row's ellipse was in the table's range.
-  bool in_range(std::size_t row) const { return in_range_[row] != 0; }
+  bool in_range(std::size_t row) const { return patches_[patch_of_[row]].table.status == Status::ok; }
 
 private:
-  EllipticContact contact_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row,
-                             const HertzianEllipse& hertz) const noexcept;
+  /// What stands for the rows that a row sees, rolling forward.
+  struct Patch {
+    std::size_t row = 0; ///< the first one that sees it
+    double load = 0, capacity = 0;
+    ContactForces table;        ///< of its ellipse
+    double change = 0;          ///< how far the strips count, 0 where it is Hertzian, to 1
+    RowStrips strips;           ///< only if they count
+    double strip_stiffness = 0; ///< of all its rows
+    RowForces ellipse;          ///< that of its ellipse's strips
+    double bound = 1;           ///< what its forces are multiplied with to stay below what friction bears
+  };
+
+  Patch patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row,
+                 const HertzianEllipse& hertz) const noexcept;
+  void find_patches(const CombinedMaterial& material, const HertzianEllipse& hertz) noexcept;
+  double bound_of(const Patch& patch) noexcept;
 
   std::shared_ptr<const CreepForceTable> table_;
   std::vector<double> share_, share_before_;
-  std::vector<char> in_range_;
+  std::vector<LoadedRow> rows_; ///< as of a contact that rolls forward
+  std::vector<RowForces> strip_;
+  std::vector<Patch> patches_; ///< the first one is that of rows without load
+  std::vector<std::size_t> patch_of_;
 };
 
 } // namespace microslip
