@@ -1,6 +1,7 @@
-"""Lets CMake build the compiled module for `pip install .`; everything else is in pyproject.toml."""
+"""Lets CMake build the compiled module and the program for pip; everything else is in pyproject.toml."""
 
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -11,12 +12,16 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = Path(__file__).resolve().parent
-OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DMICROSLIP_BUILD_APP=OFF", "-DMICROSLIP_BUILD_TESTS=OFF", "-DMICROSLIP_BUILD_BENCH=OFF",
-           "-DMICROSLIP_BUILD_PYTHON=ON", "-DMICROSLIP_PYTHON_FOLDER=.", f"-DPython3_EXECUTABLE={sys.executable}"]
+sys.path.insert(0, str(ROOT / "python/making"))
+from carried_libraries import carry_libraries  # noqa: E402  beside this file, which pip does not put on the path
+
+OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DMICROSLIP_BUILD_APP=ON", "-DMICROSLIP_BUILD_TESTS=OFF", "-DMICROSLIP_BUILD_BENCH=OFF",
+           "-DMICROSLIP_BUILD_LIBCONTACT=OFF", "-DMICROSLIP_BUILD_PYTHON=ON", "-DMICROSLIP_MPI=OFF", "-DMICROSLIP_PYTHON_FOLDER=.",
+           "-DCMAKE_INSTALL_BINDIR=microslip/bin", f"-DPython3_EXECUTABLE={sys.executable}"]
 
 
 class CMakeBuild(build_ext):
-    """Builds the target of the module and puts it where setuptools looks for it."""
+    """Builds module and program and puts them where setuptools looks for the module."""
 
     def build_extension(self, ext):
         """Configures, builds, installs."""
@@ -24,10 +29,17 @@ class CMakeBuild(build_ext):
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         jobs = str(os.cpu_count() or 1)  # without a number make starts all compilers at once
+        targets = ["microslip_python", "microslip_app"]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *OPTIONS], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "microslip_python", "--parallel", jobs], check=True)
-        subprocess.run(["cmake", "--install", build, "--prefix", package.parent, "--component", "python"], check=True)
+        subprocess.run(["cmake", "--build", build, "--target", *targets, "--parallel", jobs], check=True)
+        for component in ("python", "program"):
+            subprocess.run(["cmake", "--install", build, "--prefix", package.parent, "--component", component], check=True)
+        carry_libraries([package / Path(self.get_ext_filename(ext.name)).name, package / "bin/microslip"],
+                        package / "libraries")
 
 
-VERSION = re.search(r"project\(microslip VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
-setup(version=VERSION, ext_modules=[Extension("microslip._core", sources=[])], cmdclass={"build_ext": CMakeBuild})
+VERSION = "".join(re.search(r'project\(microslip VERSION ([\d.]+).*MICROSLIP_PRERELEASE "(\w*)"',
+                            (ROOT / "CMakeLists.txt").read_text(), re.DOTALL).groups())  # 1.0.0rc1, as pip writes it
+LIBC = platform.libc_ver()[1].replace(".", "_")
+setup(version=VERSION, ext_modules=[Extension("microslip._core", sources=[])], cmdclass={"build_ext": CMakeBuild},
+      options={"bdist_wheel": {"plat_name": f"manylinux_{LIBC}_{platform.machine()}"}})

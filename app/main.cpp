@@ -42,7 +42,9 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_solve_command(program, exit_code);
   add_hertz_command(program);
   add_batch_command(program, exit_code);
+#ifndef _WIN32
   add_sweep_command(program, exit_code);
+#endif
   add_init_command(program);
   add_run_command(program, exit_code);
   add_profile_command(program);

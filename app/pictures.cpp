@@ -1,22 +1,22 @@
 #include "app/pictures.hpp"
 
+#include "app/child_process.hpp"
+#include "io/program_files.hpp"
+
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
 #include <system_error>
-
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <utility>
 
 namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr char between_paths = fs::path::preferred_separator == '/' ? ':' : ';';
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -28,35 +28,18 @@ std::string python() {
   return chosen != nullptr && *chosen != '\0' ? chosen : MICROSLIP_PYTHON;
 }
 
-/// The folder that holds the Python package, beside the one of this program.
-fs::path package_folder() {
-  std::error_code error;
-  const auto program = fs::read_symlink("/proc/self/exe", error);
-  return program.parent_path().parent_path() / "share/microslip/python";
-}
-
 /// This program's environment, with the package's folder first where Python looks.
 std::vector<std::string> environment_with_package() {
   const std::string key = "PYTHONPATH=";
-  auto path = key + package_folder().string();
+  auto path = key + python_folder().string();
   std::vector<std::string> variables = {"PYTHONDONTWRITEBYTECODE=1"};
-  for (auto** variable = environ; *variable != nullptr; ++variable) {
-    const std::string text = *variable;
+  for (auto& text : environment_variables())
     if (text.starts_with(key))
-      path.append(":").append(text, key.size());
+      path.append(1, between_paths).append(text, key.size());
     else
-      variables.push_back(text);
-  }
+      variables.push_back(std::move(text));
   variables.push_back(path);
   return variables;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  result.reserve(texts.size() + 1);
-  for (auto& text : texts) result.push_back(text.data());
-  result.push_back(nullptr);
-  return result;
 }
 
 std::string contents(std::FILE* file) {
@@ -67,26 +50,11 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// Runs microslip.plot with its output and errors in files. Returns its exit code, or the negative error number if it
-/// cannot be started.
+/// Runs microslip.plot, as run_child does.
 int run(const std::vector<std::string>& plot_arguments, std::FILE* output, std::FILE* errors) {
   std::vector<std::string> arguments = {python(), "-m", "microslip.plot"};
   arguments.insert(arguments.end(), plot_arguments.begin(), plot_arguments.end());
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(output), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(errors), STDERR_FILENO);
-  auto environment = environment_with_package();
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments[0].c_str(), &actions, nullptr, pointers(arguments).data(),
-                                 pointers(environment).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return -error;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return run_child(std::move(arguments), environment_with_package(), output, errors);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

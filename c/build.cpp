@@ -6,6 +6,10 @@ const char* microslip_version(void) {
   return microslip::build_info().version.data();
 }
 
+int microslip_abi(void) {
+  return MICROSLIP_ABI;
+}
+
 microslip_build microslip_build_info(void) {
   const microslip::BuildInfo info = microslip::build_info();
   return {info.version.data(), info.commit.data(), info.compiler.data(), info.build_type.data()};

@@ -5,7 +5,8 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS microslip EXPORT microslip_cxx COMPONENT libraries)
 install(TARGETS microslip_c EXPORT microslip_c
-  LIBRARY COMPONENT libraries NAMELINK_COMPONENT libraries PUBLIC_HEADER COMPONENT libraries)
+  RUNTIME COMPONENT libraries LIBRARY COMPONENT libraries NAMELINK_COMPONENT libraries ARCHIVE COMPONENT libraries
+  PUBLIC_HEADER COMPONENT libraries)
 install(CODE "set(include_folder ${CMAKE_INSTALL_INCLUDEDIR})" COMPONENT libraries)
 install(SCRIPT cmake/install_headers.cmake COMPONENT libraries)
 install(FILES c/fortran/microslip.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/fortran COMPONENT libraries)
@@ -18,9 +19,8 @@ foreach(language cxx c)
 endforeach()
 configure_package_config_file(cmake/microslip-config.cmake.in ${CMAKE_BINARY_DIR}/package/microslip-config.cmake
   INSTALL_DESTINATION ${package})
-# Versions 0.x change the C++ interface.
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/microslip-config-version.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/package/microslip-config.cmake
   ${CMAKE_BINARY_DIR}/package/microslip-config-version.cmake DESTINATION ${package} COMPONENT libraries)
 

@@ -39,7 +39,11 @@ typedef struct {
   fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
 
+#ifdef _WIN32
+#define FMI2_API __declspec(dllexport)
+#else
 #define FMI2_API __attribute__((visibility("default")))
+#endif
 
 FMI2_API const char* fmi2GetTypesPlatform(void);
 FMI2_API const char* fmi2GetVersion(void);

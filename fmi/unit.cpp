@@ -33,7 +33,11 @@ std::filesystem::path folder_of(const char* uri) {
       path += rest[k];
     }
   }
-  return path;
+#ifdef _WIN32
+  // file:///C:/unit
+  if (path.size() > 2 && path[0] == '/' && path[2] == ':') path.erase(0, 1);
+#endif
+  return {reinterpret_cast<const char8_t*>(path.c_str())};
 }
 
 Unit::Unit(std::string name, ModelInfo info, std::filesystem::path resources, const fmi2CallbackFunctions& functions,

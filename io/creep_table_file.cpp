@@ -1,6 +1,8 @@
 #include "io/creep_table_file.hpp"
 
 #include "io/output_file.hpp"
+#include "io/program_files.hpp"
+#include "io/system_calls.hpp"
 #include "microslip/error.hpp"
 
 #include <cerrno>
@@ -8,7 +10,6 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that is open while it is mapped.
+/// A file that is open while its contents are found.
 class OpenFile {
 public:
-  explicit OpenFile(const fs::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  explicit OpenFile(const fs::path& path) : path_(path), descriptor_(system_calls::open(path, O_RDONLY)) {
     if (descriptor_ < 0) fail(errno);
   }
   OpenFile(const OpenFile&) = delete;
@@ -33,10 +34,10 @@ public:
     if (!S_ISREG(status.st_mode)) throw Error(path_.string() + ": is no file");
     return static_cast<std::size_t>(status.st_size);
   }
-  std::shared_ptr<const void> map(std::size_t size) const {
-    void* const at = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor_, 0);
-    if (at == MAP_FAILED) fail(errno); // NOLINT: the system's macro
-    return {at, [size](const void* mapped) { ::munmap(const_cast<void*>(mapped), size); }};
+  std::shared_ptr<const void> contents(std::size_t size) const {
+    auto bytes = system_calls::contents(descriptor_, size);
+    if (!bytes) fail(errno);
+    return bytes;
   }
 
 private:
@@ -54,7 +55,7 @@ CreepTableNodes read_creep_table(const fs::path& path) {
   const OpenFile file(path);
   const std::size_t size = file.size();
   if (size == 0) throw Error(path.string() + ": is empty, no creep-force table");
-  const auto mapped = file.map(size);
+  const auto mapped = file.contents(size);
   try {
     return decode({static_cast<const std::byte*>(mapped.get()), size}, mapped);
   } catch (const Error& error) {
@@ -63,9 +64,7 @@ CreepTableNodes read_creep_table(const fs::path& path) {
 }
 
 fs::path shipped_creep_table() {
-  std::error_code error;
-  const auto program = fs::read_symlink("/proc/self/exe", error);
-  return program.parent_path().parent_path() / "share/microslip/python/microslip/hertz.creep";
+  return python_folder() / "microslip/hertz.creep";
 }
 
 void write_creep_table(const CreepTableNodes& nodes, const fs::path& path) {

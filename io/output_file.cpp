@@ -1,13 +1,14 @@
 #include "io/output_file.hpp"
 
+#include "io/system_calls.hpp"
 #include "microslip/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <climits>
-#include <csignal>
 #include <cstring>
 #include <mutex>
 #include <optional>
@@ -19,8 +20,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr mode_t permissions = 0666; // the user's mask takes its part away
 
 std::filesystem::path follow_links(const std::filesystem::path& path) {
   std::error_code error;
@@ -73,19 +72,14 @@ void forget_temporary(const std::string& name) {
   }
 }
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
 /// What stands before the process number in the names of this computer's temporary files.
 std::string temporary_mark() {
-  return std::string(".microslip.").append(host_name()).append(".");
+  return std::string(".microslip.").append(system_calls::host_name()).append(".");
 }
 
 /// The process that made a temporary file, or 0 if it is none or another computer's.
-pid_t process_of(const std::string& name, const std::string& mark) {
-  pid_t process = 0;
+long process_of(const std::string& name, const std::string& mark) {
+  long process = 0;
   const auto at = name.rfind(mark);
   if (at != std::string::npos && name.starts_with('.') && name.ends_with(".tmp"))
     std::from_chars(name.data() + at + mark.size(), name.data() + name.size(), process);
@@ -100,13 +94,12 @@ void remove_remains(const std::filesystem::path& folder) {
   if (folder == last) return;
   last = folder;
   const auto mark = temporary_mark();
-  std::error_code error;
+  std::error_code error, ignored;
   const auto searched = folder.empty() ? std::filesystem::path(".") : folder;
   for (std::filesystem::directory_iterator entry(searched, error), end; !error && entry != end;
        entry.increment(error)) {
-    const pid_t process = process_of(entry->path().filename().string(), mark);
-    const bool is_dead = process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
-    if (is_dead) ::unlink(entry->path().c_str());
+    const long process = process_of(entry->path().filename().string(), mark);
+    if (process > 0 && system_calls::is_dead(process)) std::filesystem::remove(entry->path(), ignored);
   }
 }
 
@@ -122,7 +115,7 @@ std::filesystem::path temporary_name(const std::filesystem::path& target, int at
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_(follow_links(path)) {
   const int named = named_descriptor(path.string());
   if (named >= 0 || is_special(path)) {
-    descriptor_ = named >= 0 ? ::fcntl(named, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = named >= 0 ? system_calls::duplicate(named) : system_calls::open(path, O_WRONLY);
     if (descriptor_ < 0) fail(errno);
     return;
   }
@@ -134,7 +127,7 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_
 void OutputFile::open_temporary() {
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+    descriptor_ = system_calls::open(temporary_, O_WRONLY | O_CREAT | O_EXCL);
     if (descriptor_ < 0 && (errno != EEXIST || attempt == 100)) fail(errno);
   }
   register_temporary(temporary_.string());
@@ -143,13 +136,15 @@ void OutputFile::open_temporary() {
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (temporary_.empty()) return;
-  ::unlink(temporary_.c_str());
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
   forget_temporary(temporary_.string());
 }
 
 void OutputFile::write(std::string_view bytes) {
+  constexpr std::size_t most_bytes = 1 << 30; // of one call on Windows
   while (!bytes.empty()) {
-    const auto count = ::write(descriptor_, bytes.data(), bytes.size());
+    const auto count = ::write(descriptor_, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), most_bytes)));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(errno);
     bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -158,12 +153,12 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::commit() {
   // Some file systems report a full disk only here.
-  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(errno);
+  if (!temporary_.empty() && system_calls::flush(descriptor_) != 0) fail(errno);
   const int descriptor = descriptor_;
   descriptor_ = -1;
   if (::close(descriptor) != 0) fail(errno);
   if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  if (system_calls::replace(temporary_, target_) != 0) fail(errno);
   forget_temporary(temporary_.string());
   temporary_.clear();
 }

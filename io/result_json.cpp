@@ -29,11 +29,19 @@ public:
   Json read() {
     const Hdf5Handle root(check(H5Gopen2(file_.get(), "/", H5P_DEFAULT), "/"), H5Gclose);
     Json result = group(root.get(), "");
+    require_known_format(result);
     result["units"] = units_;
     return result;
   }
 
 private:
+  /// Files from before there was the attribute have format 1.
+  void require_known_format(const Json& root) const {
+    const std::string known = std::to_string(result_format), format = root.value("format", known);
+    if (format != known)
+      throw Error(name_ + ": has format " + format + " of result files; this version of microslip reads " + known);
+  }
+
   /// Passes on what an HDF5 call returned, which is negative if the call failed.
   template <class Result> Result check(Result result, const std::string& path) const {
     if (result < 0) throw Error(name_ + ": HDF5 cannot read " + path);

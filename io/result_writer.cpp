@@ -11,7 +11,11 @@ namespace {
 std::string now() {
   const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::tm parts{};
+#ifdef _WIN32
+  gmtime_s(&parts, &time);
+#else
   gmtime_r(&time, &parts);
+#endif
   char text[32];
   const auto length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return {text, length};
@@ -21,7 +25,8 @@ std::string now() {
 
 std::vector<std::pair<std::string, std::string>> provenance_attributes(const Provenance& provenance) {
   const BuildInfo build = build_info();
-  return {{"kind", provenance.kind},
+  return {{"format", std::to_string(result_format)},
+          {"kind", provenance.kind},
           {"title", provenance.title},
           {"version", std::string(build.version)},
           {"commit", std::string(build.commit)},

@@ -9,8 +9,12 @@
 
 namespace microslip {
 
-/// Where a result comes from: root attributes of every result file, beside those the build knows itself (`version`,
-/// `commit`, `compiler`, `build_type`) and `created` (ISO 8601, UTC).
+/// The format of result files and of the JSON documents with the same names: root attribute `format`. Raised when names,
+/// shapes or meanings change so that readers of the one before would be wrong; not by what is added.
+inline constexpr int result_format = 1;
+
+/// Where a result comes from: root attributes of every result file, beside `format`, those the build knows itself
+/// (`version`, `commit`, `compiler`, `build_type`) and `created` (ISO 8601, UTC).
 struct Provenance {
   std::string kind = {}; ///< what the file holds, e.g. "rolling_contact" or a study's name
   std::string title = {};

@@ -1,5 +1,6 @@
 #include "io/result_json.hpp"
 
+#include "io/hdf5_handle.hpp"
 #include "io/json_result.hpp"
 #include "io/result_file.hpp"
 #include "microslip/error.hpp"
@@ -42,6 +43,30 @@ TEST(ResultJson, HasGroupsUnitsAndAttributes) {
   EXPECT_EQ(json.at("cases").at("fy"), Json::parse("[2.5, 3.5]"));
   EXPECT_EQ(json.at("units"), Json::parse(R"({"cases/fy": "N", "curve/count": "-", "curve/fx": "N", "exact/fx": "N",
                                               "exact/limit/error": "mu Fn"})"));
+}
+
+TEST(ResultJson, RefusesAFormatOfLaterVersions) {
+  const TemporaryFolder folder;
+  {
+    ResultFile file(folder / "now.h5", {});
+    file.commit();
+    const Hdf5Handle later(H5Fcreate((folder / "later.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose),
+        space(H5Screate(H5S_SCALAR), H5Sclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), H5T_VARIABLE);
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    const Hdf5Handle format(H5Acreate2(later.get(), "format", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                            H5Aclose);
+    const char* const number = "2";
+    H5Awrite(format.get(), type.get(), static_cast<const void*>(&number));
+  }
+  EXPECT_EQ(result_json(folder / "now.h5").at("format"), "1");
+  try {
+    result_json(folder / "later.h5");
+    FAIL() << "a format that is not known was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), (folder / "later.h5").string() +
+                                ": has format 2 of result files; this version of microslip reads 1");
+  }
 }
 
 TEST(ResultJson, LeavesFieldsOut) {

@@ -26,6 +26,7 @@ module microslip
     microslip_field_sy = 7, microslip_field_state = 8, microslip_field_pressure = 9, microslip_field_ux = 10, &
     microslip_field_uy = 11
   integer, parameter, public :: microslip_error_length = 256
+  integer(c_int), parameter, public :: microslip_made_for_abi = 1
 
   type, bind(c), public :: microslip_error
     integer(c_int) :: code = 0
@@ -532,11 +533,11 @@ module microslip
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
   public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate
   public :: microslip_wheelset_contacts, microslip_equivalent_conicity
-  public :: microslip_version, microslip_code_text, microslip_error_text, microslip_text
+  public :: microslip_version, microslip_abi, microslip_code_text, microslip_error_text, microslip_text
 
 contains
 
-  !> Version of the library that is running, e.g. "0.2.0".
+  !> Version of the library that is running, e.g. "1.0.0-rc1".
   function microslip_version() result(text)
     character(:), allocatable :: text
     interface
@@ -546,6 +547,18 @@ contains
       end function
     end interface
     text = microslip_text(c_version())
+  end function
+
+  !> Of the binary interface of the library that is running; this module is made for microslip_made_for_abi.
+  function microslip_abi() result(number)
+    integer(c_int) :: number
+    interface
+      function c_abi() bind(c, name='microslip_abi') result(number)
+        import
+        integer(c_int) :: number
+      end function
+    end interface
+    number = c_abi()
   end function
 
   !> What a code means, in a few words.

@@ -22,11 +22,21 @@
 
 #include <stddef.h>
 
-#define MICROSLIP_VERSION_MAJOR 0
-#define MICROSLIP_VERSION_MINOR 2
+/* Versions follow semver.org. */
+#define MICROSLIP_VERSION_MAJOR 1
+#define MICROSLIP_VERSION_MINOR 0
 #define MICROSLIP_VERSION_PATCH 0
+#define MICROSLIP_VERSION "1.0.0-rc1"
 
-#if defined(__GNUC__)
+/* Of this binary interface: layouts, functions and meanings. Raised together with the soname, when programs built with
+ * an older header no longer run with the library. */
+#define MICROSLIP_ABI 1
+
+#if defined(_WIN32) && defined(MICROSLIP_BUILDING_LIBRARY)
+#define MICROSLIP_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define MICROSLIP_API __declspec(dllimport)
+#elif defined(__GNUC__)
 #define MICROSLIP_API __attribute__((visibility("default")))
 #else
 #define MICROSLIP_API
@@ -66,14 +76,17 @@ typedef struct microslip_error {
 
 /* What the library was built from. Texts live as long as the library is loaded. */
 typedef struct microslip_build {
-  const char* version;    /* e.g. "0.2.0" */
+  const char* version;    /* e.g. "1.0.0-rc1" */
   const char* commit;     /* short hash, with "-dirty" if there were changes; "unknown" outside a repository */
   const char* compiler;   /* name and version */
   const char* build_type; /* e.g. "Release" */
 } microslip_build;
 
-/* "0.2.0": of the library that is running, while the macros above are of the header. */
+/* As MICROSLIP_VERSION, of the library that is running, while the macros above are of the header. */
 MICROSLIP_API const char* microslip_version(void);
+/* As MICROSLIP_ABI. The linker checks it by the soname; a host that loads the library by its name (dlopen, LoadLibrary,
+ * ctypes, loadlibrary of MATLAB) calls this first and goes on only if it returns the header's MICROSLIP_ABI. */
+MICROSLIP_API int microslip_abi(void);
 MICROSLIP_API microslip_build microslip_build_info(void);
 /* What a code means, in a few words; never NULL. */
 MICROSLIP_API const char* microslip_code_text(int code);

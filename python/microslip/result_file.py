@@ -8,6 +8,10 @@ class ResultError(Exception):
     """A result file that cannot be drawn; the text is one line for the user."""
 
 
+#: The format of result files that this version reads; files from before there was the attribute have it too.
+FORMAT = "1"
+
+
 def _decoded(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
@@ -25,6 +29,10 @@ class ResultFile:
             if not h5py.is_hdf5(path):
                 raise ResultError(f"{path}: not an HDF5 file, or not readable") from None
             raise ResultError(f"{path}: {error}") from None
+        found = self.attribute("format", FORMAT)
+        if found != FORMAT:
+            self._file.close()
+            raise ResultError(f"{path}: has format {found} of result files; this version of microslip reads {FORMAT}")
 
     def __enter__(self):
         return self

@@ -106,6 +106,12 @@ class ChosenPicturesTest(FolderTest):
         self.assertIn("convergence.png needs the compiled module", text)
         self.assertIn("microslip.Fastsim2 needs the compiled module", python("import microslip; microslip.Fastsim2")[1])
 
+    def test_a_format_of_later_versions_is_refused(self):
+        with h5py.File(self.path, "a") as file:
+            file.attrs["format"] = "2"
+        with self.assertRaisesRegex(ResultError, "result.h5: has format 2 of result files; this version .* reads 1$"):
+            self.chosen(cut=0.0)
+
     def test_other_kinds_are_refused(self):
         with h5py.File(self.path, "a") as file:
             file.attrs["kind"] = "subsurface"

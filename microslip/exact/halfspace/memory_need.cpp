@@ -9,7 +9,11 @@
 #include <cstdio>
 #include <string>
 
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <unistd.h>
+#endif
 
 namespace microslip {
 namespace {
@@ -56,7 +60,13 @@ ElementGrid largest_grid(ContactProblem problem, const ElementGrid& grid, double
 }
 
 double physical_memory() {
+#ifdef _WIN32
+  MEMORYSTATUSEX memory{};
+  memory.dwLength = sizeof memory;
+  return GlobalMemoryStatusEx(&memory) ? static_cast<double>(memory.ullTotalPhys) : 0.0;
+#else
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+#endif
 }
 
 const ElementGrid& require_memory(ContactProblem problem, const ElementGrid& grid) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// This process's environment variables, NAME=VALUE.
+std::vector<std::string> environment_variables();
+
+/// Runs a program, which is found as shells do, with nothing to read, its output and errors in files, and waits. The
+/// first argument is the program. Returns its exit code, or the negative error number if it cannot be started.
+int run_child(std::vector<std::string> arguments, std::vector<std::string> environment, std::FILE* output,
+              std::FILE* errors);
+
+} // namespace microslip

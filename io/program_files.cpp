@@ -1,0 +1,30 @@
+#include "io/program_files.hpp"
+
+#include <system_error>
+
+#ifdef _WIN32
+#include <windows.h>
+#endif
+
+namespace microslip {
+
+namespace fs = std::filesystem;
+
+fs::path program_file() {
+#ifdef _WIN32
+  wchar_t name[MAX_PATH];
+  const DWORD length = GetModuleFileNameW(nullptr, name, MAX_PATH);
+  return length < MAX_PATH ? fs::path(name, name + length) : fs::path();
+#else
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error);
+#endif
+}
+
+fs::path python_folder() {
+  const fs::path above = program_file().parent_path().parent_path();
+  std::error_code error;
+  return fs::exists(above / "__init__.py", error) ? above.parent_path() : above / "share/microslip/python";
+}
+
+} // namespace microslip

@@ -1,0 +1,20 @@
+#!/bin/sh
+# In a virtual environment that has the wheel: the command, the module and the pictures, with none but the carried
+# libraries: wheel.sh ENVIRONMENT
+set -eux
+environment=$(cd "$1" && pwd)
+work=$(mktemp -d)
+cd "$work"
+unset PYTHONPATH MICROSLIP_PYTHON
+package=$("$environment/bin/python" -c "import microslip, os; print(os.path.dirname(microslip.__file__))")
+case $package in "$environment"/*) ;; *) exit 1 ;; esac
+! ldd "$package"/_core*.so "$package/bin/microslip" | grep -E "hdf5|csv|gomp|sz" | grep -v "$package/"
+"$environment/bin/microslip" --version
+"$environment/bin/python" -m microslip init wheel.toml
+"$environment/bin/microslip" solve wheel.toml -o results | grep -q "status  *ok  *ok"
+test -f results/tractions.png
+"$environment/bin/python" -c "import h5py, microslip
+print(microslip.__version__, microslip.CreepForceTable(poisson_ratio=0.28))
+case = microslip.read_case('wheel.toml')
+print(microslip.EllipticContactSolver(24, 24).solve(case.contact).totals.fx, h5py.File('results/result.h5')['exact/fx'][()])"
+echo "wheel: all is as it should be"
