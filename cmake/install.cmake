@@ -10,6 +10,7 @@ install(TARGETS microslip_c EXPORT microslip_c
 install(CODE "set(include_folder ${CMAKE_INSTALL_INCLUDEDIR})" COMPONENT libraries)
 install(SCRIPT cmake/install_headers.cmake COMPONENT libraries)
 install(FILES c/fortran/microslip.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/fortran COMPONENT libraries)
+install(FILES c/mex/microslip.c DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/mex COMPONENT libraries)
 install(DIRECTORY examples/profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/microslip)

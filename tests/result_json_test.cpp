@@ -64,8 +64,8 @@ TEST(ResultJson, RefusesAFormatOfLaterVersions) {
     result_json(folder / "later.h5");
     FAIL() << "a format that is not known was read";
   } catch (const Error& error) {
-    EXPECT_EQ(error.what(), (folder / "later.h5").string() +
-                                ": has format 2 of result files; this version of microslip reads 1");
+    EXPECT_EQ(error.what(),
+              (folder / "later.h5").string() + ": has format 2 of result files; this version of microslip reads 1");
   }
 }
 

@@ -30,7 +30,7 @@ microslip plot results/result.h5 | grep -q tractions.png
 $install gcc g++ libc6-dev pkg-config cmake make man-db >/dev/null
 man microslip | grep -q FASTSIM2
 # shellcheck disable=SC2046
-cc "$here/first_contact.c" -o first_contact $(pkg-config --cflags --libs microslip_c)
+cc "$here/first_contact.c" -o first_contact $(pkg-config --cflags --libs microslip_c) -lm
 ./first_contact
 cp -r "$here/consumer" .
 cmake -S consumer -B consumer/build >/dev/null && cmake --build consumer/build --target consumer && ./consumer/build/consumer

@@ -1,0 +1,253 @@
+/*
+ * microslip for MATLAB and Octave, one function over the C interface:
+ *
+ *   text   = microslip('version')
+ *   hertz  = microslip('hertz', bodies, normal_force)
+ *   forces = microslip('fastsim2', contact)           the simplified theory, 10 x 10 cells
+ *   forces = microslip('fastsim2', contact, mx, my)
+ *   forces = microslip('exact', contact)              the exact theory
+ *   forces = microslip('exact', contact, mx, my)
+ *   text   = microslip('solve', case)                 a case file's text; the result as JSON, for jsondecode
+ *
+ * bodies, contact, hertz and forces are structs with the fields of microslip_bodies, microslip_contact, microslip_hertz
+ * and microslip_forces in microslip.h, in SI units. A field of contact is one number or an array; arrays have the same
+ * size, and then the fields of forces have it too. Fields that contact does not have are 0, rolling_speed is 1.
+ */
+#include <mex.h>
+#include <microslip.h>
+
+#include <stddef.h>
+#include <string.h>
+
+/* Where a number stands in a struct of C. */
+typedef struct field {
+  const char* name;
+  size_t offset;
+} field;
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static const field contact_fields[] = {{"a", offsetof(microslip_contact, a)},
+                                       {"b", offsetof(microslip_contact, b)},
+                                       {"shear_modulus", offsetof(microslip_contact, shear_modulus)},
+                                       {"poisson_ratio", offsetof(microslip_contact, poisson_ratio)},
+                                       {"normal_force", offsetof(microslip_contact, normal_force)},
+                                       {"rolling_speed", offsetof(microslip_contact, rolling_speed)},
+                                       {"creepage_longitudinal", offsetof(microslip_contact, creepage_longitudinal)},
+                                       {"creepage_lateral", offsetof(microslip_contact, creepage_lateral)},
+                                       {"spin", offsetof(microslip_contact, spin)},
+                                       {"friction", offsetof(microslip_contact, friction)}};
+static const field force_fields[] = {{"fx", offsetof(microslip_forces, fx)},
+                                     {"fy", offsetof(microslip_forces, fy)},
+                                     {"mz", offsetof(microslip_forces, mz)},
+                                     {"adhesion_area", offsetof(microslip_forces, adhesion_area)},
+                                     {"slip_area", offsetof(microslip_forces, slip_area)}};
+static const field hertz_fields[] = {{"a", offsetof(microslip_hertz, a)},
+                                     {"b", offsetof(microslip_hertz, b)},
+                                     {"approach", offsetof(microslip_hertz, approach)},
+                                     {"peak_pressure", offsetof(microslip_hertz, peak_pressure)},
+                                     {"stiffness", offsetof(microslip_hertz, stiffness)},
+                                     {"shear_modulus", offsetof(microslip_hertz, shear_modulus)},
+                                     {"poisson_ratio", offsetof(microslip_hertz, poisson_ratio)},
+                                     {"dissimilarity", offsetof(microslip_hertz, dissimilarity)}};
+static const field body_fields[] = {{"rolling_radius", offsetof(microslip_bodies, rolling_radius)},
+                                    {"transverse_radius", offsetof(microslip_bodies, transverse_radius)},
+                                    {"young_modulus", offsetof(microslip_bodies, young_modulus)},
+                                    {"poisson_ratio", offsetof(microslip_bodies, poisson_ratio)}};
+
+static double* number_at(void* of, const field* f) {
+  return (double*)((char*)of + f->offset);
+}
+
+/* Ends the call with the library's own words. Memory of mxMalloc is released by the host. */
+static void fail(const char* what) {
+  mexErrMsgIdAndTxt("microslip:refused", "%s", what);
+}
+
+static void check(microslip_code code, const microslip_error* error) {
+  if (code >= MICROSLIP_NULL_POINTER || code == MICROSLIP_INVALID_INPUT) fail(error->text);
+}
+
+static double* numbers(const mxArray* values, const char* name) {
+  if (!mxIsDouble(values) || mxIsComplex(values) || mxIsSparse(values))
+    mexErrMsgIdAndTxt("microslip:type", "%s must be real numbers", name);
+  return (double*)mxGetData(values);
+}
+
+static void require_struct(int count, const mxArray* arguments[], int at, const char* what) {
+  if (count <= at || !mxIsStruct(arguments[at]) || mxGetNumberOfElements(arguments[at]) != 1) fail(what);
+}
+
+/* An argument that is a whole number, or what stands for it. */
+static int whole(int count, const mxArray* arguments[], int at, int otherwise) {
+  return count > at ? (int)*numbers(arguments[at], "a number of cells") : otherwise;
+}
+
+static mxArray* hertz(int count, const mxArray* arguments[]) {
+  microslip_bodies bodies;
+  microslip_hertz found;
+  microslip_error error;
+  const char* names[COUNT(hertz_fields)];
+  mxArray* result;
+  size_t k;
+  require_struct(count, arguments, 1, "microslip('hertz', bodies, normal_force): bodies must be a struct");
+  if (count != 3) fail("microslip('hertz', bodies, normal_force) takes three arguments");
+  for (k = 0; k < COUNT(body_fields); ++k) {
+    const mxArray* values = mxGetField(arguments[1], 0, body_fields[k].name);
+    if (!values || mxGetNumberOfElements(values) != 2)
+      mexErrMsgIdAndTxt("microslip:size", "bodies.%s must be two numbers", body_fields[k].name);
+    memcpy(number_at(&bodies, &body_fields[k]), numbers(values, body_fields[k].name), 2 * sizeof(double));
+  }
+  check(microslip_hertz_from_load(&bodies, *numbers(arguments[2], "normal_force"), &found, &error), &error);
+  for (k = 0; k < COUNT(hertz_fields); ++k) names[k] = hertz_fields[k].name;
+  result = mxCreateStructMatrix(1, 1, (int)COUNT(hertz_fields), names);
+  for (k = 0; k < COUNT(hertz_fields); ++k)
+    mxSetField(result, 0, names[k], mxCreateDoubleScalar(*number_at(&found, &hertz_fields[k])));
+  return result;
+}
+
+/* A field of the host's struct spread over the contacts. */
+static void spread(const mxArray* values, const field* f, size_t count, microslip_contact* contacts) {
+  const double* given = numbers(values, f->name);
+  const size_t step = mxGetNumberOfElements(values) == 1 ? 0 : 1;
+  size_t k;
+  for (k = 0; k < count; ++k) *number_at(&contacts[k], f) = given[k * step];
+}
+
+/* The contacts of the host's struct; `shape` becomes the array that gives them their number and size. */
+static microslip_contact* contacts_of(const mxArray* given, const mxArray** shape) {
+  microslip_contact* contacts;
+  size_t k, j, count;
+  int n;
+  *shape = NULL;
+  for (n = 0; n < mxGetNumberOfFields(given); ++n) {
+    const char* name = mxGetFieldNameByNumber(given, n);
+    const mxArray* values = mxGetFieldByNumber(given, 0, n);
+    for (j = 0; j < COUNT(contact_fields) && strcmp(contact_fields[j].name, name) != 0; ++j) {
+    }
+    if (j == COUNT(contact_fields)) mexErrMsgIdAndTxt("microslip:field", "contact.%s: unknown", name);
+    if (!*shape || mxGetNumberOfElements(*shape) == 1) *shape = values;
+    if (mxGetNumberOfElements(values) != 1 && mxGetNumberOfElements(values) != mxGetNumberOfElements(*shape))
+      mexErrMsgIdAndTxt("microslip:size", "contact.%s has another size than the arrays before it", name);
+  }
+  if (!*shape) fail("contact has no fields");
+  count = mxGetNumberOfElements(*shape);
+  contacts = mxCalloc(count ? count : 1, sizeof *contacts);
+  for (k = 0; k < count; ++k) contacts[k].rolling_speed = 1;
+  for (j = 0; j < COUNT(contact_fields); ++j) {
+    const mxArray* values = mxGetField(given, 0, contact_fields[j].name);
+    if (values) spread(values, &contact_fields[j], count, contacts);
+  }
+  return contacts;
+}
+
+/* With the words for the first contact that is out of range. */
+static void check_contacts(size_t count, const microslip_contact* contacts) {
+  microslip_error error;
+  size_t k;
+  for (k = 0; k < count; ++k)
+    if (microslip_contact_check(&contacts[k], &error) != MICROSLIP_OK)
+      mexErrMsgIdAndTxt("microslip:refused", "contact %u: %s", (unsigned)(k + 1), error.text);
+}
+
+static void solve_simplified(int mx, int my, size_t count, const microslip_contact* contacts,
+                             microslip_forces* forces) {
+  microslip_fastsim2_options options;
+  microslip_fastsim2* solver;
+  microslip_error error;
+  microslip_fastsim2_options_init(&options, sizeof options);
+  options.mx = mx;
+  options.my = my;
+  check(microslip_fastsim2_create(&options, &solver, &error), &error);
+  microslip_fastsim2_solve(solver, count, contacts, forces);
+  microslip_fastsim2_destroy(solver);
+}
+
+static void solve_exact(int mx, int my, size_t count, const microslip_contact* contacts, microslip_forces* forces) {
+  microslip_exact_options options;
+  microslip_exact_result result;
+  microslip_exact* solver;
+  microslip_error error;
+  size_t k;
+  microslip_exact_options_init(&options, sizeof options);
+  options.mx = mx;
+  options.my = my;
+  check(microslip_exact_create(&options, &solver, &error), &error);
+  for (k = 0; k < count; ++k) {
+    microslip_code code;
+    result.struct_size = sizeof result;
+    code = microslip_exact_solve(solver, &contacts[k], NULL, &result, &error);
+    if (code >= MICROSLIP_NULL_POINTER) {
+      microslip_exact_destroy(solver);
+      fail(error.text);
+    }
+    forces[k] = result.forces;
+  }
+  microslip_exact_destroy(solver);
+}
+
+/* An array of the shape of another. */
+static mxArray* array_like(const mxArray* shape) {
+  return mxCreateNumericArray(mxGetNumberOfDimensions(shape), mxGetDimensions(shape), mxDOUBLE_CLASS, mxREAL);
+}
+
+static mxArray* solve_contacts(int count, const mxArray* arguments[], int is_exact) {
+  const char* names[COUNT(force_fields) + 1];
+  const mxArray* shape;
+  microslip_contact* contacts;
+  microslip_forces* forces;
+  mxArray *result, *status;
+  size_t k, j, contact_count;
+  require_struct(count, arguments, 1, "the second argument must be a struct of contacts");
+  if (count != 2 && count != 4) fail("takes a contact and, if any, the numbers of cells mx and my");
+  contacts = contacts_of(arguments[1], &shape);
+  contact_count = mxGetNumberOfElements(shape);
+  check_contacts(contact_count, contacts);
+  forces = mxCalloc(contact_count ? contact_count : 1, sizeof *forces);
+  (is_exact ? solve_exact : solve_simplified)(whole(count, arguments, 2, is_exact ? 24 : 10),
+                                              whole(count, arguments, 3, is_exact ? 24 : 10), contact_count, contacts,
+                                              forces);
+  for (j = 0; j < COUNT(force_fields); ++j) names[j] = force_fields[j].name;
+  names[COUNT(force_fields)] = "status";
+  result = mxCreateStructMatrix(1, 1, (int)COUNT(names), names);
+  for (j = 0; j < COUNT(force_fields); ++j) {
+    mxArray* values = array_like(shape);
+    for (k = 0; k < contact_count; ++k) ((double*)mxGetData(values))[k] = *number_at(&forces[k], &force_fields[j]);
+    mxSetField(result, 0, names[j], values);
+  }
+  status = array_like(shape);
+  for (k = 0; k < contact_count; ++k) ((double*)mxGetData(status))[k] = forces[k].status;
+  mxSetField(result, 0, "status", status);
+  return result;
+}
+
+static mxArray* solve_case(int count, const mxArray* arguments[]) {
+  microslip_error error;
+  mxArray* result;
+  char *text, *json;
+  if (count != 2 || !mxIsChar(arguments[1])) fail("microslip('solve', case): case must be the text of a case file");
+  text = mxArrayToString(arguments[1]);
+  check(microslip_solve_case(text, "case", &json, &error), &error);
+  result = mxCreateString(json ? json : "");
+  microslip_free_text(json);
+  return result;
+}
+
+void mexFunction(int result_count, mxArray* results[], int count, const mxArray* arguments[]) {
+  const char* command = count > 0 && mxIsChar(arguments[0]) ? mxArrayToString(arguments[0]) : "";
+  (void)result_count;
+  if (microslip_abi() != MICROSLIP_ABI)
+    fail("the library has another binary interface than this file was compiled for");
+  if (strcmp(command, "version") == 0)
+    results[0] = mxCreateString(microslip_version());
+  else if (strcmp(command, "hertz") == 0)
+    results[0] = hertz(count, arguments);
+  else if (strcmp(command, "fastsim2") == 0)
+    results[0] = solve_contacts(count, arguments, 0);
+  else if (strcmp(command, "exact") == 0)
+    results[0] = solve_contacts(count, arguments, 1);
+  else if (strcmp(command, "solve") == 0)
+    results[0] = solve_case(count, arguments);
+  else
+    fail("the first argument must be 'version', 'hertz', 'fastsim2', 'exact' or 'solve'");
+}
