@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -123,7 +124,7 @@ public:
       out_->write(contact_program::out_end());
       out_->commit();
     }
-    if (!json_) print_effort();
+    if (!json_) print_not_compared(), print_effort();
     json_ ? print_document() : fmt::print("\n{}\n", output_.string());
     std::fflush(stdout);
     if (!reader.is_complete())
@@ -192,6 +193,13 @@ private:
                static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
   }
 
+  /// Reasons, each with its cases.
+  void print_not_compared() const {
+    if (!not_compared_.empty()) fmt::print("\nNot solved accurately:\n");
+    for (const auto& [reason, cases] : not_compared_)
+      fmt::print("  {} {}: {}\n", cases.size() == 1 ? "case" : "cases", ranges(cases), reason);
+  }
+
   void begin_case() {
     if (std::exchange(has_printed_, true)) fmt::print("\n");
   }
@@ -203,7 +211,7 @@ private:
       comparisons_.push_back(comparison_json(c.number, own));
       return;
     }
-    for (const auto& reason : own.reasons) fmt::print("  not solved accurately: {}\n", reason);
+    for (const auto& reason : own.reasons) not_compared_[reason].push_back(c.number);
     if (!own.reasons.empty()) return;
     fmt::print("  accurate: {}, {} {}\n", own.status, own.own_patches, own.own_patches == 1 ? "patch" : "patches");
     fmt::print("  {:>5} {:<20} {:>13} {:>13} {:>11}\n", "patch", "", "as CONTACT", "accurate", "difference");
@@ -344,7 +352,8 @@ private:
   Waiting waiting_;
   bool has_printed_ = false;
   contact_program::WheelEffort effort_;
-  std::vector<int> refused_, unsolved_; ///< numbers of cases
+  std::vector<int> refused_, unsolved_;                  ///< numbers of cases
+  std::map<std::string, std::vector<int>> not_compared_; ///< of the accurate level
   // Of the document:
   Json refusals_ = Json::array(), failures_ = Json::array(), extremes_ = Json::array(), comparisons_ = Json::array();
   std::vector<std::string> files_ = {output_.string()};

@@ -53,7 +53,9 @@ constexpr StateMember state_members[] = {&microslip_wheel_state::lateral,
                                          &microslip_wheel_state::deviation_roll,
                                          &microslip_wheel_state::deviation_lateral_velocity,
                                          &microslip_wheel_state::deviation_vertical_velocity,
-                                         &microslip_wheel_state::deviation_roll_velocity};
+                                         &microslip_wheel_state::deviation_roll_velocity,
+                                         &microslip_wheel_state::longitudinal,
+                                         &microslip_wheel_state::pitch};
 
 using PatchMember = double microslip_wheel_patch::*;
 constexpr PatchMember patch_members[] = {&microslip_wheel_patch::place_x,

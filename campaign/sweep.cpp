@@ -114,7 +114,7 @@ public:
       input_ = read(root);
     else
       input_->states = read_states(root, *input_);
-    if (is_new || input_->method.level == WheelRailLevel::exact) solver_.emplace(bodies_of(*input_), input_->method);
+    if (is_new || input_->method.level == WheelRailLevel::exact) solver_.emplace(solver_of(*input_, input_->method));
     return input_->states.front();
   }
   Solver& solver() { return *solver_; }

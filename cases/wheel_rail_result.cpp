@@ -4,6 +4,7 @@
 #include "io/json_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
+#include "microslip/railway/surface_hits.hpp"
 #include "microslip/railway/wheel_locus.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 
@@ -45,9 +46,8 @@ template <class Result> void add_status(Result& result, std::string (*reason)(St
   result.reason = reason(first->status) + of_states(static_cast<std::size_t>(alike), all.size());
 }
 
-void add_profile_warnings(const WheelRailSetting& input, std::vector<std::string>& warnings) {
-  for (const auto* profile : {&input.rail, &input.wheel})
-    for (const auto& warning : profile->report.warnings) warnings.push_back(profile->report.source + ": " + warning);
+void add_profile_warnings(const PlacedProfile& profile, std::vector<std::string>& warnings) {
+  for (const auto& warning : profile.report.warnings) warnings.push_back(profile.report.source + ": " + warning);
 }
 
 /// About results that are not to be trusted; `which` wheel, if there are two.
@@ -226,13 +226,19 @@ void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelR
   state.vertical = solution.vertical;
   const auto nominal = nominal_placement(input.track, input.rail.profile, input.wheelset, input.wheel.profile);
   const WheelPlacement<double> placed = place(nominal, state);
+  const bool touches = !solution.patches.empty(); // else a rail may be interrupted
+  const auto section = [&](const PlacedProfile& profile, double u) {
+    return touches ? section_at({&profile.profile, profile.surface.get()}, u).profile : profile.profile;
+  };
+  const Profile rail = section(input.rail, placed.longitudinal + placed.wheel.frame.origin.x),
+                wheel = section(input.wheel, placed.pitch);
   std::vector<double> y, z;
   const auto add = [&](const Vec3<double>& point) { y.push_back(sign * point.y), z.push_back(point.z); };
-  walk(input.rail.profile, [&](const CurvePoint& p) { add(placed.rail_point(0, p.value.y, p.value.z)); });
+  walk(rail, [&](const CurvePoint& p) { add(placed.rail_point(0, p.value.y, p.value.z)); });
   write_curve(file, "outlines/rail", y, z, "track axes: to the left, up");
   y.clear(), z.clear();
   const WheelLocus<double> locus(placed.wheel.frame, placed.radius);
-  walk(input.wheel.profile, [&](const CurvePoint& p) {
+  walk(wheel, [&](const CurvePoint& p) {
     const double speed = std::hypot(p.first.y, p.first.z);
     const auto point = locus.at({.place = p.value, .cosine = p.first.y / speed, .sine = p.first.z / speed});
     if (point.exists) add(point.place);
@@ -300,7 +306,7 @@ Result solve_states(const Input& input, const Progress& progress, std::string (*
   }
   go_on(progress, 1);
   add_status(result, reason);
-  add_profile_warnings(input, result.warnings);
+  for (const PlacedProfile* profile : {&input.rail, &input.wheel}) add_profile_warnings(*profile, result.warnings);
   return result;
 }
 
@@ -336,7 +342,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
   WheelRailMethod method = input.method;
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
   method.fields = method.level != WheelRailLevel::table && (has_points || is_single);
-  WheelRail solver(bodies_of(input), method);
+  WheelRail solver = solver_of(input, method);
   std::vector<std::vector<InteriorState>> interior;
   auto result = solve_states<WheelRailResult>(input, progress, wheel_reason, [&](const LoadedWheelState& s) {
     WheelRailSolution solution = solver.solve(s.state, s.vertical_force);
@@ -354,9 +360,11 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
 WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
   method.fields = method.level != WheelRailLevel::table && input.states.size() == 1;
-  WheelsetOnTrack solver(bodies_of(input), method);
+  WheelsetOnTrack solver = solver_of(input, method);
   auto result = solve_states<WheelsetResult>(
       input, progress, wheelset_reason, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
+  for (const auto* profile : {&input.right_rail, &input.right_wheel})
+    if (*profile) add_profile_warnings(**profile, result.warnings);
   add_warnings(input, solutions_of(result, &WheelsetSolution::left), "left wheel: ", result.warnings);
   add_warnings(input, solutions_of(result, &WheelsetSolution::right), "right wheel: ", result.warnings);
   return result;
@@ -391,6 +399,8 @@ void write_result(const WheelsetCase& input, const WheelsetResult& result, Resul
     write_fields(file, group, solutions, input.strength);
   }
   write_profiles(file, input);
+  if (input.right_rail) write_profile(file, "right_rail", *input.right_rail);
+  if (input.right_wheel) write_profile(file, "right_wheel", *input.right_wheel);
   write_warnings(file, result.warnings);
 }
 

@@ -3,7 +3,9 @@
 #include "microslip/error.hpp"
 #include "microslip/railway/profile_slices.hpp"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace microslip {
 
@@ -32,6 +34,19 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, ProfileFile
   } catch (const Error& error) {
     throw Error(path.string() + ": " + error.what());
   }
+}
+
+PlacedProfile read_placed_profile(const std::filesystem::path& path, const ProfileFileOptions& options) {
+  if (!names_slices(path)) return {read_profile(path, options), {}};
+  SlicedProfile sliced = read_sliced_profile(path, options);
+  PlacedProfile profile{std::move(sliced.slices.front()),
+                        std::make_shared<const ProfileSurface>(std::move(sliced.surface))};
+  profile.report.source = path.string();
+  for (const PreparedProfile& slice : sliced.slices)
+    for (const std::string& warning : slice.report.warnings)
+      if (auto& all = profile.report.warnings; std::find(all.begin(), all.end(), warning) == all.end())
+        all.push_back(warning);
+  return profile;
 }
 
 } // namespace microslip

@@ -4,6 +4,7 @@
 #include "io/slices_file.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 namespace microslip {
@@ -18,5 +19,14 @@ struct SlicedProfile {
 /// Reads the file and the profiles it names, all with these options; their role is the file's. Features count along the
 /// profiles as they are after the treatment. Throws Error with the name of the file that is wrong.
 SlicedProfile read_sliced_profile(const std::filesystem::path& path, ProfileFileOptions options = {});
+
+/// A profile of any file, by which it is placed; of one of slices the first of them, with the warnings of all, and the
+/// surface.
+struct PlacedProfile : PreparedProfile {
+  std::shared_ptr<const ProfileSurface> surface = {};
+};
+
+/// Reads either kind of file, as read_profile and read_sliced_profile do.
+PlacedProfile read_placed_profile(const std::filesystem::path& path, const ProfileFileOptions& options = {});
 
 } // namespace microslip

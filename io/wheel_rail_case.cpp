@@ -4,6 +4,7 @@
 #include "io/interior_section.hpp"
 #include "io/length_unit.hpp"
 #include "io/profile_file.hpp"
+#include "io/sliced_profile.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
@@ -52,11 +53,12 @@ void add_keys(TomlSection::Words& keys, const Variables& variables, std::string_
 }
 
 Track read_track(const TomlSection& section, const Variables& variables) {
-  TomlSection::Words keys = {"gauge", "gauge_height", "rail_y", "rail_z", "cant"};
+  TomlSection::Words keys = {"gauge", "gauge_height", "rail_y", "rail_z", "cant", "roller_radius"};
   add_keys(keys, variables, "track");
   section.allow(keys);
   Track track;
   track.cant = section.between("cant", "rad", -0.5, 0.5, track.cant);
+  if (section.has("roller_radius")) track.roller_radius = section.between("roller_radius", "m", -100, 100);
   if (section.has("rail_y") || section.has("rail_z")) {
     section.one_of("gauge", "rail_y");
     track.rail_origin = {section.between("rail_y", "m", 0, 3), section.between("rail_z", "m", -1, 1)};
@@ -76,20 +78,15 @@ Wheelset read_wheelset(const TomlSection& section) {
   return wheelset;
 }
 
-/// The section that names the profile.
-std::string section_of(ProfileRole role) {
-  return role == ProfileRole::rail ? "rail" : "wheelset";
-}
-
 constexpr std::string_view profile_keys[] = {"profile", "format",  "unit", "scale",           "y_axis",
                                              "z_axis",  "section", "trim", "smoothing_length"};
 
-ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role) {
+ProfileFileOptions profile_options(const TomlSection& section, const std::string& name, ProfileRole role) {
   ProfileFileOptions options;
   options.role = role;
   if (section.has("format")) options.format = section.option("format", ProfileFormat::columns);
   if (section.has("unit"))
-    section.at("unit", [&] { options.unit = length_of_unit(section_of(role) + ".unit", section.text("unit", "")); });
+    section.at("unit", [&] { options.unit = length_of_unit(name + ".unit", section.text("unit", "")); });
   options.scale = section.between("scale", "-", 1e-3, 1e3, options.scale);
   if (section.has("y_axis")) options.y_axis = section.option("y_axis", LateralSense::field);
   if (section.has("z_axis")) options.z_axis = section.option("z_axis", VerticalSense::up);
@@ -99,7 +96,7 @@ ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role)
     const auto ends = section.numbers("trim", "m");
     section.at("trim", [&] {
       if (ends.size() != 2 || !(ends[0] < ends[1]))
-        throw Error(section_of(role) + ".trim: must be two numbers, the lesser one first");
+        throw Error(name + ".trim: must be two numbers, the lesser one first");
     });
     treatment.y_min = ends[0], treatment.y_max = ends[1];
   }
@@ -108,18 +105,26 @@ ProfileFileOptions profile_options(const TomlSection& section, ProfileRole role)
 }
 
 /// The profile that a section names, with a path from the case file's folder.
-PreparedProfile read_profile(const TomlSection& section, ProfileRole role) {
+PlacedProfile read_profile(const TomlSection& section, const std::string& name, ProfileRole role) {
   const auto path = std::filesystem::path(section.file()).parent_path() / section.required_text("profile");
-  const ProfileFileOptions options = profile_options(section, role);
-  std::optional<PreparedProfile> profile;
+  const ProfileFileOptions options = profile_options(section, name, role);
+  std::optional<PlacedProfile> profile;
   section.at("profile", [&] {
     try {
-      profile = read_profile(path, options);
+      profile = read_placed_profile(path, options);
     } catch (const Error& error) {
-      throw Error(section_of(role) + ".profile: " + error.what());
+      throw Error(name + ".profile: " + error.what());
     }
   });
   return std::move(*profile);
+}
+
+/// That of a section which need not be there: the right side's where it differs.
+std::optional<PlacedProfile> read_right_profile(const TomlSection& root, const std::string& name, ProfileRole role) {
+  if (!root.has(name)) return {};
+  const TomlSection section = root.required_section(name);
+  section.allow(TomlSection::Words(std::begin(profile_keys), std::end(profile_keys)));
+  return read_profile(section, name, role);
 }
 
 Material read_material(const TomlSection& section) {
@@ -183,11 +188,7 @@ WheelRailMethod read_method(const TomlSection& section, double poisson_ratio) {
   WheelRailMethod method;
   method.level = section.option("theory", method.level);
   if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
-  section.at("shape", [&] {
-    if (method.level != WheelRailLevel::exact && method.patch_shape() != PatchShape::curved)
-      throw Error("solution.shape = \"" + std::string(to_word(method.patch_shape())) + "\": the rows of " +
-                  std::string(to_word(method.level)) + " follow the surface: leave it out, or \"curved\"");
-  });
+  section.at("shape", [&] { require_shape(method, "solution.shape"); });
   if (method.level == WheelRailLevel::table)
     method.table = read_table(section, poisson_ratio);
   else if (section.has("table"))
@@ -336,7 +337,10 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
 
 /// All sections but [wheel] and [sweep].
 WheelRailSetting read_setting(const TomlSection& root, const Variables& variables) {
-  root.allow({"title", "track", "rail", "wheelset", "wheel", "material", "friction", "solution", "interior", "sweep"});
+  TomlSection::Words sections = {"title",    "track",    "rail",     "wheelset", "wheel",
+                                 "material", "friction", "solution", "interior", "sweep"};
+  if (is_wheelset_case(root)) sections.insert(sections.end(), {"right_rail", "right_wheel"});
+  root.allow(sections);
   const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
                     wheelset = root.required_section("wheelset");
   TomlSection::Words rail_keys(std::begin(profile_keys), std::end(profile_keys)), wheelset_keys = rail_keys;
@@ -349,8 +353,8 @@ WheelRailSetting read_setting(const TomlSection& root, const Variables& variable
   return {.title = root.text("title", ""),
           .track = read_track(track, variables),
           .wheelset = read_wheelset(wheelset),
-          .rail = read_profile(rail, ProfileRole::rail),
-          .wheel = read_profile(wheelset, ProfileRole::wheel),
+          .rail = read_profile(rail, "rail", ProfileRole::rail),
+          .wheel = read_profile(wheelset, "wheelset", ProfileRole::wheel),
           .material = material,
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
@@ -362,21 +366,39 @@ void add_varied(WheelRailSetting& input, const std::vector<Sweep>& sweeps) {
   for (const Sweep& sweep : sweeps) input.varied.push_back(sweep.name);
 }
 
-/// Whether the profiles fit the track and the wheelset.
-void check_places(const TomlSection& root, const WheelRailSetting& input) {
-  root.required_section("track").at("gauge", [&] { place_rail(input.track, input.rail.profile); });
-  root.required_section("wheelset").at("nominal_radius", [&] { place_wheel(input.wheelset, input.wheel.profile); });
+/// Whether profiles fit the track and the wheelset.
+void check_places(const TomlSection& root, const WheelRailSetting& input, const PlacedProfile& rail,
+                  const PlacedProfile& wheel) {
+  root.required_section("track").at("gauge", [&] { place_rail(input.track, rail.profile); });
+  root.required_section("wheelset").at("nominal_radius", [&] { place_wheel(input.wheelset, wheel.profile); });
+  root.required_section("track").at("roller_radius", [&] {
+    if (rail.surface && input.track.roller_radius != 0)
+      throw Error("track.roller_radius: a roller cannot have a profile that varies");
+  });
 }
 
-WheelRailBodies bodies_of(const WheelRailSetting& input, TrackSide side) {
-  return {.rail = input.rail.profile,
-          .wheel = input.wheel.profile,
+/// Whether a place is among the rail's slices, beyond which nothing is known of it.
+void check_place_along_track(const TomlSection& root, const PlacedProfile& rail, const WheelState<double>& state) {
+  if (!rail.surface) return;
+  const bool is_swept = root.optional_section("sweep").has("longitudinal");
+  root.required_section(is_swept ? "sweep" : "wheel").at("longitudinal", [&] {
+    require_between(is_swept ? "sweep.longitudinal" : "wheel.longitudinal", state.longitudinal, "m",
+                    rail.surface->first_u(), rail.surface->last_u());
+  });
+}
+
+WheelRailBodies bodies_of(const WheelRailSetting& input, const PlacedProfile& rail, const PlacedProfile& wheel,
+                          TrackSide side) {
+  return {.rail = rail.profile,
+          .wheel = wheel.profile,
           .track = input.track,
           .wheelset = input.wheelset,
           .side = side,
           .material = combine(input.material, input.material),
           .friction = input.friction,
-          .strength = input.strength};
+          .strength = input.strength,
+          .rail_surface = rail.surface,
+          .wheel_surface = wheel.surface};
 }
 
 } // namespace
@@ -416,7 +438,7 @@ WheelRailCase read_wheel_rail_case(const TomlSection& root) {
   if (root.has("interior") && input.method.level == WheelRailLevel::table)
     root.at("interior", [] { throw Error("interior: a creep-force table has no tractions: fastsim2 or exact have"); });
   if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
-  check_places(root, input);
+  check_places(root, input, input.rail, input.wheel);
   return input;
 }
 
@@ -425,7 +447,10 @@ std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRa
   const Variables variables = wheel_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
   const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  return states_of(read_state(root, wheel, variables, sweeps), sweeps, pitch_is_given, of.wheelset.nominal_radius);
+  auto states =
+      states_of(read_state(root, wheel, variables, sweeps), sweeps, pitch_is_given, of.wheelset.nominal_radius);
+  for (const LoadedWheelState& loaded : states) check_place_along_track(root, of.rail, loaded.state);
+  return states;
 }
 
 WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name) {
@@ -438,27 +463,46 @@ WheelsetCase read_wheelset_case(const TomlSection& root) {
     root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
   const Variables variables = wheelset_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
-  WheelsetCase input{read_setting(root, variables), {}};
+  WheelsetCase input{read_setting(root, variables),
+                     read_right_profile(root, "right_rail", ProfileRole::rail),
+                     read_right_profile(root, "right_wheel", ProfileRole::wheel),
+                     {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);
-  check_places(root, input);
+  check_places(root, input, input.rail, input.wheel);
+  check_places(root, input, input.right_rail.value_or(input.rail), input.right_wheel.value_or(input.wheel));
   return input;
 }
 
-std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase&) {
+std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase& of) {
   const TomlSection wheel = root.required_section("wheel");
   const Variables variables = wheelset_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
   const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  return states_of(wheel, read_wheelset_state(root, wheel, variables, sweeps), sweeps, pitch_is_given);
+  auto states = states_of(wheel, read_wheelset_state(root, wheel, variables, sweeps), sweeps, pitch_is_given);
+  for (const LoadedWheelsetState& loaded : states) {
+    check_place_along_track(root, of.rail, loaded.state.left);
+    if (of.right_rail) check_place_along_track(root, *of.right_rail, loaded.state.left);
+  }
+  return states;
 }
 
 WheelRailBodies bodies_of(const WheelRailCase& input) {
-  return bodies_of(input, input.side);
+  return bodies_of(input, input.rail, input.wheel, input.side);
 }
 
-WheelRailBodies bodies_of(const WheelsetCase& input) {
-  return bodies_of(input, TrackSide::left);
+WheelRailBodies bodies_of(const WheelsetCase& input, TrackSide side) {
+  const bool right = side == TrackSide::right;
+  return bodies_of(input, right && input.right_rail ? *input.right_rail : input.rail,
+                   right && input.right_wheel ? *input.right_wheel : input.wheel, side);
+}
+
+WheelRail solver_of(const WheelRailCase& input, const WheelRailMethod& method) {
+  return WheelRail(bodies_of(input), method);
+}
+
+WheelsetOnTrack solver_of(const WheelsetCase& input, const WheelRailMethod& method) {
+  return WheelsetOnTrack(bodies_of(input, TrackSide::left), bodies_of(input, TrackSide::right), method);
 }
 
 } // namespace microslip

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "io/sliced_profile.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
-#include "microslip/railway/profile_preparation.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheelset_on_track.hpp"
 
@@ -32,7 +32,7 @@ struct WheelRailSetting {
   std::string title;
   Track track;
   Wheelset wheelset;
-  PreparedProfile rail, wheel;
+  PlacedProfile rail, wheel;
   Material material; ///< of both
   SurfaceStrength strength;
   std::vector<InclinedFriction> friction;
@@ -49,7 +49,8 @@ struct WheelRailCase : WheelRailSetting {
 
 /// Both wheels of a wheelset: `side = "both"`.
 struct WheelsetCase : WheelRailSetting {
-  std::vector<LoadedWheelsetState> states; ///< one without a sweep
+  std::optional<PlacedProfile> right_rail = {}, right_wheel = {}; ///< where they differ from the left ones
+  std::vector<LoadedWheelsetState> states;                        ///< one without a sweep
 };
 
 /// Whether the text of a case file is about a wheel on a rail: it has one of the sections that only such files have.
@@ -74,7 +75,10 @@ std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const Whee
 
 /// What the solver needs of it.
 WheelRailBodies bodies_of(const WheelRailCase& input);
-/// The side does not count.
-WheelRailBodies bodies_of(const WheelsetCase& input);
+/// Of one side of a wheelset.
+WheelRailBodies bodies_of(const WheelsetCase& input, TrackSide side);
+/// The solver itself.
+WheelRail solver_of(const WheelRailCase& input, const WheelRailMethod& method);
+WheelsetOnTrack solver_of(const WheelsetCase& input, const WheelRailMethod& method);
 
 } // namespace microslip

@@ -71,6 +71,7 @@ module microslip
     real(c_double) :: deflection_roll_velocity = 0, deflection_pitch_velocity = 0, deflection_yaw_velocity = 0
     real(c_double) :: deviation_lateral = 0, deviation_vertical = 0, deviation_roll = 0
     real(c_double) :: deviation_lateral_velocity = 0, deviation_vertical_velocity = 0, deviation_roll_velocity = 0
+    real(c_double) :: longitudinal = 0, pitch = 0
     real(c_double) :: vertical_force = 0
   end type
 

@@ -461,6 +461,8 @@ typedef struct microslip_wheel_state {
   /* of the rail from its nominal place [m], [rad], [m/s], [rad/s] */
   double deviation_lateral, deviation_vertical, deviation_roll;
   double deviation_lateral_velocity, deviation_vertical_velocity, deviation_roll_velocity;
+  /* of the wheelset along the track [m] and around its axle [rad], where slices count from */
+  double longitudinal, pitch;
   double vertical_force; /* on the wheel [N], > 0: its height is found; 0: `vertical` counts */
 } microslip_wheel_state;
 

@@ -50,7 +50,8 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
       {"deflection_lateral", &microslip_wheel_state::deflection_lateral},
       {"deflection_yaw_velocity", &microslip_wheel_state::deflection_yaw_velocity},
       {"deviation_lateral", &microslip_wheel_state::deviation_lateral},
-      {"deviation_roll_velocity", &microslip_wheel_state::deviation_roll_velocity}};
+      {"deviation_roll_velocity", &microslip_wheel_state::deviation_roll_velocity},
+      {"pitch", &microslip_wheel_state::pitch}};
   for (const auto& [name, member] : some) {
     microslip_wheel_state moved = state;
     moved.*member += 1e-4;

@@ -100,13 +100,13 @@ void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, cons
   patch.moment += dot(cross(place - frame.origin, tangential), frame.normal());
 }
 
-CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMethod& method)
-    : bodies_(bodies), method_(method),
-      nominal_(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel)),
-      search_(bodies.rail, bodies.wheel), rows_(bodies.rail, bodies.wheel, most_rows), normal_(most_rows),
-      hertz_(most_rows), forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward),
-      shear_(most_rows), speed_(most_rows), load_(most_rows), half_length_(most_rows), centre_(most_rows),
-      loaded_(most_rows), forces_(most_rows) {
+CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMethod& method,
+                             const NominalPlacement& nominal, const EquivalentRail* equivalent)
+    : bodies_(bodies), method_(method), nominal_(nominal), equivalent_(equivalent), search_(bodies.rail, bodies.wheel),
+      rows_(bodies.rail, bodies.wheel, most_rows, equivalent), normal_(most_rows), hertz_(most_rows),
+      forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward), shear_(most_rows),
+      speed_(most_rows), load_(most_rows), half_length_(most_rows), centre_(most_rows), loaded_(most_rows),
+      forces_(most_rows) {
   normal_rows_.reserve(most_rows);
   patches_.reserve(most_rows);
   if (method.level == WheelRailLevel::table) look_up_.emplace(method.table, most_rows);
@@ -316,7 +316,7 @@ ContactPatch CoarseContact::patch_of(const ContactRegion& region, std::size_t fi
     vertical += loaded_[k].load * std::cos(angle) + forces_[k].fy * std::sin(angle);
   }
   if (patch.normal_force > 0) patch.vertical_share = vertical / patch.normal_force;
-  patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region);
+  patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region, equivalent_);
   patch.speed = rolling_speed(placement_, patch.outline.frame.origin);
   for (const ContactPoint& point : points_.subspan(region.first, region.count))
     patch.least_gap = std::min(patch.least_gap, (point.gap - clearance_ - depth_) * std::cos(point.inclination));

@@ -42,8 +42,9 @@ struct WheelForces {
 /// table. Allocates nothing after it was made.
 class CoarseContact {
 public:
-  /// The bodies must outlive it.
-  CoarseContact(const WheelRailBodies& bodies, const WheelRailMethod& method);
+  /// The bodies must outlive it, and so must the equivalent rail where their profiles are its.
+  CoarseContact(const WheelRailBodies& bodies, const WheelRailMethod& method, const NominalPlacement& nominal,
+                const EquivalentRail* equivalent = nullptr);
   CoarseContact(const CoarseContact&) = delete;
   CoarseContact& operator=(const CoarseContact&) = delete;
 
@@ -59,7 +60,7 @@ public:
 
   /// The patches of the last solve, those without load as well; valid until the next one.
   std::span<const ContactPatch> patches();
-  PatchSurface surface() const { return {bodies_.rail, bodies_.wheel, placement_}; }
+  PatchSurface surface() const { return {bodies_.rail, bodies_.wheel, placement_, equivalent_}; }
   bool rolls_forward() const { return placement_.wheel.velocity.x >= 0; }
   /// mu at an inclination [rad].
   double friction(double angle) const;
@@ -85,6 +86,7 @@ private:
   const WheelRailBodies& bodies_;
   WheelRailMethod method_;
   NominalPlacement nominal_;
+  const EquivalentRail* equivalent_;
   ContactSearch search_;
   ContactRows rows_;
   RowNormal normal_;

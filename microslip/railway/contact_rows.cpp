@@ -1,5 +1,6 @@
 #include "microslip/railway/contact_rows.hpp"
 
+#include "microslip/railway/equivalent_rail.hpp"
 #include "microslip/railway/wheel_locus.hpp"
 
 #include <algorithm>
@@ -57,8 +58,9 @@ double prominence(std::span<const ContactPoint> points, std::size_t which, doubl
 
 } // namespace
 
-ContactRows::ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows)
-    : rail_(&rail), wheel_(&wheel), most_(most_rows) {
+ContactRows::ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows,
+                         const EquivalentRail* equivalent)
+    : rail_(&rail), wheel_(&wheel), equivalent_(equivalent), most_(most_rows) {
   rows_.reserve(most_rows);
   samples_.reserve(most_rows);
 }
@@ -171,7 +173,7 @@ void ContactRows::add(const WheelPlacement<double>& placement, double low, doubl
   constexpr double exact = 1e-13, longest = 2e-3; // [m]
   ContactRow& row = rows_.emplace_back();
   row.region = region, row.joined = true;
-  row.at.s = (low + high) / 2;
+  row.at.s = row.at.rail_s = (low + high) / 2;
   const Frame<double>& rail = placement.rail.frame;
   const CurvePoint r = rail_->at(row.at.s);
   const Vec3<double> point = rail.outer({0, r.value.y, r.value.z});
@@ -202,6 +204,9 @@ void ContactRows::add(const WheelPlacement<double>& placement, double low, doubl
   const double gap = above / along_normal;
   row.normal.gap = on_wheel && std::isfinite(gap) ? gap : nowhere;
   row.normal.curvature = curvature_along_track(locus, arc_point(wheel_->at(wheel_s))) / 2;
+  if (!equivalent_) return;
+  const EquivalentRail::Along along = equivalent_->at(row.at.s);
+  row.normal.place.x = along.x, row.normal.curvature = along.curvature / 2;
 }
 
 } // namespace microslip

@@ -26,8 +26,9 @@ struct ContactRow {
 /// that follows is continuous while regions appear, merge and split.
 class ContactRows {
 public:
-  /// The profiles must outlive it; takes the memory for its rows.
-  ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows);
+  /// The profiles must outlive it, and the equivalent rail where they are its; takes the memory for its rows.
+  ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows,
+              const EquivalentRail* equivalent = nullptr);
 
   /// Rows of the wheel in its place, which is by `lowering` [m] lower than where it was searched; the regions and
   /// points are those of the search, `depth` [m] is the greatest overlap. False if there are more than can be: those at
@@ -58,6 +59,7 @@ private:
 
   const Profile* rail_;
   const Profile* wheel_;
+  const EquivalentRail* equivalent_;
   std::size_t most_;
   std::vector<ContactRow> rows_;
   std::vector<Samples> samples_; ///< of each region

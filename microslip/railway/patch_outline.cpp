@@ -1,5 +1,6 @@
 #include "microslip/railway/patch_outline.hpp"
 
+#include "microslip/railway/equivalent_rail.hpp"
 #include "microslip/railway/wheel_locus.hpp"
 
 #include <algorithm>
@@ -58,6 +59,21 @@ PatchFrame frame_at(const WheelPlacement<double>& placement, const Profile& rail
   return frame;
 }
 
+/// The least distance of a line across the track, and how far the bodies overlap there along it [m].
+struct Alongside {
+  double x = 0, low = 0, high = 0;
+};
+Alongside alongside(const WheelPlacement<double>& placement, const CurvePoint& on_wheel, double wheel_s,
+                    const OverRail& point, double depth, const EquivalentRail* equivalent) {
+  if (!equivalent) {
+    const double x = point.place.x, reach = std::sqrt(2 * (placement.radius - on_wheel.value.z) * depth);
+    return {x, x - reach, x + reach};
+  }
+  const double x = equivalent->at(point.rail_s).x;
+  const auto overlap = equivalent->find_overlap(placement, point.rail_s, wheel_s);
+  return overlap ? Alongside{x, overlap->low, overlap->high} : Alongside{x, x, x};
+}
+
 } // namespace
 
 double clearance_between(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
@@ -106,7 +122,7 @@ PatchOutline joined(const WheelPlacement<double>& placement, const Profile& rail
 }
 
 PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
-                          const ContactRegion& region) {
+                          const ContactRegion& region, const EquivalentRail* equivalent) {
   PatchOutline out;
   out.inner = region.inner, out.outer = region.outer;
   const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
@@ -120,11 +136,11 @@ PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile
     const OverRail point =
         over_rail(placement, locus, on_wheel, rail, between(region.inner.s_rail, region.outer.s_rail, t));
     const double depth = std::max(point.overlap, 0.0);
-    const double reach = std::sqrt(2 * (placement.radius - on_wheel.value.z) * depth);
-    x_low = std::min(x_low, point.place.x - reach), x_high = std::max(x_high, point.place.x + reach);
+    const Alongside along = alongside(placement, on_wheel, s, point, depth, equivalent);
+    x_low = std::min(x_low, along.low), x_high = std::max(x_high, along.high);
     const double weight = weights[k / 4] * depth * depth * std::sqrt(depth) * std::max(on_wheel.first.y, 0.0);
     sum += weight;
-    x += weight * point.place.x, angle += weight * inclination(placement, rail, point.rail_s);
+    x += weight * along.x, angle += weight * inclination(placement, rail, point.rail_s);
     rail_s += weight * point.rail_s, wheel_s += weight * s;
   }
   if (!(sum > 0)) return out; // touches in a point

@@ -20,9 +20,10 @@ struct PatchOutline {
 
 /// The frame is that of the region's weighted centre: x, y and the inclination of the rail's surface are means along
 /// the locus with the weight c^2.5 dy, c the overlap, which is the integral of its square along the track: so patches
-/// move smoothly with the wheel. The placement is that of the wheel in its height.
+/// move smoothly with the wheel. The placement is that of the wheel in its height. With the equivalent rail whose
+/// profiles these are x is where the true surfaces are nearest, and the patch reaches as far as they overlap.
 PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
-                          const ContactRegion& region);
+                          const ContactRegion& region, const EquivalentRail* equivalent = nullptr);
 
 /// The greatest distance [m] of wheel and rail between two patches, the second one further to the left, at some places
 /// of the wheel's locus: by so much the wheel must be lowered for their regions to become one.

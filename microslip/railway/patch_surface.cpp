@@ -1,5 +1,7 @@
 #include "microslip/railway/patch_surface.hpp"
 
+#include "microslip/railway/equivalent_rail.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -20,7 +22,7 @@ double limited(double step) {
 } // namespace
 
 PatchRow PatchSurface::first_row(const PatchFrame& frame, double wheel_s) const {
-  return {.s = 0, .point = frame.origin, .angle = frame.angle, .wheel_s = wheel_s};
+  return {.s = 0, .point = frame.origin, .angle = frame.angle, .rail_s = frame.rail_s, .wheel_s = wheel_s};
 }
 
 PatchRow PatchSurface::row(const PatchFrame& frame, PatchShape shape, double s, const PatchRow& near) const {
@@ -43,6 +45,7 @@ PatchRow PatchSurface::row(const PatchFrame& frame, PatchShape shape, double s, 
   }
   const auto [point, slope] = at(rail_s);
   row.point = {frame.origin.x, point.y, point.z};
+  row.rail_s = rail_s;
   row.angle = shape == PatchShape::flat ? frame.angle : std::atan2(slope.z, slope.y);
   row.inside = rail_s >= 0 && rail_s <= rail_->length();
   return row;
@@ -51,6 +54,10 @@ PatchRow PatchSurface::row(const PatchFrame& frame, PatchShape shape, double s, 
 void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, std::span<double> gaps) const {
   if (!row.inside) {
     std::fill(gaps.begin(), gaps.end(), nowhere);
+    return;
+  }
+  if (equivalent_) {
+    equivalent_->find_gaps(placement_, row.point, row.normal(), row.rail_s, row.wheel_s, x, gaps);
     return;
   }
   // A point of the row's normal line has the wheel's coordinates q + n d; on its surface q_y + n d_y = y_w(s) and
@@ -80,7 +87,8 @@ void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, std::span
 }
 
 Creepage PatchSurface::creepage_at(const PatchRow& row, double gap, double speed) const {
-  const Vec3<double> point = row.point + gap * row.normal();
+  const double rise = equivalent_ ? equivalent_->at(row.rail_s).rise : 0;
+  const Vec3<double> point = row.point + (gap + rise) * row.normal();
   const Vec3<double> over = placement_.wheel.velocity_at(point) - placement_.rail.velocity_at(point);
   const Vec3<double> turning = placement_.wheel.angular_velocity - placement_.rail.angular_velocity;
   return {over.x / speed, dot(row.tangent(), over) / speed, dot(row.normal(), turning) / speed};

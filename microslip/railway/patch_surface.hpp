@@ -9,6 +9,8 @@
 
 namespace microslip {
 
+class EquivalentRail;
+
 /// The frame of a patch in track axes: x along the track, s along the rail's surface to the left, n out of the rail
 /// into the wheel; s is turned by `angle` about x from the track's y.
 struct PatchFrame {
@@ -34,6 +36,7 @@ struct PatchRow {
   double s = 0;       ///< [m]
   Vec3<double> point; ///< of the rail's surface, at x of the frame's origin
   double angle = 0;   ///< [rad] of the row's own tangent against the track's y
+  double rail_s = 0;  ///< parameter of the rail's profile there [m]
   double wheel_s = 0; ///< parameter of the wheel's profile opposite of it, a start for the next row [m]
   bool inside = true; ///< of the rail's profile
 
@@ -44,9 +47,11 @@ struct PatchRow {
 /// The surfaces of a left wheel and its rail near a contact: their distance and their relative motion.
 class PatchSurface {
 public:
-  /// The profiles must outlive it.
-  PatchSurface(const Profile& rail, const Profile& wheel, const WheelPlacement<double>& placement)
-      : rail_(&rail), wheel_(&wheel), placement_(placement) {}
+  /// The profiles must outlive it, and so must the equivalent rail where they are its: gaps are then those of the true
+  /// surfaces.
+  PatchSurface(const Profile& rail, const Profile& wheel, const WheelPlacement<double>& placement,
+               const EquivalentRail* equivalent = nullptr)
+      : rail_(&rail), wheel_(&wheel), placement_(placement), equivalent_(equivalent) {}
 
   const WheelPlacement<double>& placement() const { return placement_; }
 
@@ -72,6 +77,7 @@ private:
   const Profile* rail_;
   const Profile* wheel_;
   WheelPlacement<double> placement_;
+  const EquivalentRail* equivalent_;
 };
 
 } // namespace microslip

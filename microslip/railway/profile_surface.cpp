@@ -119,6 +119,22 @@ void ProfileSurface::close_wheel() {
   slices_.insert(slices_.end(), behind.begin(), behind.end());
 }
 
+ProfileSurface ProfileSurface::in_units(double of_u, double of_y, double of_z) const {
+  ProfileSurface out = *this;
+  const auto scale = [=](ProfilePoint& p, double factor) { p.y *= factor * of_y, p.z *= factor * of_z; };
+  for (SurfaceSlice& slice : out.slices_) {
+    slice.u *= of_u;
+    for (ProfilePoint& p : slice.points) scale(p, 1);
+  }
+  for (Node& node : out.nodes_) {
+    scale(node.value, 1), scale(node.vv, 1);
+    scale(node.uu, 1 / (of_u * of_u)), scale(node.uuvv, 1 / (of_u * of_u));
+  }
+  for (ProfileWave& wave : out.options_.waves) wave.amplitude *= of_z, wave.wavenumber /= of_u;
+  out.least_y_ *= of_y, out.greatest_y_ *= of_y;
+  return out;
+}
+
 void ProfileSurface::make_splines_across() {
   for (std::size_t k = 0; k < slices_.size(); ++k) {
     const SurfaceSlice& slice = slices_[k];

@@ -55,6 +55,9 @@ public:
   /// otherwise, and for values that are not finite. Cost O(points).
   explicit ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions options = {});
 
+  /// The same surface with its u, y and z multiplied by these factors, none of them 0: other units and senses.
+  ProfileSurface in_units(double of_u, double of_y, double of_z) const;
+
   /// Nothing where the surface is interrupted or v lies beyond it. Continuous second derivatives in u and v but for
   /// the ends in u and kinks. Cost O(log slices).
   std::optional<SurfacePoint> at(double u, double v) const;

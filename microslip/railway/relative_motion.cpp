@@ -41,8 +41,9 @@ std::array<double, basic_motions> seen_from_rail(const WheelPlacement<Number>& p
   const Vec3<double> angle = rotation(wheel.frame.axes, k) - turn;
   const Vec3<double> rail_spin = change(rail.angular_velocity);
   const Vec3<double> spin = change(wheel.angular_velocity) - rail_spin;
-  // The rail is the same all along; moved back along it, the wheel meets what the rail's rotation adds ahead.
-  const Vec3<double> ahead = cross(value(rail.angular_velocity), {shift.x, 0, 0});
+  // The rail is the same all along; moved back along it, the wheel meets what the rail's rotation in a curve adds
+  // ahead.
+  const Vec3<double> ahead = cross(Vec3<double>{0, 0, value(rail.angular_velocity).z}, {shift.x, 0, 0});
   const Vec3<double> velocity = change(wheel.velocity) - change(rail.velocity) - cross(rail_spin, lever) - ahead;
   return {shift.y,
           shift.z,
@@ -90,11 +91,18 @@ std::array<RelativeMotion, state_numbers> relative_motions(const NominalPlacemen
     }
   }
   solve(basic, all);
+  const auto ahead = [&](std::size_t k) {
+    return partial(placed.wheel.frame.origin, static_cast<int>(k)).x -
+           partial(placed.rail.frame.origin, static_cast<int>(k)).x;
+  };
   std::array<RelativeMotion, state_numbers> motions;
   for (std::size_t k = 0; k < state_numbers; ++k) {
     for (std::size_t i = 0; i < basic_motions; ++i) motions[k].combination[i] = all[i][k];
+    motions[k].ahead = ahead(k);
+    for (std::size_t i = 0; i < basic_motions; ++i) motions[k].ahead -= motions[k].combination[i] * ahead(i);
     motions[k].turn = rotation(placed.rail.frame.axes, static_cast<int>(k));
   }
+  motions[longitudinal_number].ahead = 1; // whether wheel or slices move
   return motions;
 }
 

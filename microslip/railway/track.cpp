@@ -33,6 +33,7 @@ GaugePoint gauge_point_of(const Profile& standing, double gauge_height) {
 
 Frame<double> place_rail(const Track& track, const Profile& rail) {
   require_between("cant", track.cant, "rad", -0.5, 0.5);
+  if (track.roller_radius != 0) require_between("roller_radius", std::abs(track.roller_radius), "m", 0.01, 100);
   const Rotation<double> axes = rotation_about_x(track.cant);
   if (track.rail_origin) {
     require_finite("rail_origin y", track.rail_origin->y, "m");
@@ -42,7 +43,7 @@ Frame<double> place_rail(const Track& track, const Profile& rail) {
   require_positive("gauge", track.gauge, "m");
   require_positive("gauge_height", track.gauge_height, "m");
   const GaugePoint gauge = gauge_point_of(turned(rail, track.cant), track.gauge_height);
-  return {{0, track.gauge / 2 - gauge.point.y, -gauge.top.z}, axes};
+  return {{0, track.gauge / 2 - gauge.point.y, track.roller_radius != 0 ? 0 : -gauge.top.z}, axes};
 }
 
 } // namespace microslip

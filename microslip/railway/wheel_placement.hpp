@@ -11,12 +11,13 @@ struct NominalPlacement {
   Frame<double> rail;
   WheelPlace wheel;
   double nominal_radius = 0; ///< [m], height of the wheelset's centre above the tops of the rails
+  double roller_radius = 0;  ///< [m], that of Track
 };
 
 /// Throws Error as place_rail and place_wheel.
 inline NominalPlacement nominal_placement(const Track& track, const Profile& rail, const Wheelset& wheelset,
                                           const Profile& wheel) {
-  return {place_rail(track, rail), place_wheel(wheelset, wheel), wheelset.nominal_radius};
+  return {place_rail(track, rail), place_wheel(wheelset, wheel), wheelset.nominal_radius, track.roller_radius};
 }
 
 /// A left wheel on its rail, in track axes. The rail's frame has the axes of its profile. The wheel's has its origin on
@@ -24,7 +25,10 @@ inline NominalPlacement nominal_placement(const Track& track, const Profile& rai
 /// its angular velocity does.
 template <class T> struct WheelPlacement {
   MovingFrame<T> rail, wheel;
-  double radius = 0; ///< of the wheel where its profile's z = 0 [m]
+  double radius = 0;        ///< of the wheel where its profile's z = 0 [m]
+  double roller_radius = 0; ///< of the rail likewise; 0: prismatic
+  double longitudinal = 0;  ///< along the track, of x = 0 [m]
+  double pitch = 0;         ///< of the wheel, from where its slices count [rad]
 
   /// The point of the rail's surface at (y, z) of its profile, in the section x of the rail's axes.
   Vec3<T> rail_point(const T& x, const T& y, const T& z) const { return rail.frame.outer({x, y, z}); }
@@ -38,12 +42,17 @@ template <class T> struct WheelPlacement {
 };
 
 /// The left wheel in the state given, of a right wheel in its mirror image (WheelState::mirrored). In a curve the axes
-/// turn with the track, and so the rail turns against them. Cost some 100 operations.
+/// turn with the track, and so the rail turns against them. A roller turns about its axle with the forward velocity at
+/// its nominal radius, seen from axes that move forward with that. Cost some 100 operations.
 template <class T> WheelPlacement<T> place(const NominalPlacement& nominal, const WheelState<T>& state) {
   const WheelDeflection<T>& flex = state.deflection;
   const RailDeviation<T>& deviation = state.rail;
   WheelPlacement<T> placed;
   placed.radius = nominal.wheel.radius;
+  placed.roller_radius = nominal.roller_radius;
+  placed.pitch = value_of(state.pitch);
+  const bool on_roller = nominal.roller_radius != 0;
+  if (!on_roller) placed.longitudinal = value_of(state.longitudinal);
 
   const auto& [origin, axes] = nominal.rail;
   const auto vector = [](const Vec3<double>& v) { return Vec3<T>{T(v.x), T(v.y), T(v.z)}; };
@@ -52,10 +61,14 @@ template <class T> WheelPlacement<T> place(const NominalPlacement& nominal, cons
   rail.axes = rotation_about_x(deviation.roll) * Rotation<T>{vector(axes.ex), vector(axes.ey), vector(axes.ez)};
   const T turning = state.forward_velocity * state.curvature;
   placed.rail.angular_velocity = {deviation.roll_velocity, T(0), -turning};
+  if (on_roller)
+    placed.rail.angular_velocity =
+        placed.rail.angular_velocity + -(state.forward_velocity / T(nominal.roller_radius)) * rail.axes.ey;
   placed.rail.velocity = {turning * rail.origin.y, deviation.lateral_velocity, deviation.vertical_velocity};
 
-  const Frame<T> wheelset{{T(0), state.lateral, T(nominal.nominal_radius) + state.vertical},
-                          rotation_about_x(state.roll) * rotation_about_z(state.yaw)};
+  const Frame<T> wheelset{
+      {on_roller ? state.longitudinal : T(0), state.lateral, T(nominal.nominal_radius) + state.vertical},
+      rotation_about_x(state.roll) * rotation_about_z(state.yaw)};
   // The wheelset's axes do not turn with the pitch, so neither does a deflection of the wheel's centre.
   const Vec3<T> turn = wheelset.axes * Vec3<T>{state.roll_velocity, T(0), state.yaw_velocity};
   MovingFrame<T>& wheel = placed.wheel;

@@ -4,6 +4,7 @@
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/derailment.hpp"
+#include "microslip/railway/equivalent_rail.hpp"
 #include "microslip/railway/exact_contact.hpp"
 #include "microslip/railway/patch_damage.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
@@ -33,9 +34,7 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
     if (k > 0 && !(bodies.friction[k].angle > bodies.friction[k - 1].angle))
       throw Error("friction angle", bodies.friction[k].angle, "rad", "larger than the one before");
   }
-  if (method.level != WheelRailLevel::exact && method.patch_shape() != PatchShape::curved)
-    throw Error(std::string("shape: the rows of ") + (method.level == WheelRailLevel::table ? "table" : "fastsim2") +
-                " follow the surface: curved, or left out");
+  require_shape(method);
   if (method.level == WheelRailLevel::table) {
     if (!method.table) throw Error("table: the level \"table\" needs a creep-force table, and none is given");
     if (method.table->direction() != RollingDirection::forward)
@@ -156,6 +155,11 @@ double difference_step(std::size_t basic, double speed) {
   }
 }
 
+/// Along the track [m], and of the wheel's pitch [rad]: surfaces vary slowly there.
+constexpr std::array<std::pair<std::size_t, double>, 2> place_steps = {std::pair{longitudinal_number, 1e-6},
+                                                                       {pitch_number, 2e-6}};
+using PlaceDerivatives = std::array<Wrench, place_steps.size()>;
+
 /// From derivatives with the height held to those with the vertical force held, by the implicit function theorem.
 BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   const Wrench& by_height = height_held.by[height_number];
@@ -168,12 +172,37 @@ BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
 
 } // namespace
 
+/// Whether the surfaces are more than a round wheel on a prismatic rail.
+bool has_general_surfaces(const WheelRailBodies& bodies) {
+  return bodies.rail_surface || bodies.wheel_surface || bodies.track.roller_radius != 0;
+}
+
+/// A round wheel and a prismatic rail, those that are given or the equivalent ones of a state.
+struct PlainContact {
+  WheelRailBodies bodies;
+  std::optional<EquivalentRail> equivalent;
+  CoarseContact coarse;
+
+  PlainContact(const WheelRailBodies& given, const WheelRailMethod& method, const NominalPlacement& nominal)
+      : bodies(given), coarse(bodies, method, nominal) {}
+  PlainContact(const WheelRailBodies& given, const WheelRailMethod& method, const NominalPlacement& nominal,
+               EquivalentRail rail)
+      : bodies(given), equivalent(std::move(rail)), coarse(with_profiles(), method, nominal, &*equivalent) {}
+
+private:
+  const WheelRailBodies& with_profiles() {
+    bodies.rail = equivalent->rail(), bodies.wheel = equivalent->wheel();
+    return bodies;
+  }
+};
+
 /// Solves left wheels; right ones in a mirror.
 struct WheelRail::Workspace {
   WheelRailBodies bodies;
   WheelRailMethod method;
   NominalPlacement nominal = nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel);
-  CoarseContact coarse{bodies, method};
+  bool is_general = has_general_surfaces(bodies);
+  std::unique_ptr<PlainContact> contact = std::make_unique<PlainContact>(bodies, method, nominal);
   std::optional<double> flange_angle = wheel_dimensions(bodies.wheel, default_tape_line(bodies.wheel)).flange_angle;
   WheelRailSolution trial{};
 
@@ -201,9 +230,9 @@ private:
   void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     if (!solve_coarse(state, vertical_force, out)) return;
     if (method.level == WheelRailLevel::exact)
-      solve_exact(coarse, state, bodies, method, vertical_force, out);
+      solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out);
     else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
-      coarse.add_fields(out);
+      contact->coarse.add_fields(out);
     if (!has_numbers(out)) {
       out.patches.clear(), out.fields.clear();
       out.force = out.moment = {};
@@ -220,7 +249,7 @@ private:
       out.patches[k].damage = patch_damage(bodies.strength, out.patches[k], fields);
     }
     if (out.force.z > 0) out.y_over_q = -out.force.y / out.force.z;
-    if (flange_angle) out.nadal_limit = nadal_limit(*flange_angle, coarse.friction(*flange_angle));
+    if (flange_angle) out.nadal_limit = nadal_limit(*flange_angle, contact->coarse.friction(*flange_angle));
   }
 
   /// Whether there is contact.
@@ -235,10 +264,40 @@ private:
       out.status = Status::invalid_input;
       return false;
     }
-    coarse.solve(state, vertical_force, out);
+    out.status = Status::no_contact;
+    if (is_general && !find_equivalent(state, vertical_force.has_value())) return false;
+    contact->coarse.solve(state, vertical_force, out);
     if (out.status == Status::no_contact) return false;
-    coarse.sum(out);
+    contact->coarse.sum(out);
     return true;
+  }
+
+  /// In the state's height, or in that where the wheel first touches. False where there is no rail.
+  bool find_equivalent(WheelState<double> state, bool where_it_touches) {
+    constexpr int descents = 2;       // the second one from where the first one has found it nearly
+    constexpr double searched = 3e-4; // [m]
+    for (int k = 0;; ++k) {
+      const WheelPlacement<double> placement = place(nominal, state);
+      std::optional<EquivalentRail> rail;
+      try {
+        rail.emplace(
+            TrueSurfaces{{&bodies.rail, bodies.rail_surface.get()}, {&bodies.wheel, bodies.wheel_surface.get()}},
+            placement);
+      } catch (const Error&) { // interrupted
+        return false;
+      }
+      double clearance = std::numeric_limits<double>::infinity();
+      if (where_it_touches && k < descents) {
+        ContactSearch search(rail->rail(), rail->wheel());
+        for (const ContactPoint& point : search.find(placement, searched)) clearance = std::min(clearance, point.gap);
+      }
+      if (std::isfinite(clearance)) {
+        state.vertical -= clearance;
+        continue;
+      }
+      contact = std::make_unique<PlainContact>(bodies, method, nominal, std::move(*rail));
+      return true;
+    }
   }
 
   void differentiate_left(WheelState<double> state, std::optional<double> vertical_force,
@@ -254,11 +313,13 @@ private:
     }
     BasicDerivatives basic = coarse_derivatives(state, speed, coarse_here);
     if (vertical_force) basic = with_force_held(basic);
-    if (exact) basic = exact_derivatives(state, vertical_force, speed, basic);
+    PlaceDerivatives by_place = place_derivatives(state, coarse_here, basic);
+    if (exact) basic = exact_derivatives(state, vertical_force, speed, basic, by_place);
     const auto motions = relative_motions(nominal, state);
     for (std::size_t k = 0; k < state_numbers; ++k) {
       const Wrench turned = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
-      Wrench sum = turned - turned.force.z * basic.by_force;
+      Wrench sum = turned - turned.force.z * basic.by_force + motions[k].ahead * by_place[0];
+      if (k == pitch_number) sum = sum + by_place[1];
       for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * basic.by[i];
       d.force[k] = sum.force, d.moment[k] = sum.moment, d.vertical[k] = sum.height;
     }
@@ -270,17 +331,38 @@ private:
     d.vertical[state_numbers] = basic.by_force.height;
   }
 
+  /// The equivalent rail is found anew at each step, to less digits.
+  double step_scale() const { return is_general ? 100 : 1; }
+
+  /// By the place along the track and the pitch, forward differences at the coarse level; with what `basic` holds held.
+  PlaceDerivatives place_derivatives(const WheelState<double>& state, const Wrench& here,
+                                     const BasicDerivatives& basic) {
+    PlaceDerivatives derivatives{};
+    if (!is_general) return derivatives;
+    for (std::size_t k = 0; k < place_steps.size(); ++k) {
+      const auto& [number, step] = place_steps[k];
+      Wrench& d = derivatives[k];
+      d = difference(state, number, step, here, [&](const WheelState<double>& there) {
+        solve_coarse(there, {}, trial);
+        return Wrench::of(trial);
+      });
+      d.height = 0;
+      d = d - d.force.z * basic.by_force;
+    }
+    return derivatives;
+  }
+
   /// Forward differences with the height held. Velocities alone need no new pressures: they come first, in the place of
   /// the last solve.
   BasicDerivatives coarse_derivatives(const WheelState<double>& state, double speed, const Wrench& here) {
     BasicDerivatives derivatives;
     for (std::size_t k = basic_motions; k-- > 0;) {
-      const double step = difference_step(k, speed);
+      const double step = step_scale() * difference_step(k, speed);
       if (!(step > 0)) continue;
       derivatives.by[k] = difference(state, k, step, here, [&](const WheelState<double>& there) {
         if (is_velocity(k)) {
-          coarse.move(there);
-          coarse.sum(trial);
+          contact->coarse.move(there);
+          contact->coarse.sum(trial);
         } else {
           solve_coarse(there, {}, trial);
         }
@@ -294,7 +376,7 @@ private:
   /// Differences to both sides, with held what is given. Now and then the forces jump within one of them, as an element
   /// is taken for a sliding one or not. Then the other one counts, which is nearer to the coarse level's.
   BasicDerivatives exact_derivatives(const WheelState<double>& state, std::optional<double> vertical_force,
-                                     double speed, const BasicDerivatives& coarse_level) {
+                                     double speed, const BasicDerivatives& coarse_level, PlaceDerivatives& by_place) {
     constexpr double longer = 20;           // than the coarse level's, since its rounding is larger
     constexpr double share_of_force = 3e-5; // of the load, as much as that of the approach
     const auto forces = [&](const WheelState<double>& there, std::optional<double> force) {
@@ -305,12 +387,19 @@ private:
     const Wrench here = held(state);
     BasicDerivatives derivatives = coarse_level;
     for (std::size_t k = 0; k < basic_motions; ++k) {
-      const double step = longer * difference_step(k, speed);
+      const double step = longer * step_scale() * difference_step(k, speed);
       if (!(step > 0) || (vertical_force && k == height_number)) continue;
       derivatives.by[k] = continuous(difference(state, k, step, here, held), difference(state, k, -step, here, held),
                                      coarse_level.by[k]);
       if (!vertical_force) derivatives.by[k].height = 0; // as it is given
     }
+    if (is_general)
+      for (std::size_t k = 0; k < place_steps.size(); ++k) {
+        const auto& [number, step] = place_steps[k];
+        by_place[k] = continuous(difference(state, number, longer * step, here, held),
+                                 difference(state, number, -longer * step, here, held), by_place[k]);
+        if (!vertical_force) by_place[k].height = 0;
+      }
     if (!vertical_force) return derivatives;
     const double step = share_of_force * *vertical_force;
     derivatives.by_force = continuous(1 / step * (forces(state, *vertical_force + step) - here),
@@ -318,6 +407,12 @@ private:
     return derivatives;
   }
 };
+
+void require_shape(const WheelRailMethod& method, const std::string& name) {
+  if (method.level == WheelRailLevel::exact || method.patch_shape() == PatchShape::curved) return;
+  throw Error(name + ": the rows of " + (method.level == WheelRailLevel::table ? "table" : "fastsim2") +
+              " follow the surface: curved, or left out");
+}
 
 WheelRail::WheelRail(WheelRailBodies bodies, const WheelRailMethod& method) {
   check(bodies, method);

@@ -6,11 +6,15 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace microslip {
 
+/// Throws Error for a shape of patches that the level does not have, with this text before the message.
+void require_shape(const WheelRailMethod& method, const std::string& name = "shape");
+
 /// What the forces are differentiated by: the numbers of a state in the order of state_quantities(), and the vertical
-/// force. A wheel's angle of pitch and its place along the track change nothing.
+/// force. Round wheels and fixed profiles have no derivatives by the place along the track and the angle of pitch.
 enum class WheelVariable {
   lateral,
   vertical,
@@ -40,6 +44,8 @@ enum class WheelVariable {
   deviation_lateral_velocity,
   deviation_vertical_velocity,
   deviation_roll_velocity,
+  longitudinal,
+  pitch,
   vertical_force,
 };
 inline constexpr std::size_t wheel_variables = state_numbers + 1;
@@ -63,7 +69,9 @@ public:
   /// The forces in a state. `vertical_force` [N] > 0 is F_z on the wheel, its height then an unknown; without it the
   /// state's is taken. No contact, a force that no height gives, and not converging are statuses; NaN in the state
   /// gives invalid_input. At the levels `fastsim2` and `table` it allocates nothing once `solution` has had its
-  /// size, unless fields are asked for, or wear, which needs them: with a hardness.
+  /// size, unless fields are asked for, or wear, which needs them: with a hardness. Where surfaces vary, or on rollers,
+  /// it first finds the equivalent rail of each state, which takes some 10 ms and allocates. Without contact, too,
+  /// where a rail is interrupted.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution);
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
 

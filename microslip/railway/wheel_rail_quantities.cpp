@@ -70,6 +70,10 @@ constexpr StateQuantity all_state_quantities[] = {
      [](State s) -> double& { return s.rail.vertical_velocity; }},
     {"rail", "deviation_roll_velocity", "rad/s", 1e5, "angular velocity of that rotation",
      [](State s) -> double& { return s.rail.roll_velocity; }},
+    {"wheel", "longitudinal", "m", 1e7, "position of the wheelset's centre along the track, or from a roller's top",
+     [](State s) -> double& { return s.longitudinal; }},
+    {"wheel", "pitch", "rad", 1e7, "angle by which the wheelset has turned; positive rolls forward",
+     [](State s) -> double& { return s.pitch; }},
 };
 
 double number(const std::optional<double>& value) {

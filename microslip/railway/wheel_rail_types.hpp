@@ -5,6 +5,7 @@
 #include "microslip/elasticity/material.hpp"
 #include "microslip/railway/patch_surface.hpp"
 #include "microslip/railway/profile.hpp"
+#include "microslip/railway/profile_surface.hpp"
 #include "microslip/railway/track.hpp"
 #include "microslip/railway/wheelset.hpp"
 
@@ -34,6 +35,9 @@ struct WheelRailBodies {
   CombinedMaterial material{};
   std::vector<InclinedFriction> friction; ///< at least one
   SurfaceStrength strength = {};          ///< for wear and fatigue only
+  /// Of a rail that varies along the track, u in m, and of a wheel that is not round, u in rad; `rail` and `wheel` are
+  /// then the profiles by which they are placed.
+  std::shared_ptr<const ProfileSurface> rail_surface = {}, wheel_surface = {};
 };
 
 /// How it is solved.

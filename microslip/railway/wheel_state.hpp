@@ -23,7 +23,9 @@ template <class T> struct RailDeviation {
 };
 
 /// How many numbers a state has.
-inline constexpr std::size_t state_numbers = 28;
+inline constexpr std::size_t state_numbers = 30;
+/// Those that matter only where surfaces vary along the track or around the wheel, or on rollers.
+inline constexpr std::size_t longitudinal_number = 28, pitch_number = 29;
 
 /// Where a wheelset is on the track and how it moves, with all that concerns one of its wheels. Track axes: x forward,
 /// y to the left, z up, moving along the track with the wheelset. Angles are right-handed: roll > 0 raises the left
@@ -38,6 +40,9 @@ template <class T> struct WheelState {
   T curvature{};                                                 ///< of the track [1/m], > 0 in a curve to the left
   WheelDeflection<T> deflection;
   RailDeviation<T> rail;
+  T longitudinal{}; ///< of the wheelset's centre: along the track, where slices of a rail count from; from a roller's
+                    ///< top
+  T pitch{};        ///< of the wheelset, > 0 turned as it rolls forward: where slices of a wheel count from
 
   /// All of them in the order in which they stand here, that of state_quantities() (wheel_rail_quantities.hpp).
   std::array<T*, state_numbers> numbers();
@@ -89,7 +94,9 @@ template <class T> std::array<T*, state_numbers> WheelState<T>::numbers() {
           &r.roll,
           &r.lateral_velocity,
           &r.vertical_velocity,
-          &r.roll_velocity};
+          &r.roll_velocity,
+          &longitudinal,
+          &pitch};
 }
 
 template <class T> WheelState<T> WheelState<T>::mirrored() const {

@@ -6,6 +6,7 @@
 #include "binding/words.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_writer.hpp"
+#include "io/sliced_profile.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
 
@@ -79,10 +80,13 @@ ProfileState state_from(const ProfileValue& self) {
 } // namespace
 
 bool ProfileValue::operator==(const ProfileValue& other) const {
+  if (surface != other.surface) return false;
   return prepared == other.prepared || are_equal(state_from(*this), state_from(other));
 }
 
 pybind11::object state_of(const ProfileValue& self) {
+  if (self.surface)
+    throw Error(self.report().source + ": a profile that varies cannot be pickled: read its file again");
   return state_of(state_from(self));
 }
 
@@ -229,6 +233,14 @@ void bind_curve(py::class_<ProfileValue>& profile) {
           "length", [](const ProfileValue& self) { return self.profile().length(); },
           "Of the polygon through the points [m], the largest s.")
       .def_property_readonly(
+          "extent",
+          [](const ProfileValue& self) {
+            return self.surface ? std::optional(std::pair(self.surface->first_u(), self.surface->last_u()))
+                                : std::nullopt;
+          },
+          "Of a profile that varies: where its first and its last slice are, along the track [m] or around the\n"
+          "wheel [rad]; else None. Its points are those of the first one.")
+      .def_property_readonly(
           "y", [](const ProfileValue& self) { return coordinates(self.prepared->points, &ProfilePoint::y); },
           "y of the points that the spline is laid through [m], shape (n).")
       .def_property_readonly(
@@ -316,13 +328,17 @@ void bind_profile(py::module_& module) {
                                             .z_axis = z_axis,
                                             .section = section,
                                             .treatment = treatment_of(smoothing_length, trim)};
-        return shared(read_profile(readable_path(path), options));
+        PlacedProfile profile = read_placed_profile(readable_path(path), options);
+        ProfileValue value = shared(profile);
+        value.surface = profile.surface;
+        return value;
       },
       "path"_a, py::kw_only(), "kind"_a = py::none(), "format"_a = py::none(), "unit"_a = py::none(), "scale"_a = 1.0,
       "y_axis"_a = py::none(), "z_axis"_a = py::none(), "section"_a = 1, "smoothing_length"_a = 0.0,
       "trim"_a = py::none(),
-      "The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z. What the file does "
-      "not\n"
+      "The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw "
+      "of\n"
+      "a rail that varies along the track and of a wheel that is not round. What the file does not\n"
       "say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z "
       "is\n"
       "positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses "

@@ -2,6 +2,7 @@
 
 #include "binding/fields.hpp"
 #include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile_surface.hpp"
 
 #include <memory>
 
@@ -10,9 +11,10 @@ namespace microslip::python {
 template <>
 inline constexpr auto fields<ProfilePoint> = std::tuple{Field{"y", &ProfilePoint::y}, Field{"z", &ProfilePoint::z}};
 
-/// Python's Profile: a profile and its report, shared by copies since neither changes.
+/// Python's Profile: a profile, its report, and its surface where it varies; shared by copies since none changes.
 struct ProfileValue {
   std::shared_ptr<const PreparedProfile> prepared;
+  std::shared_ptr<const ProfileSurface> surface = {}; ///< of one that varies
 
   const Profile& profile() const { return prepared->profile; }
   const ProfileReport& report() const { return prepared->report; }

@@ -137,13 +137,13 @@ py::class_<Differentiated<Solution>> bind(py::module_& module, const char* name,
 
 void bind_wheel_rail_derivatives(py::module_& module, py::class_<PythonWheelRail>& wheel_rail) {
   auto one =
-      bind<WheelRailSolution>(module, "WheelRailDerivatives", "Forces on a wheel and their derivatives.", "(7, 29)");
+      bind<WheelRailSolution>(module, "WheelRailDerivatives", "Forces on a wheel and their derivatives.", "(7, 31)");
   one.def_property_readonly(
       "solution", [](const DifferentiatedState& self) -> const WheelRailSolution& { return self.solution; },
       "The WheelRailSolution.");
   add_value(one, {"solution"});
   auto many = bind<SolvedStates>(module, "WheelRailDerivativeArrays",
-                                 "Forces on a wheel in many states and their derivatives.", "(..., 7, 29)");
+                                 "Forces on a wheel in many states and their derivatives.", "(..., 7, 31)");
   many.def_property_readonly(
       "solution", [](const DifferentiatedStates& self) -> const SolvedStates& { return self.solution; },
       "The WheelRailArrays.");

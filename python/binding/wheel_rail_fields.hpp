@@ -8,7 +8,8 @@ namespace microslip::python {
 template <>
 inline constexpr auto fields<Track> =
     std::tuple{Field{"gauge", &Track::gauge}, Field{"gauge_height", &Track::gauge_height},
-               Field{"rail_origin", &Track::rail_origin}, Field{"cant", &Track::cant}};
+               Field{"rail_origin", &Track::rail_origin}, Field{"cant", &Track::cant},
+               Field{"roller_radius", &Track::roller_radius}};
 template <>
 inline constexpr auto fields<Wheelset> =
     std::tuple{Field{"flange_back_distance", &Wheelset::flange_back_distance},

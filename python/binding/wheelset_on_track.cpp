@@ -93,10 +93,12 @@ std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileV
                              .wheelset = wheelset,
                              .material = combine(material, material),
                              .friction = inclined_friction_from(friction),
-                             .strength = strength};
+                             .strength = strength,
+                             .rail_surface = rail.surface,
+                             .wheel_surface = wheel.surface};
   WheelRailBodies right = left;
-  if (right_rail != nullptr) right.rail = right_rail->profile();
-  if (right_wheel != nullptr) right.wheel = right_wheel->profile();
+  if (right_rail != nullptr) right.rail = right_rail->profile(), right.rail_surface = right_rail->surface;
+  if (right_wheel != nullptr) right.wheel = right_wheel->profile(), right.wheel_surface = right_wheel->surface;
   return std::make_unique<PythonWheelset>(
       left, right, method_from(theory, shape, grid, tolerance, fields, table, left.material.poisson_ratio));
 }

@@ -134,7 +134,7 @@ class WheelRailTest(unittest.TestCase):
     def test_derivatives_come_in_batches(self):
         lateral, yaw = np.linspace(-4e-3, 4e-3, 3), np.array([[0.0], [2e-3]])
         many = self.pair.differentiate_batch(lateral=lateral, yaw=yaw, vertical=[-2.5e-4, -2.5e-4, 0.05], forward_velocity=30.0)
-        self.assertEqual(many.jacobian.shape, (2, 3, 7, 29))
+        self.assertEqual(many.jacobian.shape, (2, 3, 7, 31))
         self.assertEqual(many.solution.force_y.shape, (2, 3))
         one = self.pair.differentiate(lateral=lateral[1], yaw=2e-3, vertical=-2.5e-4, forward_velocity=30.0)
         np.testing.assert_array_equal(many.jacobian[1, 1], one.jacobian)

@@ -15,7 +15,7 @@ NUMBERS = ("lateral", "roll", "yaw", "forward_velocity", "lateral_velocity", "ve
            "deflection_yaw", "deflection_longitudinal_velocity", "deflection_lateral_velocity", "deflection_vertical_velocity",
            "deflection_roll_velocity", "deflection_pitch_velocity", "deflection_yaw_velocity", "deviation_lateral",
            "deviation_vertical", "deviation_roll", "deviation_lateral_velocity", "deviation_vertical_velocity",
-           "deviation_roll_velocity", "vertical_force")
+           "deviation_roll_velocity", "longitudinal", "pitch", "vertical_force")
 
 
 def wheel_rail(**options):

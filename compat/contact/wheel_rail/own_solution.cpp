@@ -1,12 +1,14 @@
 #include "compat/contact/wheel_rail/own_solution.hpp"
 
 #include "compat/contact/set_up.hpp"
-#include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/contact/wheel_rail/patch_case.hpp"
+#include "compat/contact/wheel_rail/root_search.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace microslip::contact_program {
 namespace {
@@ -15,35 +17,57 @@ constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6;
 
 struct Refusal {
   const char* reason;
-  bool (*applies)(const Case& c, const WheelRailData& d);
+  bool (*applies)(const Case& c);
 };
 
 constexpr Refusal refusals[] = {
-    {"a roller", [](const Case&, const WheelRailData& d) { return d.digits.is_roller(); }},
-    {"T other than 3", [](const Case& c, const WheelRailData&) { return c.digits.tang != Tangential::steady; }},
-    {"F > 0", [](const Case&, const WheelRailData& d) { return d.digits.force != TotalForce::none; }},
-    {"friction that varies", [](const Case& c, const WheelRailData&) { return c.friction.sets.size() != 1; }},
-    {"L > 0", [](const Case& c, const WheelRailData&) { return c.friction.law != Law::coulomb; }},
-    {"viscoelastic bodies or a layer",
-     [](const Case& c, const WheelRailData&) {
-       return c.digits.mater == Bulk::viscoelastic || c.digits.mater == Bulk::layer;
-     }},
-    {"profiles that vary",
-     [](const Case&, const WheelRailData& d) { return is_variable(d.rail) || is_variable(d.wheel); }},
+    {"T = 1 (shifts): our elements of second order are fitted to steady rolling",
+     [](const Case& c) { return c.digits.tang == Tangential::shift; }},
+    {"T = 2 (transient rolling): our elements of second order are fitted to steady rolling",
+     [](const Case& c) { return c.digits.tang == Tangential::transient; }},
+    {"L > 0 (friction that falls with the slip or with temperature): elements of second order have one coefficient",
+     [](const Case& c) { return c.digits.has_friction() && c.friction.law != Law::coulomb; }},
+    {"M = 1 (viscoelastic bodies): ours are elastic",
+     [](const Case& c) { return c.digits.mater == Bulk::viscoelastic; }},
+    {"M = 4 (a layer between the bodies): ours touch", [](const Case& c) { return c.digits.mater == Bulk::layer; }},
+    {"B = 1 (a thin sheet): ours are half-spaces",
+     [](const Case& c) { return c.digits.bound == PressureModel::thin_sheet; }},
+    {"C = 9 (influence coefficients from a file): ours are half-spaces'",
+     [](const Case& c) { return c.material->coefficients == Coefficients::from_file; }},
 };
 
-/// In metres, z up.
-Profile own_profile(const ProfileRecord& record, ProfileRole role) {
-  const auto curve = record.curve ? record.curve : read_profile_curve(record, role);
+/// A profile in metres, z up, and its surface where it varies.
+Profile own_profile(const ProfileShape& shape, ProfileRole role) {
   std::vector<ProfilePoint> points;
-  for (const ProfilePoint& p : curve->points()) points.push_back({mm * p.y, -mm * p.z});
-  return {role, points, curve->kinks()};
+  for (const ProfilePoint& p : shape.curve->points()) points.push_back({mm * p.y, -mm * p.z});
+  return {role, points, shape.curve->kinks()};
+}
+std::shared_ptr<const ProfileSurface> own_surface(const ProfileShape& shape, double unit_of_u) {
+  if (!shape.varies()) return {};
+  return std::make_shared<const ProfileSurface>(shape.surface->in_units(unit_of_u, mm, -mm));
 }
 
-WheelRailBodies own_bodies(const Case& c) {
+/// CONTACT's inclinations are those of a right wheel's surface against the wheelset, with z down; ours are those of a
+/// left rail's against the track, with z up.
+std::vector<InclinedFriction> own_friction(const Case& c) {
+  const FrictionData& friction = c.friction;
+  const WheelRailData& d = *c.wheel_rail;
+  if (!c.digits.has_friction()) return {{0, 1}}; // nothing slides
+  if (friction.stations.empty()) return {{0, friction.sets[0][0]}};
+  if (d.digits.varfrc == FrictionStations::along_track) return {{0, friction_at(friction, d.position.s)[0]}};
+  const WheelRailData right = d.digits.is_left() ? mirrored(d) : d;
+  const double roll = right.position.roll + right.deflection.droll;
+  std::vector<InclinedFriction> own;
+  for (std::size_t k = friction.stations.size(); k-- > 0;)
+    own.push_back({-(friction.stations[k] + roll), friction.sets[k][0]});
+  return own;
+}
+
+WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
   const WheelRailData& d = *c.wheel_rail;
   Track track;
   track.cant = d.track.cant;
+  if (d.digits.is_roller()) track.roller_radius = mm * d.track.roller_radius;
   if (d.track.by_gauge()) {
     track.gauge = mm * d.track.gauge_width;
     track.gauge_height = mm * d.track.gauge_height;
@@ -54,35 +78,117 @@ WheelRailBodies own_bodies(const Case& c) {
       mm * d.wheelset.flange_back_distance, mm * d.wheelset.flange_back_position, mm * d.wheelset.nominal_radius, {}};
   constexpr double no_tape_circle = 999;
   if (std::abs(d.wheelset.tape_circle) < no_tape_circle) wheelset.tape_circle = mm * d.wheelset.tape_circle;
-  return {.rail = own_profile(d.rail, ProfileRole::rail),
-          .wheel = own_profile(d.wheel, ProfileRole::wheel),
+  return {.rail = own_profile(placement.rail_profile, ProfileRole::rail),
+          .wheel = own_profile(placement.wheel_profile, ProfileRole::wheel),
           .track = track,
           .wheelset = wheelset,
           .side = d.digits.is_left() ? TrackSide::left : TrackSide::right,
           .material = combined_material(c),
-          .friction = {{0, c.friction.sets[0][0]}}};
+          .friction = own_friction(c),
+          .strength = {},
+          .rail_surface = own_surface(placement.rail_profile, mm),
+          .wheel_surface = own_surface(placement.wheel_profile, 1)};
 }
 
-/// CONTACT's axes, y to the right and z down, are ours turned by half a turn about x.
-WheelState<double> own_state(const WheelRailData& d) {
+/// Patches as D = 4 has them, with C = 4 at angles to one another.
+PatchShape own_shape(const Case& c) {
+  if (c.wheel_rail->search != ContactSearch::conformal) return PatchShape::flat;
+  return c.material->coefficients == Coefficients::angle_corrected ? PatchShape::conformal : PatchShape::curved;
+}
+
+/// CONTACT's axes, y to the right and z down, are ours turned by half a turn about x. Without friction nothing moves.
+WheelState<double> own_state(const Case& c) {
+  const WheelRailData& d = *c.wheel_rail;
   WheelState<double> s;
   s.lateral = -mm * d.position.y;
   s.roll = d.position.roll;
   s.yaw = -d.position.yaw;
-  s.forward_velocity = mm * d.velocity.vs;
+  s.longitudinal = mm * d.position.s;
+  s.pitch = -d.position.pitch;
+  const auto& f = d.deflection;
+  const RailPosition& r = d.rail_position;
+  s.deflection = {
+      .longitudinal = mm * f.dx, .lateral = -mm * f.dy, .vertical = -mm * f.dz, .roll = f.droll, .yaw = -f.dyaw};
+  s.rail = {.lateral = -mm * r.dy, .vertical = -mm * r.dz, .roll = r.roll};
+  if (!c.digits.has_friction()) return s;
+  const double rate = d.digits.is_roller() ? d.track.roller_radius : 1; // a roller's velocity is that of its rotation
+  s.forward_velocity = mm * rate * d.velocity.vs;
   s.lateral_velocity = -mm * d.velocity.vy;
   s.vertical_velocity = -mm * d.velocity.vz;
   s.roll_velocity = d.velocity.vroll;
   s.pitch_velocity = -d.velocity.vpitch;
   s.yaw_velocity = -d.velocity.vyaw;
   s.curvature = -per_m * d.track.curvature;
-  const auto& f = d.deflection;
-  s.deflection = {mm * f.dx,  -mm * f.dy, -mm * f.dz, f.droll,   -f.dyaw, mm * f.vx,
-                  -mm * f.vy, -mm * f.vz, f.vroll,    -f.vpitch, -f.vyaw};
-  const RailPosition& r = d.rail_position;
-  s.rail = {-mm * r.dy, -mm * r.dz, r.roll, -mm * r.vy, -mm * r.vz, r.vroll};
+  s.deflection.longitudinal_velocity = mm * f.vx;
+  s.deflection.lateral_velocity = -mm * f.vy;
+  s.deflection.vertical_velocity = -mm * f.vz;
+  s.deflection.roll_velocity = f.vroll, s.deflection.pitch_velocity = -f.vpitch, s.deflection.yaw_velocity = -f.vyaw;
+  s.rail.lateral_velocity = -mm * r.vy, s.rail.vertical_velocity = -mm * r.vz, s.rail.roll_velocity = r.vroll;
   return s;
 }
+
+/// A wheel in the state of a case; where a total force is prescribed, in that which bears it.
+class OwnWheel {
+public:
+  OwnWheel(const Case& c, const WheelOutcome& wheel)
+      : case_(c), data_(*c.wheel_rail),
+        solver_(own_bodies(c, wheel.placement), {.level = WheelRailLevel::exact, .shape = own_shape(c)}),
+        state_(own_state(c)) {
+    if (c.digits.norm == Normal::force)
+      vertical_force_ = data_.position.z;
+    else
+      state_.vertical = -mm * data_.position.z;
+    if (data_.digits.force == TotalForce::force_x) find_pitch_velocity();
+    if (data_.digits.force == TotalForce::rail_deflection) find_deflection();
+    if (data_.digits.force == TotalForce::none) solve();
+  }
+
+  const WheelRailSolution& solution() const { return solution_; }
+  const WheelState<double>& state() const { return state_; }
+
+private:
+  void solve() { solver_.solve(state_, vertical_force_, solution_); }
+
+  /// Changes a number of the state until what a solution misses is small beside `scale` [N]. Ends where none is found.
+  template <class Missing> void find(double& number, double first_step, double scale, const Missing& missing) {
+    constexpr int most_steps = 40;
+    constexpr double exact = 1e-5;
+    RootSearch search(first_step);
+    for (int k = 0; k < most_steps; ++k) {
+      solve();
+      if (solution_.status != Status::ok) return;
+      const double force = missing();
+      if (std::abs(force) <= exact * scale) return;
+      number = search.next(number, force);
+    }
+    solution_.status = Status::not_converged;
+  }
+
+  /// F = 1: FX_WS, on the rail along the wheelset's x.
+  void find_pitch_velocity() {
+    const double wanted = data_.velocity.vpitch, free = state_.forward_velocity / (mm * data_.wheelset.nominal_radius);
+    state_.pitch_velocity = free;
+    const Rotation<double> axes = rotation_about_x(state_.roll) * rotation_about_z(state_.yaw);
+    find(state_.pitch_velocity, 1e-4 * free, *vertical_force_, [&] { return -dot(axes.ex, solution_.force) - wanted; });
+  }
+
+  /// F = 3: the rail's spring bears FY, to CONTACT's right.
+  void find_deflection() {
+    const RailSupport& support = data_.support;
+    const double start = state_.rail.lateral;
+    find(state_.rail.lateral, mm * support.first_step, *vertical_force_, [&] {
+      const double dy = -(state_.rail.lateral - start) * per_m;
+      return solution_.force.y - support.ky * dy + support.fy;
+    });
+  }
+
+  const Case& case_;
+  const WheelRailData& data_;
+  WheelRail solver_;
+  WheelState<double> state_;
+  std::optional<double> vertical_force_;
+  WheelRailSolution solution_;
+};
 
 void add_patch(std::vector<ComparedNumber>& numbers, int number, const WheelPatch& theirs, const WheelRailPatch& own,
                bool is_left) {
@@ -115,35 +221,31 @@ OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel) {
   OwnComparison comparison;
   const WheelRailData& d = *c.wheel_rail;
   for (const auto& [reason, applies] : refusals)
-    if (applies(c, d)) comparison.reasons.emplace_back(reason);
+    if (applies(c)) comparison.reasons.emplace_back(reason);
   if (!comparison.reasons.empty()) return comparison;
-  WheelRailSolution own;
   try {
-    WheelRail solver(own_bodies(c), {.level = WheelRailLevel::exact});
-    WheelState<double> state = own_state(d);
-    std::optional<double> force;
-    if (c.digits.norm == Normal::force)
-      force = d.position.z;
-    else
-      state.vertical = -mm * d.position.z;
-    own = solver.solve(state, force);
+    const OwnWheel own_wheel(c, wheel);
+    const WheelRailSolution& own = own_wheel.solution();
+    comparison.status = to_string(own.status);
+    comparison.own_patches = static_cast<int>(own.patches.size());
+    const auto add = [&](const char* name, const char* unit, double program, double of_own) {
+      comparison.numbers.push_back({name, unit, 0, program, of_own});
+    };
+    add("Z_WS", "mm", wheel.z, -own.vertical * per_m);
+    if (d.digits.force == TotalForce::force_x)
+      add("VPITCH_WS", "rad/s", wheel.vpitch, -own_wheel.state().pitch_velocity);
+    if (d.digits.force == TotalForce::rail_deflection)
+      add("DY_DEFL", "mm", wheel.dy_rail, -own_wheel.state().rail.lateral * per_m - d.rail_position.dy);
+    add("FX(TR)", "N", wheel.track.force.x, -own.force.x);
+    add("FY(TR)", "N", wheel.track.force.y, own.force.y);
+    add("FZ(TR)", "N", wheel.track.force.z, own.force.z);
+    if (own.patches.size() != wheel.patches.size()) return comparison;
+    for (std::size_t k = 0; k < wheel.patches.size(); ++k) // ours from the gauge side, CONTACT's from the field side
+      add_patch(comparison.numbers, static_cast<int>(k) + 1, wheel.patches[k], own.patches[own.patches.size() - 1 - k],
+                d.digits.is_left());
   } catch (const Error& error) {
     comparison.reasons.emplace_back(error.what());
-    return comparison;
   }
-  comparison.status = to_string(own.status);
-  comparison.own_patches = static_cast<int>(own.patches.size());
-  const auto add = [&](const char* name, const char* unit, double program, double of_own) {
-    comparison.numbers.push_back({name, unit, 0, program, of_own});
-  };
-  add("Z_WS", "mm", wheel.z, -own.vertical * per_m);
-  add("FX(TR)", "N", wheel.track.force.x, -own.force.x);
-  add("FY(TR)", "N", wheel.track.force.y, own.force.y);
-  add("FZ(TR)", "N", wheel.track.force.z, own.force.z);
-  if (own.patches.size() != wheel.patches.size()) return comparison;
-  for (std::size_t k = 0; k < wheel.patches.size(); ++k) // ours from the gauge side, CONTACT's from the field side
-    add_patch(comparison.numbers, static_cast<int>(k) + 1, wheel.patches[k], own.patches[own.patches.size() - 1 - k],
-              d.digits.is_left());
   return comparison;
 }
 

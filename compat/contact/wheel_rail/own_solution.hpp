@@ -19,13 +19,15 @@ struct ComparedNumber {
 };
 
 struct OwnComparison {
-  std::vector<std::string> reasons = {}; ///< why there is none: what only CONTACT's way has
+  std::vector<std::string> reasons = {}; ///< why there is none: what only CONTACT's way has, with its digit
   std::vector<ComparedNumber> numbers = {};
   std::string status = {}; ///< of our own solution
   int own_patches = 0;     ///< patches are compared if there are as many
 };
 
-/// Steadily rolling elastic wheels on a track with fixed profiles and one coefficient of friction. Takes 10 to 100 ms.
+/// Elastic wheels in steady rolling or without friction, on tracks and rollers, with profiles that vary too, heights or
+/// vertical forces prescribed, with F = 1 a longitudinal force, with F = 3 a rail on a spring. Takes 10 to 100 ms,
+/// twenty times that where F > 0.
 OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel);
 
 } // namespace microslip::contact_program

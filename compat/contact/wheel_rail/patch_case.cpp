@@ -11,19 +11,6 @@ double roll_of(const Rotation<double>& axes) {
   return std::atan2(axes.ey.z, axes.ey.y);
 }
 
-/// Sets that differ with the inclination or along the track: straight lines between them, and the outer ones beyond.
-std::vector<double> interpolated(const FrictionData& friction, double station) {
-  const auto& at = friction.stations;
-  const auto above = std::upper_bound(at.begin(), at.end(), station);
-  if (above == at.begin()) return friction.sets.front();
-  if (above == at.end()) return friction.sets.back();
-  const auto k = static_cast<std::size_t>(above - at.begin());
-  const double share = (station - at[k - 1]) / (at[k] - at[k - 1]);
-  std::vector<double> set = friction.sets[k - 1];
-  for (std::size_t i = 0; i < set.size(); ++i) set[i] += share * (friction.sets[k][i] - set[i]);
-  return set;
-}
-
 /// One set of a patch in a plane; rows of a curved one have sets of their own where friction varies with the
 /// inclination.
 FrictionData friction_of(const Case& c, const PatchLocation& location, const PatchFrame& frame) {
@@ -34,8 +21,8 @@ FrictionData friction_of(const Case& c, const PatchLocation& location, const Pat
   friction.by_row = !along && !frame.rows.empty();
   friction.sets.clear();
   for (const SurfaceRow& row : frame.rows)
-    if (friction.by_row) friction.sets.push_back(interpolated(c.friction, row.angle));
-  if (!friction.by_row) friction.sets = {interpolated(c.friction, along ? data.position.s : location.angle_on_wheel)};
+    if (friction.by_row) friction.sets.push_back(friction_at(c.friction, row.angle));
+  if (!friction.by_row) friction.sets = {friction_at(c.friction, along ? data.position.s : location.angle_on_wheel)};
   friction.stations.clear();
   return friction;
 }
@@ -62,6 +49,18 @@ void set_digits(Digits& d) {
 }
 
 } // namespace
+
+std::vector<double> friction_at(const FrictionData& friction, double station) {
+  const auto& at = friction.stations;
+  const auto above = std::upper_bound(at.begin(), at.end(), station);
+  if (above == at.begin()) return friction.sets.front();
+  if (above == at.end()) return friction.sets.back();
+  const auto k = static_cast<std::size_t>(above - at.begin());
+  const double share = (station - at[k - 1]) / (at[k] - at[k - 1]);
+  std::vector<double> set = friction.sets[k - 1];
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] += share * (friction.sets[k][i] - set[i]);
+  return set;
+}
 
 PatchLocation locate(const PatchFrame& frame, const Placement& placement) {
   const Frame<double>& reference = frame.reference;
