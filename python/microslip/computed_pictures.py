@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 import microslip
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, heading, new_figure, number,
-                                     open_axes, quantity)
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, NOISE, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading,
+                                     new_figure, number, open_axes, put_title, shown, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 
 LINE_COLOURS = (BLUE, ORANGE, GREEN, VERMILION, SKY_BLUE, BLACK)
@@ -58,17 +58,19 @@ def creep_curves_picture(result, spins=()):
     solvers = {"exact": case.exact_solver(cells=CURVE_GRID), simplified: case.simplified_solver(cells=CURVE_CELLS)}
     forces = {"exact": solvers["exact"].solve_batch(contact, creepages, 0, np.array(spins)[:, None]).forces,
               simplified: solvers[simplified].solve_batch(contact, creepages, 0, np.array(spins)[:, None], dissimilarity=0)}
-    figure = new_figure(11, 4.8)
-    figure.suptitle(heading("Creep curves, no lateral creepage", result, forces))
+    figure = new_figure(12.5, 4.8)
+    put_title(figure, heading("Creep curves, no lateral creepage", result, forces))
     for axes, name, label in zip(figure.subplots(1, 2, sharex=True), ("fx", "fy"), ("$F_x$", "$F_y$")):
         open_axes(axes)
         for row, (spin, colour) in enumerate(zip(spins, LINE_COLOURS * len(spins))):
             for theory, style in (("exact", "-"), (simplified, "--")):
-                axes.plot(1e3 * creepages, getattr(forces[theory], name)[row] / limit, style, color=colour, linewidth=2,
+                axes.plot(1e3 * creepages, shown(getattr(forces[theory], name)[row], limit) / limit, style, color=colour, linewidth=2,
                           label=f"{THEORIES[theory]}, spin {number(spin)} 1/m" if name == "fx" else None)
         axes.set_xlabel(r"longitudinal creepage $\xi$ [$10^{-3}$]")
-        axes.set_ylabel(rf"{label} on the wheel / ($\mu F_n$) [-]")
-    figure.axes[0].legend(loc="lower left", fontsize=8)
+        axes.set_ylabel(rf"{label} on {the(bodies_of(result)[0])} / ($\mu F_n$) [-]")
+        low, high = axes.get_ylim()
+        axes.set_ylim(min(low, -0.05), max(high, 0.05))  # a force that is zero is a line
+    figure.axes[1].legend(*figure.axes[0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
     return figure
 
 
@@ -78,12 +80,14 @@ def convergence_picture(result):
     contact = contact_of(result, case)
     limit = contact.friction.static_coefficient * contact.normal_force
     best = case.accurate_solver(1e-4).solve(contact)
-    figure = new_figure(7.2, 5)
+    figure = new_figure(7.2, 6)
     axes = figure.subplots()
     open_axes(axes)
     for name, colour in (("second_order", BLUE), ("classical", VERMILION)):
         solved = [case.exact_solver(cells=n, discretisation=name).solve(contact).forces for n in GRIDS]
         for force, style, marker in (("fx", "-", "o"), ("fy", "--", "s")):
+            if abs(getattr(best.forces, force)) < 1e-6 * limit:
+                continue  # rounding
             errors = [abs(getattr(one, force) - getattr(best.forces, force)) / limit for one in solved]
             axes.loglog(GRIDS, errors, style, color=colour, marker=marker, linewidth=2,
                         label=f"{name.replace('_', ' ')}, $F_{force[1]}$")
@@ -99,9 +103,11 @@ def convergence_picture(result):
     axes.axhline(best.error, color=BLACK, linewidth=1, linestyle="-.", label=f"estimated error of the limit, {best.elements} elements")
     axes.set_xlabel("elements across the ellipse, in each direction [-]")
     axes.set_ylabel(r"distance to the limit / ($\mu F_n$) [-]")
-    axes.set_title(f"limit: $F_x$ = {quantity(1e-3 * best.forces.fx, 'kN')}, $F_y$ = {quantity(1e-3 * best.forces.fy, 'kN')}")
-    figure.suptitle(f"Exact theory on finer grids: {result.attribute('title', 'rolling contact')}")
-    axes.legend(loc="lower left", frameon=True, framealpha=0.9, edgecolor="none")
+    forces = best.forces
+    largest = max(abs(forces.fx), abs(forces.fy), limit)
+    axes.set_title(f"limit: $F_x$ = {with_unit(forces.fx, 'N', largest)}, $F_y$ = {with_unit(forces.fy, 'N', largest)}")
+    put_title(figure, heading("Exact theory on finer grids", result))
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, handlelength=3.5)
     return figure
 
 
@@ -145,26 +151,31 @@ def stresses_picture(result, y=0.0):
         layers = microslip.InteriorLayers(field)
         for measure in measures:
             peaks[body, measure] = layers.find_largest(np.linspace(0.75 * grid.dx, size, 10), measure)
-    figure = new_figure(11.4, 5.4, layout="compressed")
-    figure.suptitle(f"Stresses in wheel and rail, y = {number(y)} mm: {result.attribute('title', 'rolling contact')}")
+    largest_of_all = max(peak.value for peak in peaks.values())
+    scale, unit = unit_for(largest_of_all, "Pa")
+    # True to scale where both directions are of one size; a slender ellipse rolling along its longer axis needs a tall panel.
+    figure = new_figure(12, 6.2)
+    bodies = bodies_of(result)
+    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}, y = {number(y)} mm", result))
     backward = result.text("/inputs/direction") == "backward"
+    to_scale = 1 / 3 < 4 * a / (3.2 * size) < 3
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
-        draw_section(figure, axes, x, depth, sections, measure)
+        draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
         axes.plot([-1e3 * a, 1e3 * a], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
-        axes.set_aspect("equal")
-        largest = [f"{who} {quantity(1e-6 * peaks[body, measure].value, 'MPa')} at {1e3 * peaks[body, measure].depth:.2f} mm"
-                   for body, who in ((1, "wheel"), (2, "rail"))]
+        axes.set_aspect("equal" if to_scale else "auto")
+        largest = [f"{who} {with_unit(peaks[body, measure].value, 'Pa')} at {with_unit(peaks[body, measure].depth, 'm')}"
+                   for body, who in zip((1, 2), bodies)]
         axes.set_title("\n".join([text, "largest: " + largest[0], largest[1]]))
-        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}")
-    figure.axes[0].set_ylabel("z [mm]: wheel above, rail below")
+        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}" + ("" if to_scale else "\n(not to the scale of z)"))
+        axes.locator_params(axis="x", nbins=7)
+    figure.axes[0].set_ylabel(f"z [mm]: {bodies[0]} above, {bodies[1]} below")
     return figure
 
 
-def draw_section(figure, axes, x, depth, sections, measure):
+def draw_section(figure, axes, x, depth, values, unit):
     """Both bodies' stresses as filled contours with a common scale."""
-    values = {body: 1e-6 * getattr(states, measure) for body, states in sections.items()}
     levels = MaxNLocator(LEVELS).tick_values(0, max(value.max() for value in values.values()))
     for body, side in ((1, 1), (2, -1)):
         fill = axes.contourf(1e3 * x, side * 1e3 * depth, values[body], levels=levels, cmap="viridis")
         axes.contour(1e3 * x, side * 1e3 * depth, values[body], levels=levels[::3], colors="white", linewidths=0.4)
-    figure.colorbar(fill, ax=axes, label="[MPa]", shrink=0.8, pad=0.02)
+    figure.colorbar(fill, ax=axes, label=f"[{unit}]", shrink=0.8, pad=0.02)

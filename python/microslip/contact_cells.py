@@ -1,89 +1,165 @@
-"""The grid of a contact area as cells to draw: rows with a spacing of their own, cells in adhesion or slip."""
+"""The grid of a contact area to draw: elements in adhesion or slip within the outline of the contact."""
 
 import math
 
 import numpy as np
+from matplotlib.patches import PathPatch
+
+from microslip.contact_outline import ellipse, outline_of_rows
 
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
 # Finer grids are sampled: a picture has no pixels to show more.
 MOST_CELLS = 400
+# Along the longer side of an image.
+PIXELS = 1000
 # Arrows along the contact's longer axis.
 MOST_ARROWS = 20
-# Ellipses slimmer than this are drawn with different scales along x and y.
+# Contacts slimmer than this are drawn with different scales along x and y.
 SLIMMEST_TRUE_TO_SCALE = 1 / 8
+# Rings and rays of the mesh of a surface.
+RINGS, RAYS = 48, 181
+# Elements so near to the edge do not tell the smooth factor of fields that vanish there.
+NEAR_EDGE = 0.97
 
 
 class ContactCells:
-    """Fields on a grid. Lengths in mm, tractions in MPa, relative slip in 1e-3; arrays (rows, cells of a row)."""
+    """Fields on a grid. Lengths in mm, tractions in MPa, relative slip in 1e-3; arrays (rows, cells of a row).
 
-    def __init__(self, x, y, area, bound, px, py, sx, sy, state, semi_axes):
+    The outline of the contact is the ellipse of the semi-axes, or with pressures where these vanish.
+    """
+
+    def __init__(self, x, y, area, bound, px, py, sx, sy, state, semi_axes=None, pressure=None, size=None):
         self.x, self.y, self.bound, self.px, self.py = x, y, bound, px, py
-        self.sx, self.sy, self.state = sx, sy, state
-        self.a, self.b = semi_axes
+        self.sx, self.sy, self.state, self.pressure = sx, sy, state, pressure
         self.row_y = y[:, 0]
+        self.inside = state != EXTERIOR
         rows, columns = x.shape
-        self.height = abs(self.row_y[-1] - self.row_y[0]) / (rows - 1) if rows > 1 else 2 * self.b
-        if columns > 1:
-            self.apart = np.abs(x[:, 0] - x[:, -1]) / (columns - 1)
+        if size:  # of the elements of a regular grid
+            self.apart, self.height = np.full(rows, size[0]), size[1]
         else:
-            self.apart = 2 * self.a * np.sqrt(np.clip(1 - (self.row_y / self.b) ** 2, 0, None))
+            self.height = abs(self.row_y[-1] - self.row_y[0]) / (rows - 1) if rows > 1 else 2 * semi_axes[1]
+            self.apart = (np.abs(x[:, 0] - x[:, -1]) / (columns - 1) if columns > 1
+                          else 2 * semi_axes[0] * np.sqrt(np.clip(1 - (self.row_y / semi_axes[1]) ** 2, 0, None)))
         # Cells of a row are as long as they are apart, but for one that is fitted to the leading edge: its area tells.
         self.widths = self.apart[:, None] * area / np.median(area, axis=1, keepdims=True)
-        # Towards the trailing edge x ascends or descends.
-        self.backward = -1 if columns > 1 and x[0, 0] > x[0, -1] else 1
+        if semi_axes is not None:
+            self.outline = ellipse(*semi_axes)
+        else:
+            self.outline = outline_of_rows(x, self.row_y, self.height, self.widths, pressure, self.inside)
+        left, right, low, high = self.outline.limits()
+        self.a, self.b = (right - left) / 2 or self.apart.max(), (high - low) / 2 or self.height
+        self.shown = self.inside & self.outline.contain(x, y)
 
-    def _rectangle(self, row, first, last):
-        """Corners of the cells from one to another in a row."""
-        ends = [self.x[row, i] + side * self.widths[row, i] / 2 for i in (first, last) for side in (-1, 1)]
-        left, right = min(ends), max(ends)
-        low, high = self.row_y[row] - self.height / 2, self.row_y[row] + self.height / 2
-        return [(left, low), (right, low), (right, high), (left, high)]
-
-    def rectangles(self):
-        """Corners of every cell in the contact area, and which cells they are: arrays (n, 4, 2), (n, 2)."""
-        cells = np.argwhere(self.state != EXTERIOR)
-        corners = [self._rectangle(row, i, i) for row, i in cells]
-        return np.array(corners).reshape(-1, 4, 2), cells
-
-    def _runs(self, row, state):
-        """First and last index of each unbroken run of cells in a state."""
+    def spans(self, state, row):
+        """From where to where along x the cells of a row are in a state, neighbours joined."""
         inside = np.concatenate(([False], self.state[row] == state, [False])).astype(np.int8)
         steps = np.diff(inside)
-        return zip(np.flatnonzero(steps == 1), np.flatnonzero(steps == -1) - 1)
+        for first, last in zip(np.flatnonzero(steps == 1), np.flatnonzero(steps == -1) - 1):
+            ends = [self.x[row, i] + side * self.widths[row, i] / 2 for i in (first, last) for side in (-1, 1)]
+            yield min(ends), max(ends)
 
-    def strips(self, state, row=None):
-        """Corners of the cells in a state, of one row or all, neighbours in a row joined: array (n, 4, 2)."""
-        rows = range(len(self.row_y)) if row is None else [row]
-        corners = [self._rectangle(one, first, last) for one in rows for first, last in self._runs(one, state)]
-        return np.array(corners).reshape(-1, 4, 2)
+    def nearest(self, x, y):
+        """Indices (row, cell) of the cells in contact that are nearest to all pairs of x and y: arrays (len(y), len(x))."""
+        rows = np.flatnonzero(self.inside.any(axis=1))
+        nearest = rows[np.argmin(np.abs(self.row_y[rows] - y[:, None]), axis=1)]
+        best = np.full((len(y), len(x)), np.inf)
+        row_of, cell_of = np.zeros(best.shape, dtype=int), np.zeros(best.shape, dtype=int)
+        for row in rows:  # of its own row and of both beside it
+            lines = np.flatnonzero(np.abs(nearest - row) <= 1)
+            cell, away = self._nearest_in_row(row, x)
+            aside = np.clip(np.abs(y[lines] - self.row_y[row]) / self.height - 0.5, 0, None)
+            distance = np.hypot(away[None, :], aside[:, None])
+            closer = distance < best[lines]
+            for target, values in ((best, distance), (row_of, np.full_like(cell_of[lines], row)),
+                                   (cell_of, np.broadcast_to(cell, distance.shape))):
+                target[lines] = np.where(closer, values, target[lines])
+        return row_of, cell_of
 
-    def _crossings(self, row):
-        """Edges within a row between adhesion and slip."""
-        here, there = self.state[row, :-1], self.state[row, 1:]
-        for i in np.flatnonzero((here != there) & (here != EXTERIOR) & (there != EXTERIOR)):
-            edge = self.x[row, i] + self.backward * self.widths[row, i] / 2
-            yield [(edge, self.row_y[row] - self.height / 2), (edge, self.row_y[row] + self.height / 2)]
+    def _nearest_in_row(self, row, x):
+        """The cells of a row that hold positions or are nearest to them, and how far away they are, in widths."""
+        cells = np.flatnonzero(self.inside[row])
+        cells = cells[np.argsort(self.x[row, cells])]
+        middle, half = self.x[row, cells], self.widths[row, cells] / 2
+        borders = (middle[:-1] + half[:-1] + middle[1:] - half[1:]) / 2
+        found = np.searchsorted(borders, x)
+        return cells[found], np.clip(np.abs(x - middle[found]) / (2 * half[found]) - 0.5, 0, None)
 
-    def _steps(self, row):
-        """Edges between a row and the next where adhesion meets slip."""
-        level = self.row_y[row] + self.height / 2
-        for below, above in ((ADHESION, SLIP), (SLIP, ADHESION)):
-            for first, last in self._runs(row, below):
-                lower = self._rectangle(row, first, last)
-                for other_first, other_last in self._runs(row + 1, above):
-                    upper = self._rectangle(row + 1, other_first, other_last)
-                    left, right = max(lower[0][0], upper[0][0]), min(lower[1][0], upper[1][0])
-                    if left < right:
-                        yield [(left, level), (right, level)]
+    def pixels(self):
+        """Positions x and y of an image of the contact, some points beyond its outline."""
+        left, right, low, high = self.outline.limits()
+        along, across = (np.linspace(*ends, PIXELS) for ends in ((left, right), (low, high)))
+        return along, across
 
-    def boundary(self):
-        """Line segments along cell edges that separate adhesion from slip."""
-        rows = len(self.row_y)
-        segments = [segment for row in range(rows) for segment in self._crossings(row)]
-        return segments + [segment for row in range(rows - 1) for segment in self._steps(row)]
+    def draw(self, axes, values, turned=False, **how):
+        """Values of the cells as flat colours up to the outline; turned: x upwards, y to the right."""
+        if not self.inside.any():
+            return
+        x, y = self.pixels()
+        image = np.ma.masked_invalid(values[self.nearest(x, y)])
+        extent = (x[0], x[-1], y[0], y[-1])
+        if turned:
+            image, extent = image.T, (*extent[2:], *extent[:2])
+        drawn = axes.imshow(image, extent=extent, origin="lower", interpolation="nearest", aspect=axes.get_aspect(), **how)
+        drawn.set_clip_path(self.path(turned), axes.transData)
+
+    def draw_outline(self, axes, turned=False, **how):
+        """The outline as a line, or with a facecolor as an area."""
+        how = {"fill": "facecolor" in how, "edgecolor": "black", "linewidth": 1.2, "zorder": 3, **how}
+        axes.add_patch(PathPatch(self.path(turned), **how))
+
+    def draw_boundary(self, axes, turned=False):
+        """The line between adhesion and slip, with a white rim."""
+        if not self.has_boundary():
+            return
+        x, y = self.pixels()
+        adheres = (self.state[self.nearest(x, y)] == ADHESION).astype(float)
+        coordinates = (y, x, adheres.T) if turned else (x, y, adheres)
+        for colour, width in (("white", 3.2), ("black", 1.8)):
+            lines = axes.contour(*coordinates, levels=[0.5], colors=colour, linewidths=width, zorder=2.5)
+            for line in lines.collections:
+                line.set_clip_path(self.path(turned), axes.transData)
+
+    def path(self, turned=False):
+        """The outline as a path."""
+        return self.outline.turned() if turned else self.outline.path
+
+    def has_boundary(self):
+        """Whether there are adhesion and slip."""
+        return bool((self.state == ADHESION).any() and (self.state == SLIP).any())
+
+    def surface(self, values, vanishes):
+        """Values on meshes from the middle of each part of the contact to its outline: arrays x, y, values of rings and rays.
+
+        Between the cells they are interpolated, of fields that vanish at the edge what is left when the root of the
+        distance, as of Hertz's pressure, is divided out.
+        """
+        return [self._surface_of(StarMesh(part), values, vanishes) for part in self.outline.parts]
+
+    def _surface_of(self, mesh, values, vanishes):
+        place = mesh.place(self.x, self.y)
+        mine = self.inside & (place < (NEAR_EDGE if vanishes else 1.0))
+        if not mine.any():
+            mine = self.inside & (place < 1.5)
+        factor = np.sqrt(np.clip(1 - place**2, 1 - NEAR_EDGE**2, None)) if vanishes else np.ones(place.shape)
+        smooth = self._interpolated(values / factor, mine, mesh.x, mesh.y)
+        return mesh.x, mesh.y, smooth * mesh.edge_factor() if vanishes else smooth
+
+    def _interpolated(self, values, mine, x, y):
+        """Along rows and between them; beyond the outermost cells as there."""
+        rows = np.flatnonzero(mine.any(axis=1))
+        rows = rows[np.argsort(self.row_y[rows])]
+        at = np.interp(y, self.row_y[rows], np.arange(len(rows)))
+        lower = np.minimum(at.astype(int), len(rows) - 1)
+        result = np.zeros(x.shape)
+        for number, row in enumerate(rows):
+            cells = np.flatnonzero(mine[row])
+            cells = cells[np.argsort(self.x[row, cells])]
+            for points, share in ((lower == number, 1 - (at - lower)), (lower == number - 1, at - lower)):
+                result[points] += share[points] * np.interp(x[points], self.x[row, cells], values[row, cells])
+        return result
 
     def true_to_scale(self):
-        """Whether one scale along x and y shows the ellipse well."""
+        """Whether one scale along x and y shows the contact well."""
         return SLIMMEST_TRUE_TO_SCALE <= self.a / self.b <= 1 / SLIMMEST_TRUE_TO_SCALE
 
     def sample(self):
@@ -93,7 +169,7 @@ class ContactCells:
         chosen = np.zeros(self.state.shape, dtype=bool)
         for row in every(len(self.row_y), apart_y / self.height):
             chosen[row, every(self.state.shape[1], apart_x / self.apart[row])] = True
-        return chosen & (self.state != EXTERIOR)
+        return chosen & self.shown
 
     def _arrows_apart(self):
         return 2 * max(self.a, self.b) / MOST_ARROWS
@@ -104,6 +180,36 @@ class ContactCells:
         return min(1.35 * spacing, 0.15 * 2 * max(self.a, self.b))
 
 
+class StarMesh:
+    """Points on rings within a closed curve, each a smaller picture of it about its middle; the rings crowd at the curve."""
+
+    def __init__(self, curve):
+        self.middle = (curve.max(axis=0) + curve.min(axis=0)) / 2
+        self.scale = (curve.max(axis=0) - curve.min(axis=0)) / 2
+        away = (curve - self.middle) / self.scale
+        angle, radius = np.arctan2(away[:, 1], away[:, 0]), np.hypot(*away.T)
+        order = np.argsort(angle)
+        self._angle, self._radius = angle[order], radius[order]
+        self.rings = np.sin(np.linspace(0, np.pi / 2, RINGS))[:, None]
+        rays = np.linspace(-np.pi, np.pi, RAYS)
+        reach = self._reach(rays)
+        self.x = self.middle[0] + self.scale[0] * self.rings * reach * np.cos(rays)
+        self.y = self.middle[1] + self.scale[1] * self.rings * reach * np.sin(rays)
+
+    def _reach(self, angle):
+        """The distance of the curve, in the scale of its half widths."""
+        return np.interp(angle, self._angle, self._radius, period=2 * np.pi)
+
+    def place(self, x, y):
+        """The ring of points: 0 in the middle, 1 on the curve."""
+        across, up = (x - self.middle[0]) / self.scale[0], (y - self.middle[1]) / self.scale[1]
+        return np.hypot(across, up) / self._reach(np.arctan2(up, across))
+
+    def edge_factor(self):
+        """sqrt(1 - ring^2): Hertz's pressure in parts of its largest one."""
+        return np.broadcast_to(np.sqrt(np.clip(1 - self.rings**2, 0, None)), self.x.shape)
+
+
 def every(count, stride):
     """Indices of evenly spaced entries, the remainder shared between both ends; the stride is rounded up."""
     stride = min(count, max(1, math.ceil(stride - 1e-9)))
@@ -111,10 +217,13 @@ def every(count, stride):
 
 
 def read_cells(result, theory):
-    """The cells of one theory's fields in a result file."""
+    """The cells of one theory's fields in a result file. Their outline is Hertz's ellipse where his theory holds."""
     folder = f"/{theory}/fields"
     names = [f"{folder}/{name}" for name in ("x", "y", "area", "bound", "px", "py", "sx", "sy", "state")]
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(names[0])]
     x, y, area, bound, px, py, sx, sy, state = result.arrays(names, dimensions=2, strides=strides)
     semi_axes = (1e3 * result.number("/hertz/a"), 1e3 * result.number("/hertz/b"))
-    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, semi_axes)
+    pressure = None
+    if theory == "exact" and result.assumption("hertz"):
+        semi_axes, pressure = None, 1e-6 * result.array(f"{folder}/pressure", dimensions=2, strides=strides)
+    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, semi_axes, pressure)

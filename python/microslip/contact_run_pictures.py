@@ -1,114 +1,168 @@
-"""Pictures of what `microslip run` wrote: forces over the cases, and pressure and tractions of cases whose elements are stored."""
+"""Pictures of what `microslip run` wrote: forces over the cases, the fields of cases whose elements are stored, stresses inside
+the bodies where points were asked for."""
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 
-from microslip.contact_cells import ADHESION, EXTERIOR
+from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
 from microslip.field_picture import SEQUENTIAL
-from microslip.picture_style import BLACK, BLUE, GREEN, VERMILION, heading, new_figure, open_axes
-from microslip.result_file import ResultError
+from microslip.interior_picture import interior_picture
+from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title,
+                                     shown, unit_for)
 
 # So many cases have a picture of their own.
 MOST_CASES = 12
-# So many arrows along each axis of a patch.
-MOST_ARROWS = 24
 GRID_NAMES = ["x0", "y0", "dx", "dy"]
+# Forces and changes of a force that are smaller than this part of the normal force are what a solver leaves.
+STEADY = 1e-5
 
 
 def contact_run_pictures(result):
     """The pictures of a result file of kind contact_run, by file name."""
     numbers, stored = (result.array(f"/cases/{name}") for name in ("number", "stored_elements"))
-    figures = {}
-    if len(np.unique(numbers)) > 1:
-        figures["forces.png"] = forces_picture(result)
+    figures = {"forces.png": forces_picture(result)}
     for case in np.unique(numbers[stored > 0])[:MOST_CASES]:
         contacts = np.flatnonzero((numbers == case) & (stored > 0))
         figures[f"case_{int(case):04}.png"] = case_picture(result, int(case), contacts)
-    if not figures:
-        raise ResultError(f"{result.path}: one case without elements; digit A > 0 stores them")
+    if "/cases/stored_points" in result:
+        points = result.array("/cases/stored_points")
+        for case in np.unique(numbers[points > 0])[:MOST_CASES]:
+            contact = np.flatnonzero((numbers == case) & (points > 0))[0]
+            figures[f"stresses_{int(case):04}.png"] = stresses_picture(result, int(case), contact)
     return figures
 
 
 def forces_picture(result):
     """Forces on body 1 over the cases, of each patch."""
     numbers, patches = (result.array(f"/cases/{name}") for name in ("number", "patch"))
-    figure = new_figure(8, 5)
-    axes = figure.subplots(2, 1, sharex=True)
+    figure = new_figure(8.4, 5)
+    panels = figure.subplots(2, 1, sharex=True)
+    drawn = ((panels[0], "normal_force", BLACK, "$F_n$"), (panels[1], "fx", BLUE, "$F_x$"), (panels[1], "fy", VERMILION, "$F_y$"))
+    values = {name: result.array(f"/cases/{name}", finite=False) for _, name, _, _ in drawn}
+    largest = {axes: max(np.nanmax(np.abs(values[name]), initial=0) for one, name, _, _ in drawn if one is axes) for axes in panels}
     for patch in np.unique(patches):
         chosen = patches == patch
         label = f", patch {int(patch)}" if patch > 0 else ""
-        marker = "osD^v<>"[int(patch) % 7]
-        for axis, name, colour, symbol in (
-            (axes[0], "normal_force", BLACK, "$F_n$"),
-            (axes[1], "fx", BLUE, "$F_x$"),
-            (axes[1], "fy", VERMILION, "$F_y$"),
-        ):
-            values = 1e-3 * result.array(f"/cases/{name}", finite=False)[chosen]
-            axis.plot(numbers[chosen], values, color=colour, marker=marker, markersize=3, linewidth=1, label=symbol + label)
-    axes[0].set_ylabel("normal force in kN")
-    axes[1].set_ylabel("forces on body 1 in kN")
-    axes[1].set_xlabel("case")
-    for axis in axes:
-        open_axes(axis)
-        axis.legend(fontsize=7)
-    figure.suptitle(heading("Forces", result))
+        for axes, name, colour, symbol in drawn:
+            scale, _ = unit_for(largest[axes], "N")
+            axes.plot(numbers[chosen], scale * shown(values[name][chosen], max(largest.values()), STEADY), color=colour,
+                      marker="osD^v<>"[int(patch) % 7], markersize=3, linewidth=1, label=symbol + label)
+    for axes, what in zip(panels, ("normal force", "forces on body 1")):
+        axes.set_ylabel(f"{what} [{unit_for(largest[axes], 'N')[1]}]")
+        open_axes(axes)
+        axes.ticklabel_format(useOffset=False)
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        show_noise_as_a_line(axes)
+    panels[1].set_xlabel("case")
+    panels[1].xaxis.get_major_locator().set_params(integer=True)
+    put_title(figure, heading("Forces", result))
     return figure
+
+
+def show_noise_as_a_line(axes):
+    """What changes by rounding only is drawn as a line in the middle."""
+    low, high = axes.dataLim.intervaly
+    far = max(abs(low), abs(high))
+    if np.isfinite(far) and high - low < STEADY * far:
+        axes.set_ylim(low - 0.1 * far, high + 0.1 * far)
+    elif far == 0:
+        axes.set_ylim(-1, 1)
 
 
 def case_picture(result, case, contacts):
-    """Pressure as colours, tractions as arrows and the elements that adhere outlined, a panel for each contact."""
-    figure = new_figure(1 + 4.5 * len(contacts), 5)
+    """Pressure with the tractions as arrows, a panel for each contact; of a grid of one row curves along x."""
+    grids = [stored_cells(result, contact) for contact in contacts]
+    if all(grid.x.shape[0] == 1 for grid in grids):
+        return curves_picture(result, case, contacts, grids)
+    wide = max(grid.a / grid.b for grid in grids)
+    height = 5.2 if wide < 1.6 else 4.0
+    figure = new_figure(1.6 + (4.6 if wide < 1.6 else 6) * len(contacts), height)
     panels = figure.subplots(1, len(contacts), squeeze=False)[0]
-    grids = [StoredElements(result, contact) for contact in contacts]
     highest = max(grid.pressure.max() for grid in grids)
+    scale, unit = unit_for(1e6 * highest, "Pa")
+    colours = Normalize(0, 1e6 * scale * highest or 1)
+    longest = max(np.hypot(grid.px, grid.py).max() for grid in grids)
     for axes, contact, grid in zip(panels, contacts, grids):
-        image = axes.pcolormesh(grid.x_edges, grid.y_edges, grid.shown_pressure, cmap=SEQUENTIAL, vmin=0, vmax=highest)
-        adheres = (grid.state == ADHESION).astype(float)
-        if 0 < adheres.sum() and min(adheres.shape) > 1:
-            axes.contour(grid.x, grid.y, adheres, levels=[0.5], colors=GREEN, linewidths=1)
-        draw_tractions(axes, grid)
-        axes.set_aspect("equal")
-        axes.set_xlabel("x in mm")
-        axes.set_ylabel("y in mm")
+        left, right, low, high = grid.outline.limits()
+        axes.set_xlim(left - 0.1 * grid.a, right + 0.1 * grid.a)
+        axes.set_ylim(low - 0.1 * grid.b, high + 0.1 * grid.b)
+        axes.set_aspect("equal" if grid.true_to_scale() else "auto")
+        grid.draw(axes, 1e6 * scale * grid.pressure, cmap=SEQUENTIAL, norm=colours)
+        grid.draw_boundary(axes)
+        grid.draw_outline(axes)
+        chosen = grid.sample()
+        if longest > 0:
+            axes.quiver(grid.x[chosen], grid.y[chosen], grid.px[chosen], grid.py[chosen], color="white", edgecolor=BLACK, linewidth=0.4,
+                        pivot="mid", angles="uv", scale_units="width", scale=longest / 0.07, width=0.006, zorder=4)
+        axes.set_xlabel("x [mm]")
         patch = int(result.array("/cases/patch")[contact])
-        if patch > 0:
-            axes.set_title(f"patch {patch}")
-    figure.colorbar(image, ax=list(panels), label="pressure in MPa")
-    figure.suptitle(heading(f"Case {case}, tractions on body 1, adhesion outlined", result))
+        lines = [f"patch {patch}"] if patch > 0 else []
+        lines += [forces_text(result, contact), f"$|p|$ at most {number(1e6 * scale * np.hypot(grid.px, grid.py).max())} {unit}"]
+        axes.set_title("\n".join(lines))
+    panels[0].set_ylabel("y [mm]")
+    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=list(panels), label=f"pressure [{unit}]", shrink=0.85)
+    put_title(figure, heading(f"Case {case}, pressure and tractions on body 1", result))
     return figure
 
 
-def draw_tractions(axes, grid):
-    """Of every so manyth element."""
-    step = max(1, -(-max(grid.pressure.shape) // MOST_ARROWS))
-    some = (slice(None, None, step),) * 2
-    x, y = np.meshgrid(grid.x, grid.y)
-    inside = grid.state[some] != EXTERIOR
-    px, py = (values[some][inside] for values in (grid.px, grid.py))
-    if np.hypot(px, py).max(initial=0) > 0:
-        axes.quiver(x[some][inside], y[some][inside], px, py, color="white", pivot="mid", width=0.003)
+def forces_text(result, contact):
+    """The forces of a contact for a title."""
+    values = {symbol: float(result.array(f"/cases/{name}", finite=False)[contact])
+              for symbol, name in (("F_n", "normal_force"), ("F_x", "fx"), ("F_y", "fy"))}
+    largest = max(abs(value) for value in values.values())
+    scale, unit = unit_for(largest, "N")
+    return ",  ".join(f"${symbol}$ = {number(float(scale * shown(value, largest, STEADY)))} {unit}" for symbol, value in values.items())
 
 
-class StoredElements:
-    """The fields of a contact's stored elements on its grid: mm, MPa; zero at elements that are not stored."""
+def curves_picture(result, case, contacts, grids):
+    """Pressure, bound and tractions along the only row; adhesion and slip as coloured ground."""
+    figure = new_figure(1.6 + 5.6 * len(contacts), 4.4)
+    panels = figure.subplots(1, len(contacts), squeeze=False, sharey=True)[0]
+    scale, unit = unit_for(1e6 * max(grid.pressure.max() for grid in grids), "Pa")
+    for axes, contact, grid in zip(panels, contacts, grids):
+        open_axes(axes)
+        x = grid.x[0]
+        for values, label, colour, style in ((grid.pressure, "$p_n$", GREY, "-"), (grid.bound, "$g$, the bound", BLACK, ":"),
+                                             (grid.px, "$p_x$", BLUE, "-"), (grid.py, "$p_y$", VERMILION, "--")):
+            axes.plot(x, 1e6 * scale * values[0], style, color=colour, label=label, linewidth=1.8)
+        for state, colour, label in ((ADHESION, SKY_BLUE, "adhesion"), (SLIP, ORANGE, "slip")):
+            for left, right in grid.spans(state, 0):
+                axes.axvspan(left, right, color=colour, alpha=0.25, linewidth=0, label=label)
+                label = None
+        left, right, *_ = grid.outline.limits()
+        axes.set_xlim(left - 0.15 * grid.a, right + 0.15 * grid.a)
+        axes.set_xlabel("x [mm]")
+        axes.set_title(forces_text(result, contact))
+    panels[0].set_ylabel(f"pressure and traction on body 1 [{unit}]")
+    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    put_title(figure, heading(f"Case {case}, along the row of elements", result))
+    return figure
 
-    def __init__(self, result, contact):
-        first, stored, self.mx, self.my = (
-            int(result.array(f"/cases/{name}")[contact]) for name in ("first_element", "stored_elements", "mx", "my")
-        )
-        x0, y0, dx, dy = (1e3 * result.array(f"/cases/{name}", finite=False)[contact] for name in GRID_NAMES)
-        self.x, self.y = x0 + dx * np.arange(self.mx), y0 + dy * np.arange(self.my)
-        self.x_edges = x0 + dx * (np.arange(self.mx + 1) - 0.5)
-        self.y_edges = y0 + dy * (np.arange(self.my + 1) - 0.5)
-        chosen = slice(first, first + stored)
-        index = result.array("/elements/index")[chosen].astype(int)
-        self.state = self.on_grid(index, result.array("/elements/state")[chosen])
-        self.pressure, self.px, self.py = (
-            self.on_grid(index, 1e-6 * result.array(f"/elements/{name}")[chosen]) for name in ("pressure", "px", "py")
-        )
-        self.shown_pressure = np.ma.masked_where(self.state == EXTERIOR, self.pressure)
 
-    def on_grid(self, index, values):
-        """Values of the elements stored as an array by rows of the grid."""
-        grid = np.zeros(self.mx * self.my)
-        grid[index] = values
-        return grid.reshape(self.my, self.mx)
+def stored_cells(result, contact):
+    """The stored elements of a contact on its grid; zero at elements that are not stored."""
+    first, stored, mx, my = (int(result.array(f"/cases/{name}")[contact])
+                             for name in ("first_element", "stored_elements", "mx", "my"))
+    x0, y0, dx, dy = (1e3 * result.array(f"/cases/{name}", finite=False)[contact] for name in GRID_NAMES)
+    x, y = np.meshgrid(x0 + dx * np.arange(mx), y0 + dy * np.arange(my))
+    chosen = slice(first, first + stored)
+    index = result.array("/elements/index")[chosen].astype(int)
+
+    def on_grid(name, scale):
+        grid = np.zeros(mx * my)
+        grid[index] = scale * result.array(f"/elements/{name}", finite=False)[chosen]
+        return grid.reshape(my, mx)
+
+    fields = [on_grid(name, 1e-6) for name in ("bound", "px", "py")] + [on_grid(name, 1e3) for name in ("sx", "sy")]
+    pressure, state = on_grid("pressure", 1e-6), on_grid("state", 1)
+    return ContactCells(x, y, np.full(x.shape, dx * dy), *fields, np.where(pressure > 0, state, EXTERIOR), pressure=pressure, size=(dx, dy))
+
+
+def stresses_picture(result, case, contact):
+    """Von Mises' stress at the points of a case, block by block."""
+    first, stored = (int(result.array(f"/cases/{name}")[contact]) for name in ("first_point", "stored_points"))
+    chosen = slice(first, first + stored)
+    x, y, z, stress, block = (result.array(f"/interior/{name}", finite=False)[chosen] for name in ("x", "y", "z", "von_mises", "block"))
+    blocks = [tuple(values[block == one] for values in (x, y, z, stress)) for one in np.unique(block)]
+    return interior_picture(heading(f"Case {case}, von Mises' stress inside the bodies", result), blocks)

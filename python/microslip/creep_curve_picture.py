@@ -1,7 +1,9 @@
 """The creep curve through a case: forces over one creepage, the others held."""
 
-from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, heading, new_figure, number,
-                                     open_axes, quantity)
+import numpy as np
+
+from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, bodies_of, heading, new_figure, number, open_axes,
+                                     put_title, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 
 # Name of the varied creepage: title, symbol, factor from SI, unit for an axis and behind a number.
@@ -17,38 +19,38 @@ POINT_MARKERS = {"fastsim": "s", "fastsim_half_step": "^", "fastsim2": "o", "fas
 
 
 def creep_curve_picture(result, theories):
-    """Fx and Fy in kN over the varied creepage by each theory, with the case itself and the Coulomb limit."""
+    """Fx and Fy over the varied creepage by each theory, with the case itself and the Coulomb limit."""
     varied = result.group_attribute("/creep_curve", "variable")
     if varied not in CREEPAGES:
         raise ResultError(f"{result.path}: /creep_curve has variable '{varied}', known: {', '.join(CREEPAGES)}")
     title, _, factor, unit, _ = CREEPAGES[varied]
-    limit = 1e-3 * result.number("/inputs/friction_coefficient") * result.number("/inputs/normal_force")
-    figure = new_figure(7.2, 4.8 if len(theories) == 1 else 6.2)
+    limit = result.number("/inputs/friction_coefficient") * result.number("/inputs/normal_force")
+    figure = new_figure(7.2, 5.4 if len(theories) == 1 else 6.4)
     axes = figure.subplots()
     open_axes(axes)
+    curves = {theory: result.arrays([f"/creep_curve/{theory}/{name}" for name in ("value", *FORCES)]) for theory in theories}
+    scale, force_unit = unit_for(max(np.abs(values[1:]).max() for values in curves.values()), "N")
+    limit *= scale
     extremes = []
     for theory in theories:
-        value, *forces = result.arrays([f"/creep_curve/{theory}/{name}" for name in ("value", *FORCES)])
+        value, *forces = curves[theory]
         for (label, colour), force in zip(FORCES.values(), forces):
             if len(theories) > 1:
                 label += f", {THEORIES[theory]}"
-            axes.plot(factor * value, 1e-3 * force, LINE_STYLES[theory == theories[-1]], color=colour, linewidth=2,
+            axes.plot(factor * value, scale * force, LINE_STYLES[theory == theories[-1]], color=colour, linewidth=2,
                       label=label)
-            extremes += [1e-3 * force.min(), 1e-3 * force.max()]
-    mark_points(axes, result, theories, varied)
-    mark_limits(axes, limit, extremes)
+            extremes += [scale * force.min(), scale * force.max()]
+    mark_points(axes, result, theories, varied, scale)
+    mark_limits(axes, limit, extremes, with_unit(limit / scale, "N"))
     axes.axhline(0, color=BLACK, linewidth=0.8)
     axes.set_xlabel(f"{title} [{unit}]")
-    axes.set_ylabel("force on the wheel [kN]")
+    axes.set_ylabel(f"force on {the(bodies_of(result)[0])} [{force_unit}]")
     relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
     relative.set_ylabel(r"force / ($\mu F_n$) [-]")
-    figure.suptitle(heading("Creep curve", result, theories))
+    put_title(figure, heading("Creep curve", result, theories))
     who = " and ".join(THEORIES[theory] for theory in theories)
     axes.set_title(f"{who}, held: {held_creepages(result, varied)}")
-    if len(theories) == 1:
-        axes.legend(loc="best", frameon=True, framealpha=0.9, edgecolor="none")
-    else:
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncol=2, frameon=False)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
     return figure
 
 
@@ -57,23 +59,24 @@ def creepage_of_case(result, name):
     return result.number(f"/creep_curve/{name}" if f"/creep_curve/{name}" in result else f"/inputs/{name}")
 
 
-def mark_points(axes, result, theories, varied):
+def mark_points(axes, result, theories, varied, scale):
     """The case itself as each theory has it; the last one's as filled markers."""
     here = CREEPAGES[varied][2] * creepage_of_case(result, varied)
+    largest = max(abs(result.number(f"/{theory}/{name}")) for theory in theories for name in FORCES)
     for theory in theories:
         for name, (label, colour) in FORCES.items():
-            force = 1e-3 * result.number(f"/{theory}/{name}")
+            force = result.number(f"/{theory}/{name}")
             look = {"markersize": 8, "markerfacecolor": colour, "markeredgecolor": BLACK}
             if theory != theories[-1]:
                 look = {"markersize": 13, "markerfacecolor": "none", "markeredgecolor": colour, "markeredgewidth": 2}
             who = "this case" if len(theories) == 1 else f"this case, {THEORIES[theory]}"
-            axes.plot([here], [force], POINT_MARKERS[theory], linestyle="none", zorder=5,
-                      label=f"{who}: {label} = {quantity(force, 'kN')}", **look)
+            axes.plot([here], [scale * force], POINT_MARKERS[theory], linestyle="none", zorder=5,
+                      label=f"{who}: {label} = {with_unit(force, 'N', largest)}", **look)
 
 
-def mark_limits(axes, limit, extremes):
+def mark_limits(axes, limit, extremes, text):
     """Dashed lines at the Coulomb limit, on the sides where the forces come near it."""
-    label = rf"$\pm\mu F_n$ = {quantity(limit, 'kN')}"
+    label = rf"$\pm\mu F_n$ = {text}"
     for side in (-limit, limit):
         if max(extreme / side for extreme in extremes) > 0.5:
             axes.axhline(side, color=GREY, linestyle="--", linewidth=1.5, label=label)

@@ -3,7 +3,8 @@
 import numpy as np
 
 from microslip.contact_cells import ADHESION, SLIP
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, new_figure, number, open_axes
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading, new_figure,
+                                     number, open_axes, put_title, the)
 from microslip.result_file import ResultError
 
 
@@ -13,7 +14,7 @@ def cut_picture(result, cells, y=0.0):
         raise ResultError(f"the cut at y = {number(y)} mm is outside the contact, |y| <= "
                           f"{number(min(grid.b for grid in cells.values()))} mm")
     figure = new_figure(5.4 * len(cells), 5.6)
-    figure.suptitle(f"Cut along x: {result.attribute('title', 'rolling contact')}")
+    put_title(figure, heading("Cut along x", result, cells))
     panels = figure.subplots(2, len(cells), sharex=True, sharey="row", squeeze=False, height_ratios=(1.5, 1))
     backward = result.text("/inputs/direction") == "backward"
     for column, (theory, grid) in enumerate(cells.items()):
@@ -26,8 +27,8 @@ def cut_picture(result, cells, y=0.0):
             shade(axes, grid, row)
         above.set_title(f"{THEORIES[theory]}, y = {number(grid.row_y[row])} mm")
         below.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}")
-    panels[0, 0].set_ylabel("traction on the wheel [MPa]")
-    panels[1, 0].set_ylabel(r"slip of the wheel [$10^{-3}$]")
+    panels[0, 0].set_ylabel(f"traction on {the(bodies_of(result)[0])} [MPa]")
+    panels[1, 0].set_ylabel(rf"slip of {the(bodies_of(result)[0])} [$10^{{-3}}$]")
     for axes in panels[:, -1]:
         axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     return figure
@@ -60,6 +61,6 @@ def draw_slip(axes, grid, row):
 def shade(axes, grid, row):
     """Adhesion and slip as coloured ground."""
     for state, colour, label in ((ADHESION, SKY_BLUE, "adhesion"), (SLIP, ORANGE, "slip")):
-        for corners in grid.strips(state, row):
-            axes.axvspan(corners[0, 0], corners[1, 0], color=colour, alpha=0.25, linewidth=0, label=label)
+        for left, right in grid.spans(state, row):
+            axes.axvspan(left, right, color=colour, alpha=0.25, linewidth=0, label=label)
             label = None

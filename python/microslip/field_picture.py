@@ -1,42 +1,45 @@
 """A field of a rolling contact as a map or as a surface, theories side by side."""
 
+import difflib
 import math
 
 import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 
-from microslip.contact_cells import EXTERIOR, MOST_CELLS
-from microslip.picture_style import THEORIES, new_figure
+from microslip.contact_cells import MOST_CELLS
+from microslip.picture_style import THEORIES, bodies_of, heading, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
 
-ANGLES = np.linspace(0, 2 * np.pi, 181)
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
-# Name: title, unit, factor from SI, the datasets it is made of, whether it has two signs.
+# A sign that is smaller than this share of the other does not count.
+ONE_SIGN = 0.02
+# Name: title with {} for body 1, unit in SI, the datasets it is made of, whether it falls to zero at the edge.
 FIELDS = {
-    "pressure": ("pressure $p_n$", "MPa", 1e-6, ("pressure",), False),
-    "bound": ("traction bound $g$", "MPa", 1e-6, ("bound",), False),
-    "traction": (r"size of the traction $|\mathbf{p}|$", "MPa", 1e-6, ("px", "py"), False),
-    "px": ("traction on the wheel $p_x$", "MPa", 1e-6, ("px",), True),
-    "py": ("traction on the wheel $p_y$", "MPa", 1e-6, ("py",), True),
-    "slip": (r"size of the slip $|\mathbf{s}|$", r"$10^{-3}$", 1e3, ("sx", "sy"), False),
-    "sx": ("slip of the wheel $s_x$", r"$10^{-3}$", 1e3, ("sx",), True),
-    "sy": ("slip of the wheel $s_y$", r"$10^{-3}$", 1e3, ("sy",), True),
-    "power": ("frictional power", "MW/m²", 1e-6, ("px", "py", "sx", "sy"), False),
-    "gap": ("distance of the bodies", "µm", 1e6, ("gap",), False),
-    "ux": ("displacement difference $u_x$", "µm", 1e6, ("ux",), True),
-    "uy": ("displacement difference $u_y$", "µm", 1e6, ("uy",), True),
+    "pressure": ("pressure $p_n$", "Pa", ("pressure",), True),
+    "bound": ("traction bound $g$", "Pa", ("bound",), True),
+    "traction": (r"size of the traction $|\mathbf{{p}}|$", "Pa", ("px", "py"), True),
+    "px": ("traction on {} $p_x$", "Pa", ("px",), True),
+    "py": ("traction on {} $p_y$", "Pa", ("py",), True),
+    "slip": (r"size of the slip $|\mathbf{{s}}|$", "-", ("sx", "sy"), False),
+    "sx": ("slip of {} $s_x$", "-", ("sx",), False),
+    "sy": ("slip of {} $s_y$", "-", ("sy",), False),
+    "power": ("frictional power", "W/m²", ("px", "py", "sx", "sy"), True),
+    "gap": ("distance of the bodies", "m", ("gap",), False),
+    "ux": ("displacement difference $u_x$", "m", ("ux",), False),
+    "uy": ("displacement difference $u_y$", "m", ("uy",), False),
 }
 
 
 def field_values(result, theory, name):
-    """The values of a field at a theory's cells, in the units of FIELDS; None if the theory does not have it."""
+    """The values of a field at a theory's cells, in SI; None if the theory does not have it."""
     if name not in FIELDS:
-        raise ResultError(f"field '{name}' is unknown, known: {', '.join(FIELDS)}")
-    _, _, factor, parts, _ = FIELDS[name]
+        matches = difflib.get_close_matches(name, FIELDS, 1)
+        hint = f"; did you mean '{matches[0]}'?" if matches else ""
+        raise ResultError(f"field '{name}' is unknown{hint}, known: {', '.join(FIELDS)}")
+    parts = FIELDS[name][2]
     paths = [f"/{theory}/fields/{part}" for part in parts]
     if any(path not in result for path in paths):
         return None
@@ -44,78 +47,86 @@ def field_values(result, theory, name):
     arrays = result.arrays(paths, dimensions=2, strides=strides)
     if name == "power":
         px, py, sx, sy = arrays
-        return -factor * result.number("/inputs/rolling_speed") * (px * sx + py * sy)
-    return factor * (arrays[0] if len(arrays) == 1 else np.hypot(*arrays))
+        return -result.number("/inputs/rolling_speed") * (px * sx + py * sy)
+    return arrays[0] if len(arrays) == 1 else np.hypot(*arrays)
 
 
-def with_field(result, cells, name):
-    """The theories that have a field, with its values."""
-    values = {theory: field_values(result, theory, name) for theory in cells}
-    values = {theory: value for theory, value in values.items() if value is not None}
-    if not values:
-        raise ResultError(f"{result.path}: no theory has the field '{name}'")
-    return values
+class FieldOfTheories:
+    """A field by each theory that has it, in a unit that suits its size, with one scale of colours for all."""
+
+    def __init__(self, result, cells, name):
+        values = {theory: field_values(result, theory, name) for theory in cells}
+        values = {theory: value for theory, value in values.items() if value is not None}
+        if not values:
+            raise ResultError(f"{result.path}: no theory has the field '{name}'")
+        title, unit, _, self.vanishes = FIELDS[name]
+        self.title = title.format(the(bodies_of(result)[0]))
+        self.cells = {theory: cells[theory] for theory in values}
+        inside = np.concatenate([value[self.cells[theory].inside] for theory, value in values.items()])
+        low, high = (min(inside.min(initial=0), 0), max(inside.max(initial=0), 0))
+        factor, self.unit = (1e3, "$10^{-3}$") if unit == "-" else unit_for(max(high, -low), unit)
+        self.values = {theory: factor * value for theory, value in values.items()}
+        self.colours, self.scale = colours_of(factor * low, factor * high)
+
+    def label(self):
+        """For a scale."""
+        return f"{self.title} [{self.unit}]"
+
+    def heading(self):
+        """For a figure."""
+        return self.title[0].upper() + self.title[1:]
 
 
-def colours_of(name, cells, values):
-    """Colour map and scale, the same for all theories: about zero for fields with two signs."""
-    inside = [value[cells[theory].state != EXTERIOR] for theory, value in values.items()]
-    largest = max((abs(part).max() for part in inside if part.size), default=0) or 1
-    return (DIVERGING, Normalize(-largest, largest)) if FIELDS[name][4] else (SEQUENTIAL, Normalize(0, largest))
-
-
-def narrowed(scale, values):
-    """A scale without the sign that does not occur."""
-    lowest, highest = (pick([pick(value) for value in values.values()]) for pick in (np.min, np.max))
-    far = scale.vmax
-    return Normalize(-far if lowest < -0.05 * far else 0, far if highest > 0.05 * far else 0)
-
-
-def draw_field(axes, grid, value, colours):
-    """One theory's cells in the colours of their values."""
-    cmap, scale = colours
-    corners, index = grid.rectangles()
-    axes.add_collection(PolyCollection(corners, array=value[tuple(index.T)], cmap=cmap, norm=scale, edgecolors="face",
-                                       linewidths=0.4))
+def colours_of(low, high):
+    """Colour map and scale for values from low <= 0 to high >= 0: about zero only if both signs occur."""
+    far = max(high, -low) or 1.0
+    if -low < ONE_SIGN * far:
+        return SEQUENTIAL, Normalize(0, far)
+    if high < ONE_SIGN * far:
+        return SEQUENTIAL + "_r", Normalize(-far, 0)
+    return DIVERGING, Normalize(-far, far)
 
 
 def field_map(result, cells, name):
     """The figure of a field as a map."""
-    values = with_field(result, cells, name)
-    chosen = {theory: cells[theory] for theory in values}
-    title, unit, *_ = FIELDS[name]
-    colours = colours_of(name, chosen, values)
-    figure, panels = contact_panels(result, chosen, title[0].upper() + title[1:])
-    for axes, (theory, value) in zip(panels, values.items()):
-        draw_field(axes, chosen[theory], value, colours)
+    field = FieldOfTheories(result, cells, name)
+    figure, panels = contact_panels(result, field.cells, field.heading())
+    for axes, (theory, value) in zip(panels, field.values.items()):
+        field.cells[theory].draw(axes, value, cmap=field.colours, norm=field.scale)
         axes.set_title(THEORIES[theory])
-    figure.colorbar(ScalarMappable(norm=colours[1], cmap=colours[0]), ax=panels, label=f"{title} [{unit}]", shrink=0.8, pad=0.02)
+    figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.8, pad=0.02)
     return figure
 
 
 def field_surface(result, cells, name):
     """The figure of a field as a surface over the contact."""
-    values = with_field(result, cells, name)
-    title, unit, *_ = FIELDS[name]
-    cmap, scale = colours_of(name, cells, values)
-    heights = narrowed(scale, values)
-    figure = new_figure(6.2 * len(values), 5.2)
-    figure.suptitle(f"{title[0].upper() + title[1:]}: {result.attribute('title', 'rolling contact')}")
+    field = FieldOfTheories(result, cells, name)
+    figure = new_figure(6.2 * len(field.values) + 1, 5.4)
+    put_title(figure, heading(field.heading(), result, field.cells))
     backward = result.text("/inputs/direction") == "backward"
-    for number, (theory, value) in enumerate(values.items(), start=1):
-        axes = figure.add_subplot(1, len(values), number, projection="3d")
-        grid = cells[theory]
-        shown = np.where(grid.state == EXTERIOR, np.nan, value)
-        axes.plot_surface(grid.x, grid.y, shown, facecolors=matplotlib.colormaps[cmap](scale(np.nan_to_num(shown))), rstride=1,
-                          cstride=1, edgecolor=(0, 0, 0, 0.3), linewidth=0.3, shade=False)
-        axes.plot(grid.a * np.cos(ANGLES), grid.b * np.sin(ANGLES), heights.vmin, color="0.4", linewidth=1)
-        axes.set_xlim(-1.05 * grid.a, 1.05 * grid.a)
-        axes.set_ylim(-1.05 * grid.b, 1.05 * grid.b)
-        axes.set_zlim(heights.vmin, heights.vmax)
-        axes.set_xlabel(f"x [mm], rolling {'against' if backward else 'along'} x")
-        axes.set_ylabel("y [mm]")
-        axes.set_zlabel(f"{title} [{unit}]")
-        axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if grid.true_to_scale() else (1, 1, 0.7))
+    panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
+    surfaces = {theory: field.cells[theory].surface(value, field.vanishes) for theory, value in field.values.items()}
+    heights = [height for meshes in surfaces.values() for *_, height in meshes]
+    low, high = min(0, *(height.min() for height in heights)), max(0, *(height.max() for height in heights))
+    for axes, (theory, meshes) in zip(panels, surfaces.items()):
+        grid = field.cells[theory]
+        for x, y, height in meshes:
+            colours = matplotlib.colormaps[field.colours](field.scale(height))
+            axes.plot_surface(x, y, height, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False)
+            axes.plot_wireframe(x, y, height, rstride=6, cstride=9, color=(0, 0, 0, 0.25), linewidth=0.5)
+        for part in grid.outline.parts:
+            axes.plot(*part.T, 0, color="0.3", linewidth=1)
+        left, right, front, back = grid.outline.limits()
+        axes.set_xlim(left, right)
+        axes.set_ylim(front, back)
+        axes.set_zlim(low, high if high > low else low + 1)
+        axes.set_xlabel(f"x [mm], rolling {'against' if backward else 'along'} x", labelpad=8)
+        axes.set_ylabel("y [mm]", labelpad=8)
+        axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
+                            else (1, 1, 0.7))
+        axes.tick_params(axis="x", labelrotation=0, pad=1)
+        axes.locator_params(nbins=6)
         axes.view_init(elev=32, azim=-125)
         axes.set_title(THEORIES[theory])
+    figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.6, pad=0.1)
     return figure

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, heading, new_figure, open_axes
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, heading, new_figure, open_axes, put_title
 
 
 def profile_pictures(result):
     """The picture of a result file of kind profile, by file name."""
     y, z, s, angle, curvature = result.arrays([f"/curve/{name}" for name in ("y", "z", "s", "angle", "curvature")])
     figure = new_figure(9, 8.5)
-    figure.suptitle(heading(result.text("/role"), result))
+    put_title(figure, heading(result.text("/role"), result))
     shape, inclination, bend = figure.subplots(3, 1, height_ratios=(2.6, 1, 1))
     draw_shape(shape, result, y, z)
     inclination.plot(1e3 * s, np.degrees(np.unwrap(angle)), color=BLUE, linewidth=1.4)

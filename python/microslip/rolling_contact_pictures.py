@@ -2,15 +2,16 @@
 
 import matplotlib
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.lines import Line2D
-from matplotlib.patches import Ellipse, Patch
+from matplotlib.patches import Patch
 
 from microslip.contact_cells import ADHESION, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
-from microslip.picture_style import BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, heading, new_figure, number, quantity, round_down
+from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
+                                     quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 
 # The light part of a map of one hue: black arrows stand out on all of it.
@@ -38,21 +39,21 @@ def rolling_contact_pictures(result):
 
 def tractions_picture(result, cells):
     """Traction vectors on body 1 over the traction bound."""
-    figure, panels = contact_panels(result, cells, "Tractions on the wheel")
-    scale = Normalize(0, max(grid.bound.max() for grid in cells.values()))
+    figure, panels = contact_panels(result, cells, f"Tractions on {the(bodies_of(result)[0])}")
+    highest = max(grid.bound.max() for grid in cells.values())
+    factor, unit = unit_for(1e6 * highest, "Pa")
+    scale = Normalize(0, 1e6 * factor * highest or 1)
     longest = max(np.hypot(grid.px, grid.py).max() for grid in cells.values())
     for axes, (theory, grid) in zip(panels, cells.items()):
-        corners, index = grid.rectangles()
-        fill = PolyCollection(corners, array=grid.bound[tuple(index.T)], cmap=BOUND_COLOURS, norm=scale,
-                              edgecolors="face", linewidths=0.4)
-        axes.add_collection(fill)
-        draw_boundary(axes, grid)
-        draw_arrows(axes, cells, grid, (grid.px, grid.py), grid.sample(), longest, "traction {} MPa")
+        grid.draw(axes, 1e6 * factor * grid.bound, cmap=BOUND_COLOURS, norm=scale)
+        grid.draw_boundary(axes)
+        draw_arrows(axes, cells, grid, (grid.px, grid.py), grid.sample(), longest,
+                    lambda size: f"traction {number(1e6 * factor * size)} {unit}")
         axes.set_title(totals(result, theory))
-        if grid.boundary():
+        if grid.has_boundary():
             line = Line2D([], [], color=BLACK, linewidth=2, label="between adhesion\nand slip")
             axes.legend(handles=[line], loc="lower right")
-    figure.colorbar(fill, ax=panels, label="traction bound [MPa]", shrink=0.8, pad=0.02)
+    figure.colorbar(ScalarMappable(norm=scale, cmap=BOUND_COLOURS), ax=panels, label=f"traction bound [{unit}]", shrink=0.8, pad=0.02)
     return figure
 
 
@@ -61,23 +62,20 @@ def areas_picture(result, cells):
     figure, panels = contact_panels(result, cells, "Adhesion and slip areas")
     longest = max(np.hypot(grid.sx, grid.sy).max() for grid in cells.values())
     for axes, (theory, grid) in zip(panels, cells.items()):
-        for state, colour in ((ADHESION, SKY_BLUE), (SLIP, ORANGE)):
-            axes.add_collection(PolyCollection(grid.strips(state), facecolors=colour, edgecolors=colour,
-                                               linewidths=0.4))
-        axes.add_collection(PolyCollection(grid.strips(SLIP), facecolors="none", linewidths=0, hatch=HATCH["hatch"],
-                                           edgecolors=HATCH["edgecolor"]))
-        draw_boundary(axes, grid)
+        draw_areas(axes, grid)
+        grid.draw_boundary(axes)
         draw_arrows(axes, cells, grid, (grid.sx, grid.sy), grid.sample() & (grid.state == SLIP), longest,
-                    r"slip {}$\,\cdot\,10^{{-3}}$")
+                    lambda size: rf"slip {number(size)}$\,\cdot\,10^{{-3}}$")
         axes.set_title(THEORIES[theory])
         axes.legend(handles=area_patches(result, theory), loc="lower right")
     return figure
 
 
-def draw_boundary(axes, grid):
-    """The line between adhesion and slip, with a white rim."""
-    for colour, width in (("white", 3.6), (BLACK, 2)):
-        axes.add_collection(LineCollection(grid.boundary(), colors=colour, linewidths=width, capstyle="projecting"))
+def draw_areas(axes, grid, turned=False):
+    """Slip hatched over the whole contact, adhesion over it."""
+    grid.draw_outline(axes, turned, facecolor=ORANGE, zorder=1, linewidth=0, **HATCH)
+    adhesion = np.where(grid.state == ADHESION, 1.0, np.nan)
+    grid.draw(axes, adhesion, turned, cmap=ListedColormap([SKY_BLUE]), zorder=1.5)
 
 
 def area_patches(result, theory):
@@ -91,23 +89,23 @@ def area_patches(result, theory):
 
 def contact_panels(result, cells, what):
     """A figure with one panel per theory: axes in mm, the ellipse's outline and the rolling direction."""
-    grid = next(iter(cells.values()))
-    true_to_scale = grid.true_to_scale()
-    half_x, half_y = 1.1 * grid.a, 1.42 * grid.b
+    true_to_scale = all(grid.true_to_scale() for grid in cells.values())
+    limits = np.abs([grid.outline.limits() for grid in cells.values()])
+    half_x, half_y = 1.1 * limits[:, :2].max(), 1.42 * limits[:, 2:].max()
     if true_to_scale:
         half_x, half_y = max(half_x, half_y / 1.25), max(half_y, half_x / 1.6)
     width = 4.8
     height = width * (half_y / half_x if true_to_scale else 1)
     figure = new_figure(width * len(cells) + 1.7, height + 1.5, layout="compressed")
-    figure.suptitle(heading(what, result, cells))
+    put_title(figure, heading(what, result, cells))
     panels = figure.subplots(1, len(cells), sharey=True, squeeze=False)[0]
     backward = result.text("/inputs/direction") == "backward"
-    for axes in panels:
+    for axes, one in zip(panels, cells.values()):
         axes.set_xlim(-half_x, half_x)
         axes.set_ylim(-half_y, half_y)
         axes.set_aspect("equal" if true_to_scale else "auto")
         axes.set_xlabel("x [mm]" if true_to_scale else "x [mm] (not to the scale of y)")
-        axes.add_patch(Ellipse((0, 0), 2 * grid.a, 2 * grid.b, fill=False, edgecolor=BLACK, linewidth=1.2, zorder=3))
+        one.draw_outline(axes)
         rolling_arrow(axes, backward)
     panels[0].set_ylabel("y [mm]")
     return figure, panels
@@ -136,12 +134,14 @@ def draw_arrows(axes, cells, grid, vectors, chosen, longest, key_text):
                         color=BLACK, units="dots", width=2.2, headwidth=4, headlength=5, headaxislength=4.5,
                         minlength=0.6, zorder=4, **scaling)
     key = round_down(longest)
-    axes.quiverkey(drawn, 0.12, 0.06, key, key_text.format(number(key)), labelpos="E", coordinates="axes",
+    axes.quiverkey(drawn, 0.12, 0.06, key, key_text(key), labelpos="E", coordinates="axes",
                    fontproperties={"size": 9})
 
 
 def totals(result, theory):
     """A theory's name and its total forces, for a title."""
     fx, fy, mz = (result.number(f"/{theory}/{name}") for name in ("fx", "fy", "mz"))
-    return (f"{THEORIES[theory]}\n$F_x$ = {quantity(1e-3 * fx, 'kN')},  $F_y$ = {quantity(1e-3 * fy, 'kN')},  "
-            f"$M_z$ = {quantity(mz, 'N m')}")
+    largest = max(abs(fx), abs(fy))
+    moment = largest * np.sqrt(result.number("/hertz/a") * result.number("/hertz/b"))
+    return (f"{THEORIES[theory]}\n$F_x$ = {with_unit(fx, 'N', largest)},  $F_y$ = {with_unit(fy, 'N', largest)},  "
+            f"$M_z$ = {with_unit(mz, 'N m', max(abs(mz), 1e-3 * moment))}")

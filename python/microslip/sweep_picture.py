@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title
 from microslip.result_file import ResultError
 
 # What is drawn, of which there are the first three.
@@ -31,7 +31,7 @@ def sweep_pictures(result):
     panels[-1].set_xlabel(f"{axis} [SI]")
     if panels[0].get_legend_handles_labels()[0]:
         panels[0].legend(loc="best", framealpha=0.9, frameon=True, edgecolor="none")
-    figure.suptitle(heading("Sweep", result))
+    put_title(figure, heading("Sweep", result))
     return {"sweep.png": figure}
 
 

@@ -3,18 +3,21 @@
 import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, to_rgba
 from matplotlib.patches import Patch
 
-from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
+from microslip.contact_cells import ADHESION, EXTERIOR, ContactCells
 from microslip.contact_points_picture import draw_contact_points
 from microslip.field_picture import SEQUENTIAL
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
+                                     put_title, unit_for, with_unit)
+from microslip.rolling_contact_pictures import draw_areas
 
 LENGTHS = {"m": ("mm", 1e3)}
 # What lies around the patches on pictures of the rail head [mm].
 MARGIN = 6.0
+# The height that stands for the largest pressure on pictures in space [mm].
+HIGHEST = 6.0
 
 
 def wheel_rail_pictures(result):
@@ -62,22 +65,15 @@ def read_patches(result, rail):
         names = ["x", "y", "area", "bound", "px", "py", "sx", "sy", "state"]
         x, y, area, bound, px, py, sx, sy, state = result.arrays([f"/fields/{k}/{name}" for name in names], dimensions=2)
         x, y = 1e3 * x + x0, 1e3 * y + rail.nearest(y0, z0)
-        inside = state != EXTERIOR
-        semi_axes = [np.ptp(values[inside]) / 2 if inside.any() else 1.0 for values in (x, y)]
-        cells = ContactCells(x, y, 1e6 * area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, semi_axes)
-        cells.pressure = 1e-6 * result.array(f"/fields/{k}/pressure", dimensions=2)
-        patches.append(cells)
+        pressure = 1e-6 * result.array(f"/fields/{k}/pressure", dimensions=2)
+        patches.append(ContactCells(x, y, 1e6 * area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, pressure=pressure))
     return patches
 
 
 def frame_of(patches):
     """Limits of x and u around all patches."""
-    inside = [cells.state != EXTERIOR for cells in patches]
-    limits = []
-    for axis in ("x", "y"):
-        values = np.concatenate([getattr(cells, axis)[chosen] for cells, chosen in zip(patches, inside)])
-        limits.append((values.min() - MARGIN, values.max() + MARGIN))
-    return limits
+    left, right, low, high = np.transpose([cells.outline.limits() for cells in patches])
+    return (left.min() - MARGIN, right.max() + MARGIN), (low.min() - MARGIN, high.max() + MARGIN)
 
 
 def patches_picture(result, patches):
@@ -88,25 +84,27 @@ def patches_picture(result, patches):
     scale = (9 if wide else 5) / (u[1] - u[0])
     height = scale * (x[1] - x[0])
     figure = new_figure(10.5 if wide else 12.5, (2 * height + 2.2) if wide else height + 1.6, layout="compressed")
-    figure.suptitle(heading("Patches on the unrolled rail head", result))
+    put_title(figure, heading("Patches on the unrolled rail head", result))
     pressure, areas = figure.subplots(2, 1) if wide else figure.subplots(1, 2)
-    colours = Normalize(0, max(cells.pressure.max() for cells in patches))
+    highest = max(cells.pressure.max() for cells in patches)
+    scale_of_stress, unit = unit_for(1e6 * highest, "Pa")
+    colours = Normalize(0, 1e6 * scale_of_stress * highest or 1)
     longest = max(np.hypot(cells.px, cells.py).max() for cells in patches) or 1
     for k, cells in enumerate(patches):
-        corners, index = cells.rectangles()
-        pressure.add_collection(PolyCollection(corners[..., ::-1], array=cells.pressure[tuple(index.T)], cmap=SEQUENTIAL,
-                                               norm=colours, edgecolors="face", linewidths=0.4))
-        for state, colour in ((ADHESION, SKY_BLUE), (SLIP, ORANGE)):
-            strips = cells.strips(state)[..., ::-1]
-            areas.add_collection(PolyCollection(strips, facecolors=colour, edgecolors=colour, linewidths=0.4))
-        areas.add_collection(LineCollection([np.array(line)[:, ::-1] for line in cells.boundary()], colors=BLACK, linewidths=1.5))
+        for axes in (pressure, areas):
+            axes.set_aspect("equal")
+        cells.draw(pressure, 1e6 * scale_of_stress * cells.pressure, turned=True, cmap=SEQUENTIAL, norm=colours)
+        cells.draw_outline(pressure, turned=True, linewidth=0.8)
+        draw_areas(areas, cells, turned=True)
+        cells.draw_boundary(areas, turned=True)
+        cells.draw_outline(areas, turned=True, linewidth=0.8)
         draw_tractions(areas, cells, longest)
-        pressure.annotate(patch_text(result, k), (cells.y[cells.state != EXTERIOR].mean(), x[1]), ha="center", va="top",
+        pressure.annotate(patch_text(result, k), (np.mean(cells.outline.limits()[2:]), x[1]), ha="center", va="top",
                           xytext=(0, -4), textcoords="offset points", fontsize=8)
-    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=pressure, label="pressure [MPa]", shrink=0.8)
+    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=pressure, label=f"pressure [{unit}]", shrink=0.8)
     areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right",
                  ncols=2, frameon=True, edgecolor="none")
-    for axes, title in ((pressure, "Pressure"), (areas, f"Adhesion, slip, and tractions on the wheel, at most {number(longest)} MPa")):
+    for axes, title in ((pressure, "Pressure"), (areas, f"Adhesion, slip, and tractions on the wheel, at most {with_unit(1e6 * longest, 'Pa')}")):
         axes.set_title(title)
         axes.set_xlim(u[1], u[0])
         axes.set_ylim(*x)
@@ -126,7 +124,7 @@ def draw_tractions(axes, cells, longest):
         rows, columns = (max(1, round(1.5 / size)) for size in (cells.height, np.median(cells.apart)))
         row, column = (int(np.median(indices)) for indices in np.nonzero(inside))
         chosen[row % rows::rows, column % columns::columns] = True
-    chosen &= inside
+    chosen &= cells.shown
     axes.quiver(cells.y[chosen], cells.x[chosen], cells.py[chosen], cells.px[chosen], angles="xy", scale_units="xy",
                 scale=longest / 2.0, width=0.003, color=BLACK)
 
@@ -135,77 +133,65 @@ def patch_text(result, k):
     """Force and creepages of a patch."""
     force, xi, eta, phi = (result.array(f"/patches/{name}", finite=False)[k]
                            for name in ("normal_force", "creepage_longitudinal", "creepage_lateral", "spin"))
-    return (f"$F_n$ = {number(1e-3 * force)} kN\n$\\xi$ = {number(1e3 * xi)}, $\\eta$ = {number(1e3 * eta)} $\\cdot 10^{{-3}}$\n"
+    return (f"$F_n$ = {with_unit(force, 'N')}\n$\\xi$ = {number(1e3 * xi)}, $\\eta$ = {number(1e3 * eta)} $\\cdot 10^{{-3}}$\n"
             f"$\\phi$ = {number(phi)} /m")
-
-
-def sampled(cells, values, x, u):
-    """A field that falls to zero at the contact's edge, interpolated at all pairs of x and u: an array (u, x)."""
-    rows = np.zeros((len(cells.row_y) + 2, len(x)))
-    for j in range(len(cells.row_y)):
-        inside = np.flatnonzero(cells.state[j] != EXTERIOR)
-        if inside.size:
-            at, half = cells.x[j, inside], cells.widths[j, inside] / 2
-            order = np.argsort(at)
-            at, half, field = at[order], half[order], values[j, inside][order]
-            rows[j + 1] = np.interp(x, np.concatenate(([at[0] - half[0]], at, [at[-1] + half[-1]])),
-                                    np.concatenate(([0], field, [0])))
-    at = np.concatenate(([cells.row_y[0] - cells.height], cells.row_y, [cells.row_y[-1] + cells.height]))
-    return np.array([np.interp(u, at, column) for column in rows.T]).T
-
-
-def sampled_states(cells, x, u):
-    """The state of the cell that holds each pair of x and u: an array (u, x)."""
-    states = np.full((len(u), len(x)), EXTERIOR)
-    for j, middle in enumerate(cells.row_y):
-        rows = np.flatnonzero(np.abs(u - middle) <= cells.height / 2)
-        for i in np.flatnonzero(cells.state[j] != EXTERIOR) if rows.size else ():
-            columns = np.abs(x - cells.x[j, i]) <= cells.widths[j, i] / 2
-            states[np.ix_(rows, columns)] = cells.state[j, i]
-    return states
 
 
 def rail_head_picture(result, rail, patches):
     """The rail head in space: the pressure drawn as a height over it, and where the patches adhere and slip."""
     x, u = frame_of(patches)
     u = max(u[0] - MARGIN, rail.u[0]), min(u[1] + MARGIN, rail.u[-1])
-    along, across = np.linspace(*x, 201), np.linspace(*u, 361)
-    grid_x, grid_u = np.meshgrid(along, across)
-    pressure = sum(sampled(cells, cells.pressure, along, across) for cells in patches)
-    states = np.max([sampled_states(cells, along, across) for cells in patches], axis=0)
-    largest = pressure.max()
-    surface = rail.at(grid_u)
-    height = 6.0 / largest * pressure
-    steel = (0.86, 0.87, 0.88, 1)
-    by_pressure = matplotlib.colormaps[SEQUENTIAL](pressure / largest)
-    by_pressure[pressure == 0] = steel
-    by_state = np.broadcast_to(steel, (*states.shape, 4)).copy()
-    for state, colour in ((ADHESION, SKY_BLUE), (SLIP, ORANGE)):
-        by_state[states == state] = to_rgba(colour)
+    largest = max(cells.pressure.max() for cells in patches) or 1
+    scale, unit = unit_for(1e6 * largest, "Pa")
     figure = new_figure(9, 10)
-    figure.suptitle(heading("Patches on the rail head", result))
-    field_is_left = result.text("/inputs/side") == "left"
-    pressed, areas = panels = figure.subplots(2, 1, subplot_kw={"projection": "3d"})
-    draw_rail_head(pressed, grid_x, surface, height, by_pressure, field_is_left)
-    draw_rail_head(areas, grid_x, surface, 0 * height, by_state, field_is_left)
-    pressed.set_title("Pressure", y=0.95)
-    areas.set_title("Adhesion and slip", y=0.95)
-    figure.colorbar(ScalarMappable(norm=Normalize(0, largest), cmap=SEQUENTIAL), ax=panels, label="pressure [MPa]", shrink=0.35,
-                    pad=0.12, anchor=(0, 0.85))
+    put_title(figure, heading("Patches on the rail head", result))
+    pressed, areas = panels = figure.subplots(2, 1, subplot_kw={"projection": "3d", "computed_zorder": False})
+    for axes, title in ((pressed, "Pressure"), (areas, "Adhesion and slip")):
+        draw_rail_head(axes, x, u, rail, result.text("/inputs/side") == "left")
+        axes.set_title(title, y=0.95)
+    for order, cells in enumerate(sorted(patches, key=lambda one: -one.outline.limits()[2]), start=2):
+        draw_pressure(pressed, rail, cells, largest, order)
+        draw_states(areas, rail, cells, order)
+    figure.colorbar(ScalarMappable(norm=Normalize(0, 1e6 * scale * largest), cmap=SEQUENTIAL), ax=panels, label=f"pressure [{unit}]",
+                    shrink=0.35, pad=0.16, anchor=(0, 0.85))
     areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right")
     return figure
 
 
-def draw_rail_head(axes, x, surface, height, colours, field_is_left):
-    """The rail's surface, raised along its normals, seen from behind and from the gauge side."""
-    y, z, normal_y, normal_z = surface
-    y, z = y + height * normal_y, z + height * normal_z
-    axes.plot_surface(x, y, z, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=True)
-    axes.set_box_aspect((np.ptp(x), np.ptp(y), np.ptp(z)), zoom=1.1)
+def draw_rail_head(axes, x, u, rail, field_is_left):
+    """The rail's surface, seen from behind and from the gauge side."""
+    grid_x, grid_u = np.meshgrid(np.linspace(*x, 41), np.linspace(*u, 181))
+    y, z, _, _ = rail.at(grid_u)
+    axes.plot_surface(grid_x, y, z, color=(0.86, 0.87, 0.88), rstride=1, cstride=1, linewidth=0, antialiased=False, zorder=1)
+    axes.set_box_aspect((np.ptp(grid_x), np.ptp(y), np.ptp(z)), zoom=1.1)
     axes.set_xlabel("x [mm], forward", labelpad=6)
     axes.set_ylabel("y [mm], to the left", labelpad=14)
     axes.set_zticks([])
     axes.view_init(elev=35, azim=-145 if field_is_left else 145)
+
+
+def raised(rail, u, height):
+    """Points at heights over the rail's surface."""
+    y, z, normal_y, normal_z = rail.at(u)
+    return y + height * normal_y, z + height * normal_z
+
+
+def draw_pressure(axes, rail, cells, largest, order):
+    """The pressure as a height, the largest one 6 mm high."""
+    for x, u, pressure in cells.surface(cells.pressure, vanishes=True):
+        colours = matplotlib.colormaps[SEQUENTIAL](np.clip(pressure / largest, 0, 1))
+        axes.plot_surface(x, *raised(rail, u, HIGHEST / largest * pressure), facecolors=colours, rstride=1, cstride=1, linewidth=0,
+                          antialiased=False, shade=False, zorder=order)
+
+
+def draw_states(axes, rail, cells, order):
+    """Adhesion and slip as colours of the surface, outlined."""
+    adheres = (cells.state == ADHESION).astype(float)
+    for (x, u, adhesion), part in zip(cells.surface(adheres, vanishes=False), cells.outline.parts):
+        colours = np.where(adhesion[..., None] > 0.5, to_rgba(SKY_BLUE), to_rgba(ORANGE))
+        axes.plot_surface(x, *raised(rail, u, 0), facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False,
+                          zorder=order)
+        axes.plot(part[:, 0], *raised(rail, part[:, 1], 0), color=BLACK, linewidth=0.6, zorder=order + 0.5)
 
 
 def envelope(y, z, at, upper):
@@ -226,8 +212,8 @@ def gap_picture(result):
         [1e3 * values for values in result.arrays([f"/outlines/{body}/y", f"/outlines/{body}/z"])] for body in ("rail", "wheel"))
     at = np.linspace(rail_y.min(), rail_y.max(), 4001)
     gap = envelope(wheel_y, wheel_z, at, False) - envelope(rail_y, rail_z, at, True)
-    figure = new_figure(9, 7.5)
-    figure.suptitle(heading("Wheel and rail, seen forward", result))
+    figure = new_figure(10, 7.5)
+    put_title(figure, heading("Wheel and rail, seen forward", result))
     shape, distance = figure.subplots(2, 1, height_ratios=(1.6, 1))
     shape.plot(rail_y, rail_z, color=GREY, linewidth=1.6, label="rail")
     shape.plot(wheel_y, wheel_z, color=BLUE, linewidth=1.6, label="wheel")
@@ -249,9 +235,9 @@ def gap_picture(result):
     distance.set_ylim(min(3 * deepest, -0.15), 0.8)
     distance.set_ylabel("gap [mm]")
     distance.set_xlabel("y [mm], to the left of the track's centre")
-    for axes, place in ((shape, "upper right"), (distance, "upper center")):
+    for axes in (shape, distance):
         open_axes(axes)
-        axes.legend(loc=place)
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
 
 
@@ -296,7 +282,7 @@ def contact_points_picture(result):
         state, on_rail, on_wheel, force = np.zeros(0, dtype=int), np.zeros(0), np.zeros(0), np.zeros(0)
     width = 0.4 + 1.6 * np.nan_to_num(force / max(np.nanmax(force, initial=0), 1e-300))
     figure = new_figure(9, 5)
-    figure.suptitle(heading("Contact points", result))
+    put_title(figure, heading("Contact points", result))
     axes = figure.subplots()
     lines = draw_contact_points(axes, (rail_y, rail_z), (wheel_y, wheel_z), (on_rail, envelope_at(rail_y, rail_z, on_rail, True)),
                                 (on_wheel, envelope_at(wheel_y, wheel_z, on_wheel, False)), values[state], width)
@@ -316,12 +302,14 @@ def envelope_at(y, z, points, upper):
 def forces_picture(result):
     """Forces on the wheel, their split on patches, contact angles, T-gamma and power over what a sweep varies."""
     label, values = varied(result)
-    figure = new_figure(9, 9)
-    figure.suptitle(heading("Forces on the wheel", result))
+    figure = new_figure(10, 9)
+    put_title(figure, heading("Forces on the wheel", result))
     forces, loads, angles, wear = figure.subplots(4, 1, sharex=True)
-    for name, colour, text in (("force_x", BLUE, "$F_x$, forward"), ("force_y", VERMILION, "$F_y$, to the left")):
-        forces.plot(values, 1e-3 * result.array(f"/wheel/{name}", finite=False), ".-", color=colour, label=text)
-    forces.set_ylabel("force [kN]")
+    both = {name: result.array(f"/wheel/{name}", finite=False) for name in ("force_x", "force_y")}
+    scale, unit = unit_for(max(np.nanmax(np.abs(one), initial=0) for one in both.values()), "N")
+    for (name, force), colour, text in zip(both.items(), (BLUE, VERMILION), ("$F_x$, forward", "$F_y$, to the left")):
+        forces.plot(values, scale * force, ".-", color=colour, label=text)
+    forces.set_ylabel(f"force [{unit}]")
     wear.plot(values, result.array("/wheel/t_gamma", finite=False), ".-", color=BLUE, label=r"$T\gamma$")
     wear.plot(values, result.array("/wheel/t_gamma_with_spin", finite=False), ".--", color=SKY_BLUE, label=r"$T\gamma$ with spin")
     wear.set_ylabel(r"$T\gamma$ [N]")
@@ -341,6 +329,6 @@ def forces_picture(result):
     wear.set_xlabel(label)
     for axes in (forces, loads, angles, wear):
         open_axes(axes)
-    for axes in (forces, wear):
-        axes.legend(loc="best")
+    for axes, right in ((forces, 1.0), (wear, 1.12)):
+        axes.legend(loc="center left", bbox_to_anchor=(right, 0.5))
     return figure

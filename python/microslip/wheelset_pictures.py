@@ -1,6 +1,6 @@
 """Pictures of a wheelset over a sweep: forces of both wheels, roll, rolling speed."""
 
-from microslip.picture_style import BLACK, BLUE, VERMILION, heading, new_figure, open_axes
+from microslip.picture_style import BLACK, BLUE, VERMILION, heading, new_figure, open_axes, put_title
 from microslip.wheel_rail_pictures import varied
 
 
@@ -15,7 +15,7 @@ def wheelset_picture(result):
     """Over what a sweep varies."""
     label, values = varied(result)
     figure = new_figure(9, 6.4)
-    figure.suptitle(heading("Forces on a wheelset", result))
+    put_title(figure, heading("Forces on a wheelset", result))
     axes = figure.subplots(2, 2, sharex=True).ravel()
     for one, force, text in ((axes[0], "force_y", "lateral force, to the left [kN]"), (axes[1], "force_z", "vertical force [kN]")):
         for side, colour in (("left", BLUE), ("right", VERMILION)):

@@ -1,4 +1,4 @@
-"""The geometry of the pictures: cells, strips and boundaries are exact, arrows are spread evenly."""
+"""The geometry of the pictures: outlines are true, cells reach them, arrows are spread evenly."""
 
 import tempfile
 import unittest
@@ -8,6 +8,7 @@ import h5py
 import numpy as np
 
 from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells, every, read_cells
+from microslip.picture_style import new_figure
 from microslip.result_file import ResultFile
 from tests.synthetic_results import fastsim
 
@@ -19,88 +20,123 @@ def cells_of(mx, my, a=6.0, b=4.0, backward=False, creepage=(0.001, 0.0005, 0.2)
     return ContactCells(1e3 * fields["x"], 1e3 * fields["y"], *(fields[name] for name in names), (a, b))
 
 
-def area_of(corners):
-    """Area of axis-parallel rectangles."""
-    return np.sum((corners[:, 1, 0] - corners[:, 0, 0]) * (corners[:, 2, 1] - corners[:, 1, 1]))
+def area_of(curve):
+    """The area within a closed curve."""
+    x, y = curve.T
+    return abs(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])) / 2
+
+
+def square_cells(n, a=6.0, b=4.0, pressed=None):
+    """Cells of a square grid under Hertz's pressure, or another one, without tractions."""
+    x, y = np.meshgrid(np.linspace(-1.2 * a, 1.2 * a, n), np.linspace(-1.2 * b, 1.2 * b, n))
+    pressure = np.sqrt(np.clip(1 - (x / a) ** 2 - (y / b) ** 2, 0, None)) if pressed is None else pressed(x, y)
+    return ContactCells(x, y, np.ones(x.shape), *([np.zeros(x.shape)] * 5), (pressure > 0).astype(int), pressure=pressure)
+
+
+class OutlineTest(unittest.TestCase):
+    def test_the_pressure_tells_where_hertzs_ellipse_ends(self):
+        for n, error in ((15, 0.02), (31, 0.004), (63, 0.001)):
+            (curve,) = square_cells(n).outline.parts
+            self.assertAlmostEqual(area_of(curve) / (np.pi * 6 * 4), 1, delta=error)
+            self.assertLess(np.abs((curve[:, 0] / 6) ** 2 + (curve[:, 1] / 4) ** 2 - 1).max(), 8 * error)
+
+    def test_patches_apart_have_outlines_of_their_own(self):
+        def pressed(x, y):
+            return np.sqrt(np.clip(np.maximum(1 - (x + 3) ** 2 - y**2, 4 - (x - 3) ** 2 - y**2), 0, None))
+
+        curves = square_cells(81, pressed=pressed).outline.parts
+        areas = sorted(area_of(curve) / np.pi for curve in curves)
+        np.testing.assert_allclose(areas, [1, 4], rtol=0.02)
+
+    def test_rows_that_join_are_one_patch(self):
+        def pressed(x, y):  # two discs joined by a bridge
+            discs = np.maximum(4 - (x + 2.5) ** 2 - y**2, 4 - (x - 2.5) ** 2 - y**2)
+            return np.sqrt(np.clip(np.maximum(discs, 1 - y**2), 0, None)) * (np.abs(x) < 4.6)
+
+        (curve,) = square_cells(101, pressed=pressed).outline.parts
+        self.assertGreater(area_of(curve), 2 * np.pi * 4)
+
+    def test_a_single_element_and_a_single_row_have_an_outline(self):
+        for n in (1, 4):
+            x = np.linspace(0, 1, n)[None, :]
+            cells = ContactCells(x, 0 * x, np.ones(x.shape), *([0 * x] * 5), np.ones(x.shape), pressure=np.ones(x.shape), size=(1.0, 1.0))
+            (curve,) = cells.outline.parts
+            self.assertGreater(area_of(curve), 0)
+
+    def test_backward_rows_and_descending_rows_are_as_others(self):
+        one = square_cells(21)
+        areas = []
+        for turn in (np.s_[:, ::-1], np.s_[::-1]):
+            fields = [getattr(one, name)[turn] for name in ("x", "y", "bound", "bound", "px", "py", "sx", "sy", "state")]
+            fields[2] = np.ones(one.x.shape)
+            cells = ContactCells(*fields, pressure=one.pressure[turn])
+            areas.append(area_of(cells.outline.parts[0]))
+        np.testing.assert_allclose(areas, area_of(one.outline.parts[0]), rtol=1e-9)
 
 
 class ContactCellsTest(unittest.TestCase):
-    def test_rectangles_fill_every_row_from_edge_to_edge(self):
+    def test_every_point_within_the_outline_has_the_cell_that_holds_it(self):
         for mx, my in ((1, 1), (1, 7), (7, 1), (10, 10)):
             cells = cells_of(mx, my)
-            corners, index = cells.rectangles()
-            self.assertEqual(len(corners), mx * my)
-            for row, y in enumerate(cells.row_y):
-                edge = cells.a * np.sqrt(1 - (y / cells.b) ** 2)
-                mine = corners[index[:, 0] == row]
-                self.assertAlmostEqual(mine[:, :, 0].max(), edge, places=12)
-                self.assertAlmostEqual(mine[:, :, 0].min(), -edge, places=12)
-                self.assertAlmostEqual(area_of(mine), 2 * edge * 2 * cells.b / my, places=11)
+            rows, columns = cells.nearest(*cells.pixels())
+            x, y = np.meshgrid(*cells.pixels())
+            held = ((np.abs(cells.x[rows, columns] - x) <= cells.widths[rows, columns] / 2 * (1 + 1e-9))
+                    & (np.abs(cells.row_y[rows] - y) <= cells.height / 2 * (1 + 1e-9)))
+            inside = cells.outline.contain(x, y)
+            # What no cell holds lies at the edge, between the outline and the ends of the rows.
+            self.assertLess(np.mean(inside & ~held), 0.25 / my + 0.01)
+            edge = np.abs(np.abs(x) / cells.a - np.sqrt(np.clip(1 - (y / cells.b) ** 2, 0, 1))) < 2 / my
+            self.assertTrue(np.all(held | ~inside | edge))
 
-    def test_rectangles_tend_to_the_ellipse(self):
-        wrong = [abs(area_of(cells_of(n, n).rectangles()[0]) / (np.pi * 6 * 4) - 1) for n in (20, 80)]
-        self.assertLess(wrong[1], wrong[0] / 4)
-        self.assertLess(wrong[1], 2e-3)
-
-    def test_strips_cover_the_cells_of_their_state(self):
+    def test_images_show_values_up_to_the_outline(self):
+        figure = new_figure(6, 6)
+        axes = figure.subplots()
         cells = cells_of(12, 9)
-        corners, index = cells.rectangles()
+        axes.set_xlim(-7, 7)
+        axes.set_ylim(-5, 5)
+        cells.draw(axes, np.ones(cells.x.shape), cmap="gray", vmin=0, vmax=4)
+        axes.set_axis_off()
+        figure.canvas.draw()
+        pixels = np.asarray(figure.canvas.buffer_rgba())[..., 0]
+        coloured = np.argwhere(pixels < 200)
+        left, top = axes.transData.inverted().transform([coloured[:, 1].min(), 0])[0], coloured[:, 0].min()
+        self.assertAlmostEqual(left, -6, delta=0.05)
+        x, y = axes.transData.inverted().transform(np.column_stack([coloured[:, 1], pixels.shape[0] - coloured[:, 0]])).T
+        self.assertLess(((x / 6) ** 2 + (y / 4) ** 2).max(), 1.03)
+        scale = np.prod(axes.transData.transform([1, 1]) - axes.transData.transform([0, 0]))
+        self.assertAlmostEqual(len(coloured) / scale, np.pi * 6 * 4, delta=0.02 * np.pi * 6 * 4)
+        self.assertGreater(top, 0)
+
+    def test_spans_cover_the_cells_of_their_state(self):
+        cells = cells_of(12, 9)
         for state in (ADHESION, SLIP):
-            mine = corners[cells.state[tuple(index.T)] == state]
-            self.assertAlmostEqual(area_of(cells.strips(state)), area_of(mine), places=10)
-            self.assertLess(len(cells.strips(state)), len(mine))
-
-    def test_boundary_has_adhesion_on_one_side_and_slip_on_the_other(self):
-        for backward in (False, True):
-            cells = cells_of(12, 9, backward=backward)
-            segments = np.array(cells.boundary())
-            self.assertGreater(len(segments), 9)
-            for start, end in segments:
-                along = (end - start) / np.hypot(*(end - start))
-                across = 1e-6 * np.array([-along[1], along[0]])
-                for middle in (0.01, 0.5, 0.99):
-                    point = start + middle * (end - start)
-                    sides = {self.state_at(cells, point + across), self.state_at(cells, point - across)}
-                    self.assertEqual(sides, {ADHESION, SLIP})
-
-    def test_boundary_has_the_length_that_a_pixel_count_finds(self):
-        # On a fine raster, neighbours in different states are counted as boundary of one pixel's length.
-        cells = cells_of(12, 9)
-        x, y = (np.linspace(-half, half, 401) + 1e-7 for half in (6, 4))
-        raster = np.array([[self.state_at(cells, (one, other)) for one in x] for other in y])
-
-        def changes(here, there):
-            return np.sum((here * there) == ADHESION * SLIP)
-
-        counted = (changes(raster[:, :-1], raster[:, 1:]) * (y[1] - y[0])
-                   + changes(raster[:-1], raster[1:]) * (x[1] - x[0]))
-        drawn = sum(np.hypot(*np.subtract(end, start)) for start, end in cells.boundary())
-        self.assertAlmostEqual(drawn, counted, delta=0.01 * counted)
-
-    @staticmethod
-    def state_at(cells, point):
-        row = int((point[1] + cells.b) / cells.height)
-        if not 0 <= row < len(cells.row_y):
-            return EXTERIOR
-        i = np.argmin(np.abs(cells.x[row] - point[0]))
-        return int(cells.state[row, i]) if abs(cells.x[row, i] - point[0]) <= cells.widths[row, i] / 2 else EXTERIOR
+            for row in range(9):
+                covered = sum(right - left for left, right in cells.spans(state, row))
+                self.assertAlmostEqual(covered, cells.widths[row, cells.state[row] == state].sum(), places=10)
 
     def test_fitted_leading_cells_have_their_own_length(self):
         # A regular row of cells 1 long; the leading one begins at its neighbour's end and is .6 long.
         x, y = np.array([[4.5, 3.3, 2.5, 1.5, 0.5]] * 2), np.array([[0.0] * 5, [1.0] * 5])
         area, state = np.array([[1, 0.6, 1, 1, 1]] * 2), np.array([[EXTERIOR, SLIP, SLIP, ADHESION, SLIP]] * 2)
         cells = ContactCells(x, y, area, *([np.zeros((2, 5))] * 5), state, (2, 1))
-        corners, index = cells.rectangles()
-        np.testing.assert_allclose(corners[0, :2, 0], (3, 3.6))
-        np.testing.assert_allclose(area_of(cells.strips(SLIP)), 2 * (1.6 + 1))
-        self.assertEqual(sorted({segment[0][0] for segment in cells.boundary()}), [1, 2])
+        np.testing.assert_allclose(list(cells.spans(SLIP, 0)), [(2, 3.6), (0, 1)])
+
+    def test_surfaces_of_hertzs_pressure_are_half_ellipsoids(self):
+        cells = square_cells(31)
+        ((x, y, height),) = cells.surface(cells.pressure, vanishes=True)
+        exact = np.sqrt(np.clip(1 - (x / 6) ** 2 - (y / 4) ** 2, 0, None))
+        np.testing.assert_allclose(height, exact, atol=0.05)
+        np.testing.assert_allclose(height[-1], 0, atol=1e-7)
+
+    def test_surfaces_of_linear_fields_are_planes(self):
+        cells = square_cells(31)
+        ((x, y, height),) = cells.surface(2 * cells.x - cells.y + 3, vanishes=False)
+        inner = slice(0, 30)
+        np.testing.assert_allclose(height[inner], (2 * x - y + 3)[inner], atol=0.6)
 
     def test_no_boundary_where_all_slides_or_all_sticks(self):
-        self.assertEqual(cells_of(10, 10, creepage=(0.5, 0, 0)).boundary(), [])
-        stuck = cells_of(10, 10)
-        stuck.state[:] = ADHESION
-        self.assertEqual(stuck.boundary(), [])
-        self.assertEqual(len(stuck.strips(ADHESION)), 10)
+        self.assertFalse(cells_of(10, 10, creepage=(0.5, 0, 0)).has_boundary())
+        self.assertTrue(cells_of(10, 10).has_boundary())
 
     def test_arrows_are_few_on_fine_grids_and_all_on_coarse_ones(self):
         for n in (40, 160):
@@ -132,8 +168,6 @@ class ContactCellsTest(unittest.TestCase):
                 cells = read_cells(result, "fastsim2")
         self.assertEqual(cells.x.shape[0], 30)
         self.assertLessEqual(cells.x.shape[1], 400)
-        whole = area_of(cells_of(1000, 30).rectangles()[0])
-        self.assertAlmostEqual(area_of(cells.rectangles()[0]), whole, delta=0.003 * whole)
 
 
 if __name__ == "__main__":

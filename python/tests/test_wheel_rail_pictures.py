@@ -11,7 +11,7 @@ import numpy as np
 from microslip import plot
 from microslip.picture_style import SETTINGS
 from microslip.result_file import ResultError, ResultFile
-from microslip.wheel_rail_pictures import RailHead, envelope, minima, read_patches, sampled
+from microslip.wheel_rail_pictures import RailHead, envelope, minima, read_patches
 from tests.synthetic_results import fastsim
 
 RADIUS, MIDDLE = 0.3, 0.75
@@ -114,13 +114,6 @@ class WheelRailPicturesTest(unittest.TestCase):
         self.assertEqual(list(minima((x**2 - 1) ** 2, 25)), [100, 300])
         values = np.where(np.abs(x) > 1.5, np.nan, x)
         self.assertEqual(len(minima(values, 25)), 1)
-
-    def test_sampled_fields_are_those_of_the_cells(self):
-        with ResultFile(self.file()) as result:
-            cells, = read_patches(result, RailHead(result))
-        field = sampled(cells, cells.pressure, np.sort(cells.x[6]), cells.row_y)
-        np.testing.assert_allclose(field[6], cells.pressure[6][np.argsort(cells.x[6])])
-        self.assertEqual(sampled(cells, cells.pressure, np.array([50.0]), np.array([0.0])).max(), 0)
 
     def test_what_is_missing_is_named(self):
         path = self.file()
