@@ -65,8 +65,16 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// What microslip.plot says of a file or an option, without its name; else nothing.
+std::string said_of_input(int code, const std::vector<std::string>& messages) {
+  const std::string name = "microslip.plot: ";
+  const bool is_said = code == 2 && !messages.empty() && messages.back().starts_with(name);
+  return is_said ? messages.back().substr(name.size()) : "";
+}
+
 /// Why Python could not draw, in one line.
 std::string problem(int code, const std::vector<std::string>& messages) {
+  if (auto text = said_of_input(code, messages); !text.empty()) return text;
   const auto who = "pictures are missing: " + python() + " ";
   const std::string remedy = "; install python3-h5py, python3-matplotlib and python3-numpy, or use --no-pictures";
   if (code < 0) return who + "cannot be started: " + std::generic_category().message(-code) + remedy;

@@ -2,14 +2,12 @@
 the bodies where points were asked for."""
 
 import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 
 from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
-from microslip.field_picture import SEQUENTIAL
 from microslip.interior_picture import interior_picture
 from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title,
                                      shown, unit_for)
+from microslip.pressure_picture import pressure_picture
 
 # So many cases have a picture of their own.
 MOST_CASES = 12
@@ -75,35 +73,9 @@ def case_picture(result, case, contacts):
     grids = [stored_cells(result, contact) for contact in contacts]
     if all(grid.x.shape[0] == 1 for grid in grids):
         return curves_picture(result, case, contacts, grids)
-    wide = max(grid.a / grid.b for grid in grids)
-    height = 5.2 if wide < 1.6 else 4.0
-    figure = new_figure(1.6 + (4.6 if wide < 1.6 else 6) * len(contacts), height)
-    panels = figure.subplots(1, len(contacts), squeeze=False)[0]
-    highest = max(grid.pressure.max() for grid in grids)
-    scale, unit = unit_for(1e6 * highest, "Pa")
-    colours = Normalize(0, 1e6 * scale * highest or 1)
-    longest = max(np.hypot(grid.px, grid.py).max() for grid in grids)
-    for axes, contact, grid in zip(panels, contacts, grids):
-        left, right, low, high = grid.outline.limits()
-        axes.set_xlim(left - 0.1 * grid.a, right + 0.1 * grid.a)
-        axes.set_ylim(low - 0.1 * grid.b, high + 0.1 * grid.b)
-        axes.set_aspect("equal" if grid.true_to_scale() else "auto")
-        grid.draw(axes, 1e6 * scale * grid.pressure, cmap=SEQUENTIAL, norm=colours)
-        grid.draw_boundary(axes)
-        grid.draw_outline(axes)
-        chosen = grid.sample()
-        if longest > 0:
-            axes.quiver(grid.x[chosen], grid.y[chosen], grid.px[chosen], grid.py[chosen], color="white", edgecolor=BLACK, linewidth=0.4,
-                        pivot="mid", angles="uv", scale_units="width", scale=longest / 0.07, width=0.006, zorder=4)
-        axes.set_xlabel("x [mm]")
-        patch = int(result.array("/cases/patch")[contact])
-        lines = [f"patch {patch}"] if patch > 0 else []
-        lines += [forces_text(result, contact), f"$|p|$ at most {number(1e6 * scale * np.hypot(grid.px, grid.py).max())} {unit}"]
-        axes.set_title("\n".join(lines))
-    panels[0].set_ylabel("y [mm]")
-    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=list(panels), label=f"pressure [{unit}]", shrink=0.85)
-    put_title(figure, heading(f"Case {case}, pressure and tractions on body 1", result))
-    return figure
+    patches = [int(result.array("/cases/patch")[contact]) for contact in contacts]
+    titles = [(f"patch {patch}\n" if patch > 0 else "") + forces_text(result, contact) for patch, contact in zip(patches, contacts)]
+    return pressure_picture(heading(f"Case {case}, pressure and tractions on body 1", result), grids, titles)
 
 
 def forces_text(result, contact):

@@ -16,6 +16,7 @@ from microslip.cut_picture import cut_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
 from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
+from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.model_problem_picture import model_problem_pictures
 from microslip.picture_style import SETTINGS, THEORIES
 from microslip.profile_picture import profile_pictures
@@ -128,7 +129,7 @@ def numbers(text):
 
 def parse(arguments):
     """The command line."""
-    parser = argparse.ArgumentParser(prog="microslip plot", description="Draws the pictures of a result file, or the pictures "
+    parser = argparse.ArgumentParser(prog="python3 -m microslip.plot", description="Draws the pictures of a result file, or the pictures "
                                      "of a rolling contact that the options ask for.")
     parser.add_argument("result", metavar="RESULT.h5", help="a file written by microslip")
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for the pictures (default: beside RESULT.h5)")

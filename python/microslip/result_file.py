@@ -27,7 +27,8 @@ class ResultFile:
             raise ResultError(f"{path}: no such file") from None
         except OSError as error:
             if not h5py.is_hdf5(path):
-                raise ResultError(f"{path}: not an HDF5 file, or not readable") from None
+                raise ResultError(f"{path}: not a result file (HDF5) of microslip; solve, run, sweep, profile and conicity write "
+                                  "them") from None
             raise ResultError(f"{path}: {error}") from None
         found = self.attribute("format", FORMAT)
         if found != FORMAT:
@@ -90,6 +91,11 @@ class ResultFile:
     def is_number(self, name):
         """Whether a dataset has numbers, not texts."""
         return self._dataset(name).dtype.kind in "iuf"
+
+    def numbers_of(self, groups):
+        """Names of the datasets of numbers in the groups that are there."""
+        return [f"{group}/{name}" for group in groups if group in self._file for name, dataset in self._file[group].items()
+                if isinstance(dataset, h5py.Dataset) and dataset.dtype.kind == "f"]
 
     def entry(self, name, index):
         """An entry of a dataset, as a number or as text."""

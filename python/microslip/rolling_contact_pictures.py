@@ -10,6 +10,7 @@ from matplotlib.patches import Patch
 from microslip.contact_cells import ADHESION, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
+from microslip.interior_picture import interior_picture
 from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
                                      quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
@@ -34,7 +35,16 @@ def rolling_contact_pictures(result):
         figures["creep_curve.png"] = creep_curve_picture(result, with_curve)
     if "exact/history" in result:
         figures["history.png"] = history_picture(result)
+    if "interior/von_mises" in result:
+        figures["interior.png"] = interior_picture(heading("Von Mises' stress inside the bodies", result), [interior_points(result)])
     return figures
+
+
+def interior_points(result):
+    """x, y, z and von Mises' stress of all points that the case asks for."""
+    x, y, z = (result.array(f"/interior/{name}") for name in "xyz")
+    z, y, x = np.meshgrid(z, y, x, indexing="ij")
+    return [values.ravel() for values in (x, y, z, result.array("/interior/von_mises", dimensions=3))]
 
 
 def tractions_picture(result, cells):

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
+                                     put_title, unit_for)
 from microslip.result_file import ResultError
 
 # What is drawn, of which there are the first three.
@@ -17,20 +18,22 @@ MOST_LINES = 12
 def sweep_pictures(result):
     """One panel for each force: of a grid lines over its last parameter, one for each combination of the others; of a list
     or a sample points over its first parameter."""
-    forces = [name for name in FORCES if name in result][:3]
+    forces = ([name for name in FORCES if name in result] or result.numbers_of(("contact", "wheel", "wheelset", "left", "right")))[:3]
     if not forces:
-        raise ResultError(f"{result.path}: has none of {', '.join(FORCES)}")
+        raise ResultError(f"{result.path}: has no quantities")
     names = result.attribute("parameters").split("\n")
-    figure = new_figure(7.2, 1 + 2.6 * len(forces))
+    figure = new_figure(9, 1 + 2.6 * len(forces))
     panels = np.atleast_1d(figure.subplots(len(forces), sharex=True))
     draw = draw_grid if "shape" in result else draw_points
     for axes, name in zip(panels, forces):
         open_axes(axes)
-        axis = draw(axes, result, names, result.array(name, finite=False))
-        axes.set_ylabel(f"{name} [{result.unit(name)}]")
+        values = result.array(name, finite=False)
+        factor, unit = unit_for(np.nanmax(np.abs(values), initial=0), result.unit(name))
+        axis = draw(axes, result, names, factor * values)
+        axes.set_ylabel(f"{name} [{unit}]")
     panels[-1].set_xlabel(f"{axis} [SI]")
     if panels[0].get_legend_handles_labels()[0]:
-        panels[0].legend(loc="best", framealpha=0.9, frameon=True, edgecolor="none")
+        panels[0].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     put_title(figure, heading("Sweep", result))
     return {"sweep.png": figure}
 

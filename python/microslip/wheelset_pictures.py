@@ -1,27 +1,47 @@
-"""Pictures of a wheelset over a sweep: forces of both wheels, roll, rolling speed."""
+"""Pictures of a wheelset: of one state the patches of both wheels, of a sweep forces, roll and rolling speed."""
 
-from microslip.picture_style import BLACK, BLUE, VERMILION, heading, new_figure, open_axes, put_title
+import numpy as np
+
+from microslip.contact_cells import ContactCells
+from microslip.picture_style import BLACK, BLUE, VERMILION, heading, new_figure, number, open_axes, put_title, unit_for, with_unit
+from microslip.pressure_picture import pressure_picture
 from microslip.wheel_rail_pictures import varied
 
 
 def wheelset_pictures(result):
-    """The pictures of a result file of kind wheelset, by file name: none of a single state."""
-    if len(result.array("/wheelset/force_x", finite=False)) < 2:
-        return {}
-    return {"wheelset.png": wheelset_picture(result)}
+    """The pictures of a result file of kind wheelset, by file name."""
+    if len(result.array("/wheelset/force_x", finite=False)) > 1:
+        return {"wheelset.png": wheelset_picture(result)}
+    grids, titles = [], []
+    for side in ("left", "right"):
+        for k, force in enumerate(result.array(f"/{side}/patches/normal_force") if f"{side}/patches" in result else ()):
+            if f"{side}/fields/{k}" in result:
+                grids.append(patch_cells(result, f"/{side}/fields/{k}"))
+                angle = float(result.array(f"/{side}/patches/angle")[k])
+                titles.append(f"{side} wheel, patch {k + 1}\n$F_n$ = {with_unit(force, 'N')}, at {number(np.degrees(angle))} degrees")
+    return {"patches.png": pressure_picture(heading("Pressure and tractions on the wheels", result), grids, titles)} if grids else {}
+
+
+def patch_cells(result, group):
+    """The cells of a patch in its own frame."""
+    names = ("x", "y", "area", "bound", "px", "py", "sx", "sy", "state", "pressure")
+    x, y, area, bound, px, py, sx, sy, state, pressure = result.arrays([f"{group}/{name}" for name in names], dimensions=2)
+    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, pressure=1e-6 * pressure)
 
 
 def wheelset_picture(result):
     """Over what a sweep varies."""
     label, values = varied(result)
-    figure = new_figure(9, 6.4)
+    figure = new_figure(10, 6.4)
     put_title(figure, heading("Forces on a wheelset", result))
     axes = figure.subplots(2, 2, sharex=True).ravel()
-    for one, force, text in ((axes[0], "force_y", "lateral force, to the left [kN]"), (axes[1], "force_z", "vertical force [kN]")):
-        for side, colour in (("left", BLUE), ("right", VERMILION)):
-            one.plot(values, 1e-3 * result.array(f"/{side}/wheel/{force}", finite=False), ".-", color=colour, label=f"{side} wheel")
-        one.set_ylabel(text)
-        one.legend(loc="best")
+    for one, force, text in ((axes[0], "force_y", "lateral force, to the left"), (axes[1], "force_z", "vertical force")):
+        of_sides = {side: result.array(f"/{side}/wheel/{force}", finite=False) for side in ("left", "right")}
+        scale, unit = unit_for(max(np.nanmax(np.abs(forces), initial=0) for forces in of_sides.values()), "N")
+        for (side, forces), colour in zip(of_sides.items(), (BLUE, VERMILION)):
+            one.plot(values, scale * forces, ".-", color=colour, label=f"{side} wheel")
+        one.set_ylabel(f"{text} [{unit}]")
+    axes[1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     for one, name, factor, text in ((axes[2], "roll", 1e3, "roll [mrad]"), (axes[3], "pitch_velocity", 1, "pitch velocity [rad/s]")):
         one.plot(values, factor * result.array(f"/wheelset/{name}", finite=False), ".-", color=BLACK)
         one.set_ylabel(text)

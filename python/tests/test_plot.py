@@ -134,7 +134,7 @@ class CommandLineTest(FolderTest):
 
     def test_not_hdf5(self):
         self.path.write_text("x,y\n1,2\n")
-        self.expect_error("not an HDF5 file")
+        self.expect_error("not a result file (HDF5)")
 
     def test_truncated_hdf5(self):
         write_rolling_contact(self.path)
