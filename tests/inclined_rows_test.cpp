@@ -80,7 +80,10 @@ Fields by_pairs(const Bodies& bodies, const RowInclination& inclination, const F
       const double alpha =
           inclination.angle[static_cast<std::size_t>(row(l))] - inclination.angle[static_cast<std::size_t>(row(k))];
       const double x = grid.x(column(k)) - grid.x(column(l)) + ahead, y = grid.y(row(k)) - grid.y(row(l));
-      const Vector own = turn((1 - c) * alpha, half_space(bodies, x, y, turn(c * alpha, {p[0][l], p[1][l], p[2][l]})));
+      Vector own = turn((1 - c) * alpha, half_space(bodies, x, y, turn(c * alpha, {p[0][l], p[1][l], p[2][l]})));
+      if (inclination.plane_along_x)
+        own[0] = half_space(bodies, x, y, turn(c * alpha, {p[0][l], p[1][l], 0}))[0] +
+                 half_space(bodies, x, y, {0, 0, p[2][l]})[0];
       for (std::size_t i = 0; i < 3; ++i) u[i][k] += own[i];
     }
   return u;
@@ -108,6 +111,19 @@ TEST(InclinedRows, DisplacementsAreTheSumsOverPairsOfElements) {
       SCOPED_TRACE(share);
       expect_near(product(displacement(bodies, turned(share)), p), by_pairs(bodies, turned(share), p, 0), 1e-12);
     }
+}
+
+TEST(InclinedRows, PressureMayActAlongXAsInAPlane) {
+  const Fields p = random_fields(1);
+  RowInclination inclination = turned(1);
+  inclination.plane_along_x = true;
+  for (const Bodies& bodies : {similar, dissimilar})
+    expect_near(product(displacement(bodies, inclination), p), by_pairs(bodies, inclination, p, 0), 1e-12);
+  Fields expected = by_pairs(dissimilar, inclination, p, 0);
+  const Fields before = by_pairs(dissimilar, inclination, p, 0.4e-3);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < grid.count(); ++k) expected[i][k] = (expected[i][k] - before[i][k]) / 0.4e-3;
+  expect_near(product(difference(dissimilar, inclination), p), expected, 1e-11);
 }
 
 /// The normal displacement stays one; slip is that of the tangential ones.

@@ -241,5 +241,42 @@ TEST(SurfaceResponse, RefusesGridsThatMakeNoSense) {
   expect_error([&] { NormalOperator(steel, rows); }, "grid.my of a line contact", "[-]: must be in [1, 1]");
 }
 
+/// Pressure of one patch displaces the other's surface along the normal by the factor; all else is as without patches.
+TEST(CoupledOperator, PatchesFactorsWeighWhatPressureDoesAlongTheNormal) {
+  const ElementGrid g{.mx = 5, .my = 6, .x0 = 0, .y0 = 0, .dx = 1e-3, .dy = 0.8e-3};
+  const Bodies bodies(combine({80e9, 0.3}, {30e9, 0.2}));
+  ElementResponse response;
+  response.patches = {.count = 2, .patch_of_row = {0, 0, 1, 1, 1, 1}, .factors = {1, 0.3, 0.3, 1}};
+  using Fields = std::array<std::vector<double>, 3>;
+  const auto product = [&](CoupledOperator op, const Fields& p) {
+    Fields u;
+    for (auto& field : u) field.resize(g.count());
+    op.apply({p[0], p[1], p[2]}, std::array{std::span(u[0]), std::span(u[1]), std::span(u[2])});
+    return u;
+  };
+  Fields p, first;
+  for (auto* fields : {&p, &first})
+    for (auto& field : *fields) field.resize(g.count());
+  for (std::size_t k = 0; k < g.count(); ++k) {
+    p[0][k] = std::sin(1.0 + double(k));
+    p[1][k] = std::cos(3.0 * double(k));
+    p[2][k] = 1 + std::sin(double(k));
+    if (k < 2u * 5u) first[2][k] = p[2][k]; // of the first patch
+  }
+  const Fields plain = product(CoupledOperator::displacement(bodies, g), p);
+  const Fields of_first = product(CoupledOperator::displacement(bodies, g), first);
+  Fields second = {first[0], first[1], p[2]};
+  for (std::size_t k = 0; k < 2u * 5u; ++k) second[2][k] = 0;
+  const Fields of_second = product(CoupledOperator::displacement(bodies, g), second);
+  const Fields found = product(CoupledOperator::displacement(bodies, g, {}, 1, {}, response), p);
+  const double tolerance = 1e-13;
+  for (std::size_t k = 0; k < g.count(); ++k) {
+    EXPECT_EQ(found[0][k], plain[0][k]);
+    EXPECT_EQ(found[1][k], plain[1][k]);
+    const double other = k < 2u * 5u ? of_second[2][k] : of_first[2][k];
+    EXPECT_NEAR(found[2][k], plain[2][k] - 0.7 * other, tolerance * std::abs(plain[2][k]));
+  }
+}
+
 } // namespace
 } // namespace microslip

@@ -33,6 +33,7 @@ void check(const RowInclination& inclination, const ElementGrid& grid) {
   for (const double angle : inclination.angle) require_finite("inclination", angle, "rad");
   const double share = inclination.traction_share;
   if (!(share >= 0 && share <= 1)) throw Error("traction_share", share, "-", "in [0, 1]");
+  if (inclination.plane_along_x && share != 1) throw Error("traction_share", share, "-", "1 with plane_along_x");
 }
 
 } // namespace

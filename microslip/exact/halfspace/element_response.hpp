@@ -40,7 +40,8 @@ private:
   std::vector<FullInfluence> values_;
 };
 
-/// Parts of a grid, whole rows each, that act on one another by a factor less or more than two half-spaces would.
+/// Parts of a grid, whole rows each, between which the normal displacement that pressure causes is that of two
+/// half-spaces times a factor. Tangential displacements, and what tangential tractions cause, are as they are.
 struct WeightedPatches {
   int count = 1;                 ///< of patches
   std::vector<int> patch_of_row; ///< from 0; empty: there is one patch
@@ -54,10 +55,12 @@ struct WeightedPatches {
 /// = alpha_J - alpha_I and a half-space's influence A of the rows' distance along the surface, B = R((1 - c) alpha) A
 /// R(c alpha), where R turns lateral and normal components. The first correction of this kind, of Blanco-Lorenzo et al.
 /// (2011), has c = 1; c = 0 takes the half-space at the loaded row; c = 1/2 is the only one that is reciprocal, B_IJ =
-/// B_JI^T, as influences of elastic bodies are.
+/// B_JI^T, as influences of elastic bodies are. In one variant of the correction pressure displaces along x as it would
+/// in a plane: B_xn = A_xn in place of A_xn cos alpha - A_xs sin alpha.
 struct RowInclination {
   std::vector<double> angle;   ///< of each row's plane [rad]; empty: all lie in one
   double traction_share = 0.5; ///< c: how much of the turn the traction takes, in [0, 1] [-]
+  bool plane_along_x = false;  ///< B_xn = A_xn; with c = 1 only
 
   bool is_flat() const { return angle.empty(); }
   friend bool operator==(const RowInclination&, const RowInclination&) = default;

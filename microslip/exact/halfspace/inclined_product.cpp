@@ -19,7 +19,8 @@ template <class At> void for_elements(const ElementGrid& grid, At at) {
 InclinedProduct::InclinedProduct(const InclinedKernel& kernel, const ElementGrid& grid,
                                  const RowInclination& inclination)
     : grid_(grid), before_{Part::along, Part::cosine, Part::sine}, behind_(before_),
-      transform_(grid.mx, grid.my, 3 * static_cast<int>(before_.size())), term_(grid.count()) {
+      plane_along_x_(inclination.plane_along_x), transform_(grid.mx, grid.my, 3 * static_cast<int>(before_.size())),
+      term_(grid.count()) {
   const double shares[] = {1 - inclination.traction_share, inclination.traction_share};
   if (shares[0] == 0) before_ = {Part::whole};
   if (shares[1] == 0) behind_ = {Part::whole};
@@ -37,7 +38,7 @@ InclinedProduct::InclinedProduct(const InclinedKernel& kernel, const ElementGrid
   };
   transform(kernel.slip, slip_);
   transform(kernel.displacement, normal_);
-  loaded_.assign(3 * before_.size(), Field(grid.count()));
+  loaded_.assign(3 * (before_.size() + plane_along_x_), Field(grid.count()));
   found_.fill(Field(grid.count()));
 }
 
@@ -75,6 +76,14 @@ void InclinedProduct::load(const Fields& p) {
       (*z)[k] = f * (sr[j] * p[lateral][k] + cr[j] * p[normal][k]);
     });
   }
+  if (plane_along_x_) {
+    Field *y = &loaded_[3], *z = &loaded_[4], *pressure = &loaded_[5];
+    for_elements(grid_, [&](std::size_t j, std::size_t k) {
+      (*y)[k] = cr[j] * p[lateral][k];
+      (*z)[k] = sr[j] * p[lateral][k];
+      (*pressure)[k] = p[normal][k];
+    });
+  }
   const std::vector<std::span<const double>> fields(loaded_.begin(), loaded_.end());
   transform_.load(fields);
 }
@@ -88,6 +97,12 @@ void InclinedProduct::find(const Spectra& spectra, int first, int last) {
       std::vector<const ToeplitzTransform::Spectrum*> entries;
       for (const Part before : before_)
         for (int column = 0; column < 3; ++column) entries.push_back(entry(spectra, before, row, behind, column));
+      if (plane_along_x_) entries.resize(6);
+      if (plane_along_x_ && row == 0) {
+        std::swap(entries[1], entries[3]);
+        std::swap(entries[2], entries[4]);
+        if (behind == Part::along) entries[5] = entry(spectra, Part::whole, row, Part::whole, normal);
+      }
       transform_.apply(entries, std::array{std::span(term_)});
       const double* factor = factors(behind, true);
       for_elements(grid_, [&](std::size_t j, std::size_t k) { sum[k] += factor ? factor[j] * term_[k] : term_[k]; });

@@ -37,7 +37,8 @@ private:
   const double* factors(Part part, bool of_traction) const;
 
   ElementGrid grid_;
-  std::vector<Part> before_, behind_;                ///< the terms of R(t_J) and of R(-r_I)
+  std::vector<Part> before_, behind_; ///< the terms of R(t_J) and of R(-r_I)
+  bool plane_along_x_; ///< then also (0, p_s) turned, and p_n as it is, are loaded, for the displacement along x
   std::array<std::vector<double>, 2> cosine_, sine_; ///< of t and of r, of each row
   ToeplitzTransform transform_;
   Spectra slip_, normal_;

@@ -121,9 +121,10 @@ void CoupledOperator::precondition_pressure(std::span<const double> pressure, st
 }
 
 void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> out) {
-  if (patches_.count == 1) return apply_alike(p, out);
-  for (const std::span<double>& field : out) std::fill(field.begin(), field.end(), 0.0);
-  for (int patch = 0; patch < patches_.count; ++patch) add_from_patch(patch, p, out);
+  apply_alike(p, out);
+  constexpr std::size_t normal = 2;
+  if (patches_.count == 1 || out.size() <= normal) return;
+  for (int patch = 0; patch < patches_.count; ++patch) add_weight_of(patch, p[normal], out[normal]);
 }
 
 /// Without the patches' factors.
@@ -135,28 +136,25 @@ void CoupledOperator::apply_alike(const Fields& p, std::span<const std::span<dou
   transform_.apply(std::span(kernels).first(3 * out.size()), out);
 }
 
-/// What the tractions of a patch do everywhere.
-void CoupledOperator::add_from_patch(int patch, const Fields& p, std::span<const std::span<double>> out) {
+/// What the factors change of the normal displacement that a patch's pressure causes.
+void CoupledOperator::add_weight_of(int patch, std::span<const double> pressure, std::span<double> displacement) {
   const auto for_rows = [&](auto function) {
     for (int j = 0; j < grid_.my; ++j)
       function(patches_.patch_of_row[static_cast<std::size_t>(j)], static_cast<std::size_t>(j) * grid_.mx);
   };
   const auto mx = static_cast<std::size_t>(grid_.mx);
-  std::array<std::vector<double>, 3> own, response;
-  for (std::size_t c = 0; c < own.size(); ++c) {
-    own[c].assign(grid_.count(), 0.0);
-    response[c].resize(grid_.count());
-    for_rows([&](int row_patch, std::size_t k) {
-      if (row_patch == patch) std::copy_n(p[c].begin() + std::ptrdiff_t(k), mx, own[c].begin() + std::ptrdiff_t(k));
-    });
-  }
-  const std::array<std::span<double>, 3> responses = {response[0], response[1], response[2]};
-  apply_alike({own[0], own[1], own[2]}, std::span(responses).first(out.size()));
-  for (std::size_t c = 0; c < out.size(); ++c)
-    for_rows([&](int row_patch, std::size_t k) {
-      const double factor = patches_.factors[static_cast<std::size_t>(row_patch * patches_.count + patch)];
-      for (std::size_t i = k; i < k + mx; ++i) out[c][i] += factor * response[c][i];
-    });
+  const std::vector<double> none(grid_.count());
+  std::vector<double> own(grid_.count());
+  std::array<std::vector<double>, 3> response;
+  for (auto& field : response) field.resize(grid_.count());
+  for_rows([&](int row_patch, std::size_t k) {
+    if (row_patch == patch) std::copy_n(pressure.begin() + std::ptrdiff_t(k), mx, own.begin() + std::ptrdiff_t(k));
+  });
+  apply_alike({none, none, own}, std::array{std::span(response[0]), std::span(response[1]), std::span(response[2])});
+  for_rows([&](int row_patch, std::size_t k) {
+    const double factor = patches_.factors[static_cast<std::size_t>(row_patch * patches_.count + patch)];
+    for (std::size_t i = k; i < k + mx; ++i) displacement[i] += (factor - 1) * response[2][i];
+  });
 }
 
 } // namespace microslip

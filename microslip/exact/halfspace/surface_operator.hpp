@@ -110,7 +110,7 @@ private:
 
   CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid, const WeightedPatches& patches);
   void apply_alike(const Fields& p, std::span<const std::span<double>> out);
-  void add_from_patch(int patch, const Fields& p, std::span<const std::span<double>> out);
+  void add_weight_of(int patch, std::span<const double> pressure, std::span<double> displacement);
 
   ElementGrid grid_;
   WeightedPatches patches_;
