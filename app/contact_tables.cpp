@@ -38,7 +38,7 @@ std::string with_unit(const std::string& name) {
 /// Of two bodies in contact, or a patch of a wheel; `lateral` is the letter of what lies across.
 void print_totals(const Case& c, const Outcome& outcome, char lateral) {
   const contact_program::PrintedTotals& t = outcome.totals;
-  Lines forces, relative, counts;
+  Lines forces, damping, relative, counts;
   const char* sum = t.integral_fn ? "BAR_" : ""; // over a curved patch
   forces.add(fmt::format("{}FN [N]", sum), t.fn);
   forces.add(fmt::format("{}FX [N]", sum), t.fx);
@@ -47,6 +47,12 @@ void print_totals(const Case& c, const Outcome& outcome, char lateral) {
   forces.add("ELAST.EN. [J]", t.elastic_energy);
   forces.add(c.digits.rolls() ? "FRIC.POWER [W]" : "FRIC.WORK [J]", t.friction);
   forces.print();
+  if (outcome.damping) {
+    damping.add("damping: FN [N]", outcome.damping->z);
+    damping.add("FX [N]", outcome.damping->x);
+    damping.add(fmt::format("F{} [N]", lateral), outcome.damping->y);
+    damping.print();
+  }
   if (t.integral_fn)
     relative.add("TILDE_FN [N]", *t.integral_fn);
   else

@@ -90,7 +90,7 @@ public:
                                                                                      .command_line = command_line(),
                                                                                      .case_file = path_.string(),
                                                                                      .case_text = short_text(path_)}),
-        bar_(path_.filename().string()) {
+        bar_(path_.filename().string()), run_(arguments.out) {
     if (!arguments.out) return;
     auto path = output_;
     out_.emplace(path.replace_extension(".out"));

@@ -41,12 +41,19 @@ inline const std::string first_wheel = R"( 1 MODULE
  100. 0 0 0 0 -1.      VS, VY, VZ, VROLL, VYAW, VPITCH
 )";
 
-/// A text with C = 2 made one with C = 4, which is refused.
-inline std::string with_corrected_coefficients(std::string text,
-                                               const std::string& correction = "0 2 2\n 0. 0. 1. .1") {
+/// A text with C = 2 made one with C = 4.
+inline std::string with_corrected_coefficients(std::string text, const std::string& correction) {
   const std::string digits = "022020", material = ".42 .42 200. 200.";
   text.replace(text.find(digits), digits.size(), "024020");
   return text.insert(text.find(material), correction + "\n ");
+}
+
+/// A shift of thin sheets with C = 4, which is refused.
+inline std::string refused_shift() {
+  const std::string digits = " 201110", material = ".42 .42 200. 200.";
+  std::string text = with_corrected_coefficients(first_shift, "0 4 2\n 0. 0. 1. .1");
+  text.replace(text.find(digits), digits.size(), " 211110");
+  return text.insert(text.find(material) + material.size(), "\n 1e-4 FLXZ");
 }
 
 /// Rolling of a Hertzian contact with 12 elements across: FN, CKSI, CETA, CPHI; CHI, DQ, VELOC; the first control

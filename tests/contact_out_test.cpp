@@ -96,7 +96,7 @@ TEST(ContactOut, DigitOSaysHowMuch) {
 
 /// A case that is not run says why, and its line is not taken for a case's.
 TEST(ContactOut, ReasonsStandInTheFile) {
-  const auto cases = run_cases(with_corrected_coefficients(first_shift));
+  const auto cases = run_cases(refused_shift());
   const std::string text = out_text(cases.at(0).input, cases.at(0).outcome);
   ASSERT_EQ(cases.at(0).outcome.kind, Outcome::Kind::refused);
   EXPECT_EQ(text, "\n Case     1\n ERROR: not run: " + cases.at(0).outcome.reasons.at(0) + "\n");

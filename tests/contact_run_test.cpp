@@ -90,6 +90,27 @@ TEST(ContactRun, CasesGoOnAsPSays) {
   EXPECT_EQ(cases[3].outcome.totals.adhesion, cases[1].outcome.totals.adhesion);
 }
 
+/// C dF/dt with dt = DQ/VELOC, and its data kept by the next case.
+TEST(ContactRun, DampingIsBesideTheTotals) {
+  const auto case_of = [](const char* force, const char* p, const char* m2, const char* numbers) {
+    const std::string text = steady_rolling(std::string(force) + " 2d-4 -1d-4 0", "0 .1 500.", p);
+    return with(with(text, " 022020\n", std::string(" 022020") + m2 + "\n"), "82000. 82000.\n",
+                std::string("82000. 82000.\n") + numbers);
+  };
+  const auto cases = run_cases(case_of("100.", "203100", " 2", " 1e-3 4e-3 1e30 1e30\n") +
+                               case_of("150.", "003100", "", "") + case_of("150.", "003100", " 0", ""));
+  const PrintedTotals &a = cases.at(0).outcome.totals, &b = cases.at(1).outcome.totals;
+  const auto damping = cases[1].outcome.damping.value();
+  const double dt = cases[1].outcome.step.grid.dx * 1e3 / 500; // steady rolling: DQ is DX
+  EXPECT_EQ(cases[0].outcome.damping.value().z, 0);
+  EXPECT_NEAR(damping.z, 1e-3 * 50 / dt, 1e-6);
+  EXPECT_NEAR(damping.x, 4e-3 * (b.fx - a.fx) / dt, 1e-9);
+  EXPECT_NEAR(damping.y, 4e-3 * (b.fy - a.fy) / dt, 1e-9);
+  EXPECT_NE(damping.x, 0);
+  EXPECT_NEAR(b.fn, 150, 1e-9);
+  EXPECT_FALSE(cases.at(2).outcome.damping);
+}
+
 TEST(ContactRun, SequencesGoOnFromTheirOwn) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const auto alone = run_cases(first_shift + next);
@@ -116,7 +137,8 @@ TEST(ContactRun, BilinearElements) {
 
 TEST(ContactRun, RowsOfOneAngleAreAHalfSpaces) {
   const PrintedTotals plane = run_cases(first_shift).at(0).outcome.totals;
-  for (const char* correction : {"0 1 2\n -1. .2 1. .2", "1 3 2\n -1. .2 1. .2", "1 4 2\n -1. .2 1. .2"}) {
+  for (const char* correction :
+       {"0 1 2\n -1. .2 1. .2", "0 2 2\n -1. .2 1. .2", "1 3 2\n -1. .2 1. .2", "1 4 2\n -1. .2 1. .2"}) {
     const PrintedTotals turned = run_cases(with_corrected_coefficients(first_shift, correction)).at(0).outcome.totals;
     EXPECT_NEAR(turned.approach, plane.approach, 1e-6 * plane.approach);
     EXPECT_NEAR(turned.fx, plane.fx, 1e-6 * plane.fn);
@@ -138,17 +160,29 @@ TEST(ContactRun, AnglesChangeTheForces) {
   EXPECT_GT(std::abs(line.approach - run_cases(first_shift).at(0).outcome.totals.approach), 1e-3 * line.approach);
 }
 
+/// Without pressure's turned part along x, which is odd in x and y here, the force changes at second order in the
+/// angle.
+TEST(ContactRun, PressureMayActAlongXAsInAPlane) {
+  const auto solved = [](const char* correction) {
+    return run_cases(with_corrected_coefficients(first_shift, correction)).at(0).outcome.totals;
+  };
+  const PrintedTotals whole = solved("1 1 3\n -1. -.5 0. 0. 1. .5"), plane = solved("1 2 3\n -1. -.5 0. 0. 1. .5");
+  EXPECT_NE(plane.x, whole.x);
+  EXPECT_NEAR(plane.x, whole.x, 0.05 * std::abs(whole.x));
+  EXPECT_NEAR(plane.approach, whole.approach, 1e-2 * whole.approach);
+}
+
 TEST(ContactRun, WhatGoesOnFromARefusedCaseIsRefusedAndTheRestRuns) {
   const std::string next = " 3 MODULE\n 001110\n 100000\n 0100331\n 9.1954 -.7 0 0\n";
   const std::string approximate = with(steady_rolling("100. 1d-3 0 0"), "203100", "253100");
-  const std::string corrected = with_corrected_coefficients(first_shift);
+  const std::string corrected = refused_shift();
   const auto cases = run_cases(first_shift + corrected + next + approximate + first_shift + next);
   ASSERT_EQ(cases.size(), 6u);
   const Kind wanted[] = {Kind::solved, Kind::refused, Kind::refused, Kind::refused, Kind::solved, Kind::solved};
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(cases[k].outcome.kind, wanted[k]) << k;
   EXPECT_EQ(cases[1].outcome.reasons,
-            std::vector<std::string>{"C = 4 (half-space coefficients corrected for the angles of a surface, in the "
-                                     "variant without pressure along x)"});
+            std::vector<std::string>{"C = 4 (half-space coefficients corrected for the angles of a surface, with other "
+                                     "than M = 0 and B = 0)"});
   EXPECT_EQ(
       cases[3].outcome.reasons,
       std::vector<std::string>{"B > 4 (approximate normal problem, KPEC or ANALYN, with the force given, N = 1)"});
@@ -167,7 +201,7 @@ TEST(ContactRun, NothingGoesOnFromACaseThatWasEnded) {
 }
 
 TEST(ContactRun, GoingOnIsRefusedOnlyWhereTractionsMatter) {
-  const std::string corrected = with_corrected_coefficients(first_shift);
+  const std::string corrected = refused_shift();
   const std::string next = " 3 MODULE\n 001110\n 102000\n 0100331\n 9.1954 -.7 0 0\n .42 .42 200. 200.\n";
   const auto cases = run_cases(corrected + next + with(next, "001110", "000100") + next);
   ASSERT_EQ(cases.size(), 4u);

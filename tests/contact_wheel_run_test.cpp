@@ -218,6 +218,41 @@ TEST_F(WheelOnPlane, TractionsStayAsPatchesMergeAndSplit) {
   EXPECT_NEAR(split.patches[0].solution->totals.fx / split.patches[1].solution->totals.fx, 1, 1e-6);
 }
 
+/// The force before is that of both patches where they become one, and its share where one becomes two.
+TEST_F(WheelOnPlane, DampingGoesOnAsPatchesMergeAndSplit) {
+  write("wheel.prw", 1, [](double) { return 0.0; });
+  write("rail.prr", 0, [](double y) { return std::pow(std::abs(y) - 6, 2) / 200; });
+  const auto under = [](const char* digits, const char* rules) {
+    std::string text = with(with(first_wheel, " 1203000", digits), ".2 .2 1. 90d 8. 4.", rules);
+    text = with(with(text, " 0022033 ", " 0022033 2 "), "82000. POISS, GG", "82000. POISS, GG\n .5 0 1e30 1e30");
+    return with(text, " 0 0 .16 0 0 0", " 0 0 .08 0 0 0");
+  };
+  const char *apart = ".4 .4 1. 90d .2 .1", *together = ".4 .4 1. 90d 8. 6.";
+  for (const char* digits : {" 1000000", " 1003000"}) {
+    SCOPED_TRACE(digits);
+    const auto outcomes = run(under(digits, apart) + under(digits, together) + under(digits, apart));
+    std::vector<double> forces, dampings;
+    for (const Outcome& o : outcomes) {
+      double force = 0, damping = 0;
+      for (const WheelPatch& patch : o.wheel->patches) {
+        force += patch.solution->totals.fn;
+        damping += patch.solution->damping->z;
+      }
+      forces.push_back(force);
+      dampings.push_back(damping);
+    }
+    const auto rate = [&](std::size_t k) { // VELOC/DQ
+      return digits[4] == '3' ? outcomes.at(k).wheel->patches.at(0).contact.rolling->veloc / .4 : 1;
+    };
+    ASSERT_EQ(outcomes.at(1).wheel->patches.size(), 1u);
+    ASSERT_EQ(outcomes.at(2).wheel->patches.size(), 2u);
+    EXPECT_GT(forces[0] - forces[1], 0.01 * forces[0]);
+    EXPECT_NEAR(dampings[1], .5 * rate(1) * (forces[1] - forces[0]), 1e-6 * forces[0]);
+    EXPECT_NEAR(dampings[2], .5 * rate(2) * (forces[2] - forces[1]), 1e-6 * forces[0]);
+    EXPECT_NEAR(outcomes[2].wheel->patches[0].solution->damping->z, dampings[2] / 2, 1e-6 * dampings[2]);
+  }
+}
+
 /// Tractions of elements numbered from 1.
 CarriedTractions counted(int mx, int my, double x0, double y0) {
   CarriedTractions carried;
@@ -319,6 +354,91 @@ TEST_F(WheelOnPlane, ARailOnASpringIsInBalance) {
   const WheelOutcome& w = *run(text).at(0).wheel;
   EXPECT_GT(std::abs(w.track.force.y), 100);
   EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
+}
+
+/// A wheel that rolls by .002 s to a deeper place, with C dF/dt of CDAMPN = 1 ms and CDAMPT = 2 ms.
+class DampedWheel : public WheelOnPlane {
+protected:
+  /// DQ/VELOC [s]
+  static double time_step(const Outcome& o) { return 0.2 / o.wheel->patches.at(0).contact.rolling->veloc; }
+
+  static std::string slanting(std::string text) { return with(text, " 100. 0 0 0 0 -1. ", " 100. .02 0 0 0 -1.0004 "); }
+  /// With the numbers of M2 = 2.
+  static std::string damped(const std::string& text, const std::string& numbers = "1e-3 2e-3 1e30 1e30") {
+    return with(with(text, " 0022033 ", " 0022033 2 "), "82000. POISS, GG", "82000. POISS, GG\n " + numbers);
+  }
+  static std::string deeper(const std::string& text, const char* digits = " 1003000", const char* z = " 0 0 .17 ") {
+    return with(with(text, " 1203000", digits), " 0 0 .16 ", z);
+  }
+  static Vec3<double> damping(const Outcome& o, std::size_t patch = 0) {
+    return o.wheel->patches.at(patch).solution->damping.value();
+  }
+
+  const std::string first_ = slanting(first_wheel);
+};
+
+TEST_F(DampedWheel, BearsTheRateOfItsForceBesides) {
+  const auto plain = run(first_ + deeper(first_)), outcomes = run(damped(first_) + damped(deeper(first_)));
+  const WheelOutcome &before = *plain.at(0).wheel, &after = *plain.at(1).wheel, &w = *outcomes.at(1).wheel;
+  EXPECT_EQ(outcomes[0].wheel->track.force.z, before.track.force.z) << "nothing has changed yet";
+  const Vec3<double> change = after.track.force - before.track.force;
+  EXPECT_GT(std::abs(change.y), 1);
+  EXPECT_GT(std::abs(change.x), 1);
+  const double dt = time_step(outcomes[1]);
+  EXPECT_NEAR(dt, 0.2 / 100, 1e-5);
+  EXPECT_NEAR(damping(outcomes[1]).z, 1e-3 * change.z / dt, 1e-6 * change.z);
+  EXPECT_NEAR(damping(outcomes[1]).x, 2e-3 * change.x / dt, 1e-6 * change.z);
+  EXPECT_NEAR(damping(outcomes[1]).y, 2e-3 * change.y / dt, 1e-6 * change.z);
+  EXPECT_NEAR(w.track.force.z, after.track.force.z + 1e-3 * change.z / dt, 1e-6 * change.z);
+  EXPECT_NEAR(w.track.force.y, after.track.force.y + 2e-3 * change.y / dt, 1e-6 * change.z);
+  EXPECT_NEAR(w.wheelset.moment.y - after.wheelset.moment.y, -0.17 * (w.track.force.x - after.track.force.x),
+              1e-6 * change.z)
+      << "it acts at the reference, on the rail's surface";
+  EXPECT_EQ(w.patches[0].solution->totals.fn, after.patches[0].solution->totals.fn) << "of the contact itself";
+}
+
+TEST_F(DampedWheel, RatesHaveALimit) {
+  const std::string numbers = "1e-3 2e-3 1e3 10.";
+  const auto outcomes = run(damped(first_, numbers) + damped(deeper(first_), numbers));
+  const auto& [x, y, z] = damping(outcomes.at(1));
+  EXPECT_EQ(z, 1e-3 * 1e3);
+  EXPECT_EQ(std::abs(x), 2e-3 * 10);
+  EXPECT_EQ(std::abs(y), 2e-3 * 10);
+}
+
+TEST_F(DampedWheel, TheForceThatIsGivenHasItInIt) {
+  const auto given = [](const std::string& text, const char* digits, const char* fz) {
+    return deeper(text, digits, fz);
+  };
+  const std::string both =
+      damped(given(first_, " 1203100", " 0 0 50e3 ")) + damped(given(first_, " 1003100", " 0 0 60e3 "));
+  const auto outcomes = run(both);
+  const double share = 1e-3 / time_step(outcomes.at(1)), bore = outcomes.at(0).wheel->track.force.z;
+  const WheelOutcome& w = *outcomes.at(1).wheel;
+  EXPECT_NEAR(w.track.force.z, 60e3, 60e3 * 1e-7);
+  EXPECT_NEAR(w.patches.at(0).solution->totals.fn, (60e3 + share * bore) / (1 + share), 60e3 * 1e-6);
+}
+
+TEST_F(DampedWheel, DigitPSaysWhatWasBefore) {
+  const auto forces = run(first_ + deeper(first_) + deeper(first_, " 1203000", " 0 0 .18 "));
+  const auto contact = [&](std::size_t k) { return forces.at(k).wheel->track.force; };
+  const auto after = [&](const char* digits) {
+    return damping(run(damped(first_) + damped(deeper(first_)) + damped(deeper(first_, digits, " 0 0 .18 "))).at(2));
+  };
+  const double tolerance = 1e-6 * contact(2).z, dt = time_step(forces[2]);
+  EXPECT_NEAR(after(" 1003000").z, 1e-3 / dt * (contact(2).z - contact(1).z), tolerance);
+  EXPECT_NEAR(after(" 1103000").z, 1e-3 / dt * (contact(2).z - contact(1).z), tolerance);
+  EXPECT_NEAR(after(" 1103000").x, 2e-3 / dt * contact(2).x, tolerance) << "no tractions before";
+  EXPECT_EQ(after(" 1203000").z, 0);
+  EXPECT_NEAR(after(" 1303000").z, 1e-3 / dt * (contact(2).z - contact(0).z), tolerance);
+}
+
+TEST_F(DampedWheel, IsKeptUntilItEnds) {
+  const auto none = with(deeper(first_, " 1003000", " 0 0 .18 "), " 0022033 ", " 0022033 0 ");
+  const auto outcomes = run(damped(first_) + deeper(first_) + none + deeper(first_));
+  EXPECT_GT(damping(outcomes.at(1)).z, 1);
+  EXPECT_FALSE(outcomes.at(2).wheel->patches.at(0).solution->damping);
+  EXPECT_FALSE(outcomes.at(3).wheel->patches.at(0).solution->damping);
 }
 
 TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {

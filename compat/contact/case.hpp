@@ -32,7 +32,7 @@ struct RollingData {
 /// C = 4: influence coefficients corrected for the angles of a curved surface.
 struct AngleCorrection {
   int method = 0;  ///< IF_METH: 0 angles along a straight line, 1 as they are
-  int variant = 1; ///< VARIANT: 1, 2 of the traction, 3 of the displacement, 4 half of each
+  int variant = 1; ///< VARIANT: 1, 2 (but pressure along x) of the traction, 3 of the displacement, 4 half of each
   std::vector<std::pair<double, double>> angles = {}; ///< Y [mm] and ALPHA [rad], ascending
 };
 
@@ -71,6 +71,12 @@ struct HeatData {
   double plastic_share = 0; ///< BETAPL, with M = 4
 };
 
+/// Damping in proportion to the rate at which forces change, M2 = 2.
+struct DampingData {
+  double normal = 0, tangential = 0;             ///< CDAMPN, CDAMPT [s]
+  double normal_limit = 0, tangential_limit = 0; ///< DFNMAX, DFTMAX: the most that a rate counts [N/s]
+};
+
 /// A case in CONTACT's units: its digits, and the data that hold for it, whether read or kept. One of module 1 has
 /// `wheel_rail`; grid, distance and motion are then those of each of its patches, and not known yet.
 struct Case {
@@ -86,6 +92,7 @@ struct Case {
   FrictionData friction = {};
   std::optional<RollingData> rolling = {};
   std::optional<MaterialData> material = {};
+  std::optional<DampingData> damping = {}; ///< none with M2 = 0
   std::optional<PotentialContact> potential = {};
   Normal formed_norm = Normal::force; ///< N when the potential contact was formed,
   double formed_normal = 0;           ///< and PEN or FN

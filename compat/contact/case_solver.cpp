@@ -31,6 +31,8 @@ int element_state(const Outcome& outcome, std::size_t element) {
 
 namespace {
 
+constexpr double mm_per_m = 1e3;
+
 /// With all of what elements do to each other, where the problem was solved with less of it: as CONTACT counts it.
 double half_space_energy(const ContactStep& step, const ContactStepSolution& s) {
   const ElementGrid& grid = step.grid;
@@ -61,7 +63,11 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
     springs_ = std::move(springs);
   }
   if (outcome.step.frictionless) springs_ = CarriedSprings();
-  outcome.totals = printed_totals(c, outcome.step, outcome.solution);
+  const PrintedTotals& totals = outcome.totals = printed_totals(c, outcome.step, outcome.solution);
+  const Vec3<double> force{totals.fx, totals.fy, totals.fn};
+  forces_.begin(c.digits.pvtime);
+  outcome.damping = damping_force(c, outcome.step.motion.step * mm_per_m, force, forces_.before());
+  forces_.end(force);
   if (outcome.step.response.patches.count > 1)
     outcome.totals.elastic_energy = half_space_energy(outcome.step, outcome.solution);
   outcome.temperature = temperatures_of(outcome.step, outcome.solution);
@@ -80,6 +86,12 @@ CarriedTractions CaseSolver::carried() const {
   CarriedTractions carried{steps_.carried()};
   if (springs_) carried.springs = springs_->after;
   return carried;
+}
+
+CarriedTractions CaseSolver::started_from() const {
+  CarriedTractions start{steps_.started_from()};
+  if (springs_) start.springs = springs_->before;
+  return start;
 }
 
 void CaseSolver::carry(const CarriedTractions& carried) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/contact/damping.hpp"
 #include "compat/contact/fastsim.hpp"
 #include "compat/contact/outcome.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -28,6 +29,8 @@ public:
 
   /// What the last case has left to the next one.
   CarriedTractions carried() const;
+  /// What the last case has gone on from, in shifts and transient rolling.
+  CarriedTractions started_from() const;
   /// The next case goes on from this in place of it.
   void carry(const CarriedTractions& carried);
 
@@ -36,6 +39,7 @@ private:
 
   ContactSequence steps_;
   InteriorSequence interior_;
+  ForceHistory forces_;
   int lost_ = 0; ///< number of the case that could not be run after the last one that was solved
   std::optional<CarriedSprings> springs_ =
       CarriedSprings(); ///< of the last case if it was FASTSIM's, or without friction

@@ -50,7 +50,7 @@ int InputReader::read_module() {
 }
 
 void InputReader::read_case(Case& c) {
-  c.digits = read_digits(words_, now_->has_damping ? Damping::keep : Damping::none);
+  c.digits = read_digits(words_, c.damping ? Damping::keep : Damping::none);
   check_digits(c);
   check_kept(c);
   read_solver(words_, c.digits.gausei, c.solver);
@@ -62,10 +62,7 @@ void InputReader::read_case(Case& c) {
     read_material(c);
   }
   check_read(c);
-  if (c.digits.damping == Damping::read) {
-    read_damping(words_);
-    now_->has_damping = true;
-  }
+  read_damping(words_, c);
   if (c.digits.heat == Heat::read) c.heat = read_heat(words_, c.digits.mater);
   read_potential(c);
   read_geometry(c);
@@ -95,7 +92,7 @@ void InputReader::check_kept(Case& c) {
   need(d.exrhs == ExtraSlip::keep, now_->has_case, d.exrhs, "the extra rigid slip");
   need(d.heat == Heat::keep, c.heat.has_value(), d.heat, "the heat parameters");
   need(keeps_points(d), !c.points.empty(), d.stress, "the points of the interior field");
-  if (d.damping == Damping::keep && !now_->has_damping) d.damping = Damping::none;
+  if (d.damping == Damping::keep && !c.damping) d.damping = Damping::none;
   if (!now_->has_case) {
     d.pvtime = Continuation::nothing;
     d.iestim = InitialGuess::nothing;

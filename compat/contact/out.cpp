@@ -7,6 +7,7 @@
 #include "microslip/version.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -144,6 +145,7 @@ std::string material(const Case& c, const Outcome& o) {
   const auto add = [&](const std::string& section) {
     if (!section.empty()) text += "\n" + section;
   };
+  add(out_damping(c));
   add(out_heat(c));
   add(out_viscoelastic(c, "12"));
   const auto& v = m.model_data;
@@ -177,17 +179,19 @@ std::string kinematics(const Case& c, const Outcome& o) {
   return text;
 }
 
-std::string sensitivities(const Case& c) {
+std::string sensitivities(const Case& c, const Outcome& o) {
+  const Sensitivities table = o.sensitivities.value_or(Sensitivities{});
   if (!c.digits.has_friction())
     return "\n THE SENSITIVITIES.\n A ZERO MEANS THAT IT HAS NOT BEEN CALCULATED.\n  DFN/DPEN\n" +
-           significant(0, 12, 3, 3) + "\n";
+           significant(table[0][0], 12, 3, 3) + "\n";
   std::string text = std::string("\n THE SENSITIVITIES. (FX,FY) MEANS: (FX,FY)/") +
                      (c.friction.by_row ? "FN.     " : "FN/FSTAT.") +
                      "\n A ZERO ENTRY MEANS THAT IT HAS NOT BEEN CALCULATED.\n"
                      "         DF/DPEN     DF/DKSI     DF/DETA     DF/DPHI\n";
-  for (const char* force : {"FN", "FX", "FY"}) {
-    text += fmt::format("   {} ", force);
-    for (int k = 0; k < 4; ++k) text += significant(0, 12, 3, 3);
+  constexpr const char* forces[] = {"FN", "FX", "FY"};
+  for (std::size_t k = 0; k < std::size(forces); ++k) {
+    text += fmt::format("   {} ", forces[k]);
+    for (const double slope : table[k]) text += significant(slope, 12, 3, 3);
     text += "\n";
   }
   return text;
@@ -202,7 +206,7 @@ std::string contact_text(const Case& c, const Outcome& o) {
     text += kinematics(c, o) + " TOTAL FORCES, TORSIONAL MOMENT, ELASTIC ENERGY, FRICTIONAL POWER\n";
   }
   if (prints(c, 1)) text += out_totals(c, o, false);
-  if (prints(c, 2)) text += sensitivities(c) + out_statistics(o, false);
+  if (prints(c, 2)) text += sensitivities(c, o) + out_statistics(o, false);
   if (prints(c, 3)) text += out_form(c, o, false);
   if (prints(c, 5)) text += out_elements(c, o, false);
   return text + out_interior(c, o);

@@ -191,6 +191,13 @@ std::string out_outer_iteration(const Case& c) {
   return fmt::format(" PANAGIOTOPOULOS\" METHOD IS USED FOR THE FRICTIONAL STRESS. MAXOUT={:3}\n", c.solver.maxout);
 }
 
+std::string out_damping(const Case& c) {
+  if (c.digits.damping != Damping::read) return "";
+  const auto& [normal, tangential, normal_limit, tangential_limit] = *c.damping;
+  return "    CDAMPN      CDAMPT       DFNMAX      DFTMAX\n  " +
+         significant({normal, tangential, normal_limit, tangential_limit}) + "\n";
+}
+
 std::string out_heat(const Case& c) {
   if (c.digits.heat == Heat::none) return "";
   std::string text = "     BKTEMP      HEATCP      LAMBDA      DENSITY\n";

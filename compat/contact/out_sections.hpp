@@ -15,8 +15,9 @@ inline bool prints(const Case& c, int level) {
 
 /// Whose method it is that CONTACT solves normal and tangential problem by.
 std::string out_outer_iteration(const Case& c);
-/// What follows POISS and GG for H and M: heat parameters, viscoelastic data, the layer's. `bodies` are the letters of
-/// the two.
+/// What follows POISS and GG for M2, H and M: damping, heat parameters, viscoelastic data, the layer's. `bodies` are
+/// the letters of the two.
+std::string out_damping(const Case& c);
 std::string out_heat(const Case& c);
 std::string out_viscoelastic(const Case& c, const char* bodies);
 std::string out_layer(const Case& c);

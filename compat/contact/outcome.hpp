@@ -20,6 +20,10 @@ struct PrintedSprings {
   double slope = 1;                         ///< K_EFF, by which they are stiffer [-]
 };
 
+/// d(FN, FX/(FSTAT FN), FY/(FSTAT FN), MZ)/d(approach, xi, eta, phi) in CONTACT's units: [output][input]; 0 where it is
+/// not to be had.
+using Sensitivities = std::array<std::array<double, 4>, 4>;
+
 /// What became of a case.
 struct Outcome {
   enum class Kind { solved, skipped, refused };
@@ -33,7 +37,9 @@ struct Outcome {
   std::optional<PrintedSprings> springs = {};         ///< of the simplified theory
   std::vector<InteriorBlock> interior = {};           ///< at the points that are asked for, S > 0
   PrintedTotals totals = {};
-  std::optional<WheelOutcome> wheel = {}; ///< of module 1, whose patches have all of the above but the kind
+  std::optional<Sensitivities> sensitivities = {}; ///< where they were asked for
+  std::optional<Vec3<double>> damping = {};        ///< with M2 > 0: damping force on body 1, no part of the totals [N]
+  std::optional<WheelOutcome> wheel = {};          ///< of module 1, whose patches have all of the above but the kind
 };
 
 /// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip, 3 plastic deformation of a layer.

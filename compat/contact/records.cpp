@@ -134,8 +134,15 @@ void read_model(Words& words, const Digits& digits, MaterialData& m) {
   if (const auto count = numbers_of(digits.mater)) m.model_data = words.reals("material", count);
 }
 
-void read_damping(Words& words) {
-  words.reals("damping", 4);
+void read_damping(Words& words, Case& c) {
+  if (c.digits.damping == Damping::none) c.damping.reset();
+  if (c.digits.damping != Damping::read) return;
+  DampingData& d = c.damping.emplace();
+  d.normal = words.not_negative("CDAMPN");
+  d.tangential = words.not_negative("CDAMPT");
+  d.normal_limit = words.not_negative("DFNMAX");
+  d.tangential_limit = words.not_negative("DFTMAX");
+  words.end_record();
 }
 
 HeatData read_heat(Words& words, Bulk model) {

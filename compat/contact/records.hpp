@@ -13,7 +13,7 @@ namespace microslip::contact_program {
 /// What the last case of a sequence has left.
 struct CaseSequence {
   Case last = {};
-  bool has_case = false, has_solver = false, has_friction = false, has_geometry = false, has_damping = false;
+  bool has_case = false, has_solver = false, has_friction = false, has_geometry = false;
 
   /// Throws Error for a digit that keeps something which is not there.
   void need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const;
@@ -31,8 +31,8 @@ FrictionData read_friction_stations(Words& words, Law law, FrictionStations by);
 void read_elasticity(Words& words, MaterialData& material);
 /// What B = 1 and M add to them.
 void read_model(Words& words, const Digits& digits, MaterialData& material);
-/// CDAMPN CDAMPT DFNMAX DFTMAX, which are not used.
-void read_damping(Words& words);
+/// M2: CDAMPN CDAMPT DFNMAX DFTMAX, or none, or what there is.
+void read_damping(Words& words, Case& c);
 HeatData read_heat(Words& words, Bulk model);
 /// S = 2, 3.
 void read_points(Words& words, Case& c);

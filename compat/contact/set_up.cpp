@@ -465,6 +465,7 @@ RowInclination row_inclination(const AngleCorrection& correction, const ElementG
   constexpr double all = 1, none = 0, half = 0.5;
   RowInclination inclination;
   inclination.traction_share = correction.variant == 3 ? none : correction.variant == 4 ? half : all;
+  inclination.plane_along_x = correction.variant == 2;
   for (int j = 0; j < grid.my; ++j) {
     const double y = grid.y(j) / mm;
     inclination.angle.push_back(correction.method == 0 ? on_straight_line(correction.angles, y)

@@ -63,10 +63,6 @@ constexpr Refusal refusals[] = {
      [](const Case& c) {
        return c.material->coefficients == Coefficients::angle_corrected && !is_elastic_half_space(c);
      }},
-    {"C = 4", "half-space coefficients corrected for the angles of a surface, in the variant without pressure along x",
-     [](const Case& c) {
-       return c.material->coefficients == Coefficients::angle_corrected && c.material->correction.variant == 2;
-     }},
     {"C = 9", "influence coefficients from a file, with other than M = 0 and B = 0",
      [](const Case& c) { return c.material->table && !is_elastic_half_space(c); }},
     {"M = 1", "viscoelastic bodies that do not roll steadily",
@@ -121,7 +117,6 @@ std::vector<std::string> left_out(const Case& c, const ContactStep& step) {
     notes.emplace_back("S > 0: displacements and stresses inside are those of half-spaces under the tractions");
   if (step.response.table && covers_less(*step.response.table, step.grid))
     notes.emplace_back("C = 9: the file has fewer offsets than the grid; coefficients beyond it are 0");
-  if (d.damping != Damping::none) notes.emplace_back("M2 > 0: damping forces are not computed");
   if (d.is_simplified() && d.is_first_fastrip())
     notes.emplace_back(
         "M = 6, 7: made after a description of CONTACT's method; no result of CONTACT's is at hand to compare");

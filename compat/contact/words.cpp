@@ -168,6 +168,12 @@ double Words::positive(std::string_view field) {
   return value;
 }
 
+double Words::not_negative(std::string_view field) {
+  const double value = real(field);
+  if (!(value >= 0)) fail(field, value, "must not be negative");
+  return value;
+}
+
 double Words::between(std::string_view field, double low, double high) {
   const double value = real(field);
   if (!(value >= low && value <= high))

@@ -31,6 +31,7 @@ public:
   /// A real number as Fortran reads it: `1`, `1.`, `.5`, `1d-3`, and `.1-07` without a letter for the exponent.
   double real(std::string_view field);
   double positive(std::string_view field);
+  double not_negative(std::string_view field);
   double between(std::string_view field, double low, double high);
   /// [rad]; degrees if it ends in d: `90d`, `180.d`. `90d0` is 90 rad.
   double angle(std::string_view field);

@@ -207,6 +207,16 @@ int ContactProblem::code_of_refusal() const {
   return is_wheel() && !outcome_->is_unsupported ? CNTC_err_search : CNTC_err_other;
 }
 
+ProfileShape ContactProblem::profile(bool of_wheel) {
+  const ProfileRecord& record = of_wheel ? wheel().wheel : wheel().rail;
+  if (is_missing(record)) throw Refusal(CNTC_err_profil, "there is no such profile");
+  try {
+    return wheel_.profile(record, of_wheel ? ProfileRole::wheel : ProfileRole::rail);
+  } catch (const Error& error) {
+    throw Refusal(CNTC_err_profil, error.what());
+  }
+}
+
 Calculation ContactProblem::calculate() {
   Calculation calculation;
   interior_.clear();
@@ -269,7 +279,7 @@ void ContactProblem::find_sensitivities(Calculation& calculation) {
   for (int k = 1; k <= contacts(); ++k) {
     const Contact c = contact(k);
     sensitivities_[static_cast<std::size_t>(k) - 1] =
-        libcontact::find_sensitivities(c.data, c.outcome, sensitivity, contact_);
+        contact_program::find_sensitivities(c.data, c.outcome, sensitivity, contact_.started_from());
   }
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "compat/contact/case_solver.hpp"
+#include "compat/contact/sensitivities.hpp"
 #include "compat/contact/wheel_rail/wheel_rail_solver.hpp"
-#include "compat/libcontact/sensitivities.hpp"
 #include "compat/libcontact/units.hpp"
 
 #include <map>
@@ -13,8 +12,11 @@
 
 namespace microslip::libcontact {
 
+using contact_program::Case;
 using contact_program::Outcome;
 using contact_program::PointBlock;
+using contact_program::Sensitivities;
+using contact_program::SensitivityChoice;
 
 /// Of all calculations since it was last set to zero [s].
 struct CalculationTime {
@@ -44,6 +46,9 @@ public:
   bool is_wheel() const { return number_ < 0; }
   contact_program::WheelRailData& wheel() { return *data.wheel_rail; }
   const contact_program::WheelRailData& wheel() const { return *data.wheel_rail; }
+
+  /// A wheel's profile or the rail's as it is used. Throws Refusal if there is none or it cannot be read.
+  contact_program::ProfileShape profile(bool of_wheel);
 
   Calculation calculate();
   /// Fields inside the bodies below the contacts: of all, or of one patch. Throws Refusal and Error.

@@ -51,7 +51,8 @@ std::vector<double> material(const ContactProblem& p, const Contact& c) {
       m.shear1 / pressure, m.shear2 / pressure, g / pressure, m.poisson1, m.poisson2, pair.poisson_ratio, k};
   const auto model = model_parameters(p, m, c.data.digits.mater);
   found.insert(found.end(), model.begin(), model.end());
-  found.resize(22, 0); // damping
+  const DampingData d = c.data.damping.value_or(DampingData());
+  found.insert(found.end(), {d.normal, d.tangential, d.normal_limit, d.tangential_limit});
   return found;
 }
 

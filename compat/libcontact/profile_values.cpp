@@ -4,7 +4,10 @@
 #include "compat/libcontact/call.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 // Profiles as they are used. In CONTACT's order: rails from the gauge to the field side, wheels the other way round, so
 // that their s is the negative of ours. In mm, whatever the units.
@@ -18,8 +21,10 @@ using namespace contact_program;
 struct Request {
   int task;
   bool of_wheel;
-  int sampling; ///< up to 0 the points; 1 by steps, else as many parts of each interval
-  double step;  ///< [mm]
+  int sampling;                   ///< up to 0 the points; 1 by steps, else as many parts of each interval
+  double step;                    ///< [mm], along a surface of its u or v
+  double place;                   ///< x or theta of a cross-section; the u, v or y that stays
+  std::optional<double> from, to; ///< of what runs along a surface, v from 1 as CONTACT counts it
 };
 
 /// s of the samples [mm], in our order.
@@ -96,14 +101,68 @@ std::vector<double> gauge(const ContactProblem& p, const ProfileCurve& rail) {
       (off.dz - top) * unit, side * unit,           height * unit};
 }
 
-std::vector<double> profile_values(const ContactProblem& p, const Request& r) {
+/// Where a surface is interrupted, as CONTACT has it.
+constexpr double nowhere = 999;
+
+/// The place on a surface at u and CONTACT's v, which begins with 1 and of wheels on the other side.
+std::array<double, 3> surface_point(const ProfileSurface& s, bool of_wheel, double u, double v) {
+  const auto last = static_cast<double>(s.last_v());
+  const auto found = s.at(u, of_wheel ? last + 1 - v : v - 1);
+  return found ? std::array{u, found->value.y, found->value.z} : std::array{u, nowhere, nowhere};
+}
+
+/// The upper side of a rail, or the lower one of a wheel, at y.
+std::array<double, 3> point_over(const ProfileSurface& s, bool of_wheel, double u, double y) {
+  std::optional<double> outer;
+  for (const double v : s.v_at_y(u, y)) {
+    const auto point = s.at(u, v);
+    if (point && (!outer || (of_wheel ? point->value.z > *outer : point->value.z < *outer))) outer = point->value.z;
+  }
+  return {u, y, outer.value_or(nowhere)};
+}
+
+/// Tasks 6, 7, 8: all x, all y and then all z, or their number alone.
+std::vector<double> surface_values(const ProfileSurface& s, const Request& r, bool number_only) {
+  constexpr double least_step = 1e-4, most_points = 1e6;
+  const bool across = r.task == 6;
+  const double from = r.from.value_or(across ? 1 : s.first_u());
+  const double to = r.to.value_or(across ? static_cast<double>(s.last_v()) + 1 : s.last_u());
+  if (!(r.step >= least_step) || !(to >= from) || (to - from) / r.step > most_points)
+    throw Refusal(CNTC_err_other,
+                  "the step must be at least 1e-4, and the range ascend, with a million points at most");
+  const auto count = static_cast<std::size_t>((to - from) / r.step) + 1;
+  if (number_only) return {static_cast<double>(count)};
+  std::vector<double> found(3 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double at = from + static_cast<double>(k) * r.step;
+    const auto point = across        ? surface_point(s, r.of_wheel, r.place, at)
+                       : r.task == 7 ? surface_point(s, r.of_wheel, at, r.place)
+                                     : point_over(s, r.of_wheel, at, r.place);
+    for (std::size_t i = 0; i < point.size(); ++i) found[i * count + k] = point[i];
+  }
+  return found;
+}
+
+/// The profile, or the cross-section of one that varies: of a rail in the track's axes at x from the wheelset.
+ProfileCurve curve_of(const ContactProblem& p, const ProfileShape& shape, const Request& r) {
+  if (!shape.varies()) return *shape.curve;
+  const bool in_track = r.task == 2 && !r.of_wheel;
+  const double u = r.place + (in_track ? p.wheel().position.s : 0);
+  auto section = cross_section(*shape.surface, r.of_wheel ? ProfileRole::wheel : ProfileRole::rail, u);
+  if (!section) throw Refusal(CNTC_err_profil, "the profile is interrupted there");
+  return std::move(*section);
+}
+
+std::vector<double> profile_values(ContactProblem& p, const Request& r, bool number_only) {
   const ProfileRecord& record = r.of_wheel ? p.wheel().wheel : p.wheel().rail;
   const bool is_there = record.curve || is_variable(record);
   if (r.task == -1) return {is_there ? 0.0 : double(CNTC_err_profil), is_there ? 0.0 : 1.0};
-  if (!is_there) throw Refusal(CNTC_err_profil, "there is no such profile");
-  if (!record.curve || r.task > 5) throw Refusal(CNTC_err_profil, "values of variable profiles are not supported");
-  const ProfileCurve& curve = *record.curve;
+  const ProfileShape shape = p.profile(r.of_wheel);
+  if (r.task > 5 && !shape.varies()) throw Refusal(CNTC_err_profil, "the profile does not vary");
+  if (r.task == 9) throw Refusal(CNTC_err_other, "files for MATLAB's tools are not written");
+  if (r.task > 5) return surface_values(*shape.surface, r, number_only);
   if (r.task == 3 && r.of_wheel) throw Refusal(CNTC_err_profil, "wheels have no gauge point");
+  const ProfileCurve curve = curve_of(p, shape, r);
   if (r.task == 3) return gauge(p, curve);
   auto s = samples(curve, r);
   if (r.task == 0) return {static_cast<double>(s.size())};
@@ -130,10 +189,19 @@ int cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* nr
   return guarded({"cntc_getprofilevalues", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
     const auto choices = integers("iparam", nints, iparam);
     const auto numbers = reals("rparam", nreals, rparam);
-    const Request request = {integer("itask", itask), !choices.empty() && choices[0] > 0,
-                             choices.size() > 1 ? choices[1] : 0, numbers.empty() ? 1 : numbers[0]};
+    const auto number = [&](std::size_t k) {
+      return k < numbers.size() ? std::optional(numbers[k]) : std::optional<double>();
+    };
+    const Request request = {.task = integer("itask", itask),
+                             .of_wheel = !choices.empty() && choices[0] > 0,
+                             .sampling = choices.size() > 1 ? choices[1] : 0,
+                             .step = number(0).value_or(1),
+                             .place = number(1).value_or(0),
+                             .from = number(2),
+                             .to = number(3)};
     if (request.task < -1 || request.task > 9) throw Refusal(CNTC_err_other, "itask must be in -1 to 9");
-    fill(room("values", lenarr, values), profile_values(p, request));
+    const auto place = room("values", lenarr, values);
+    fill(place, profile_values(p, request, place.size() == 1));
   });
 }
 

@@ -77,12 +77,21 @@ std::vector<double> model_data(const Units& u, Bulk model, std::span<const doubl
   }
 }
 
+/// CDAMPN, CDAMPT, DFNMAX, DFTMAX.
+void set_damping(ContactProblem& p, int method, std::span<const double> v) {
+  if (method == 0) p.data.damping.reset();
+  if (method != 2) return;
+  require_count("rparam", v.size(), 4, 4);
+  for (const double value : v)
+    if (!(value >= 0)) throw Refusal(CNTC_err_other, "data of damping must not be negative");
+  p.data.damping = DampingData{v[0], v[1], v[2], v[3]};
+}
+
 void set_material(ContactProblem& p, int method, std::span<const double> v) {
   constexpr std::size_t counts[] = {4, 8, 8, 7, 8, 7};
-  if (method == 10 || method == 11) return;
-  if (method == 12) {
-    require_count("rparam", v.size(), 4, 4);
-    throw Refusal(CNTC_err_other, "M2 = 2: damping forces are not computed");
+  if (method >= 10 && method <= 12) {
+    set_damping(p, method - 10, v);
+    return;
   }
   if (method < 0 || method > 5) throw Refusal(CNTC_err_other, "M = " + std::to_string(method) + " does not exist");
   require_count("rparam", v.size(), counts[method], counts[method]);

@@ -4,8 +4,7 @@ namespace microslip::contact_program {
 
 void WheelRailReader::read() {
   WheelRailData data = c_.wheel_rail.value_or(WheelRailData());
-  const Damping damping = sequence_.has_damping ? Damping::keep : Damping::none;
-  data.digits = read_digits(words_, damping, c_.digits);
+  data.digits = read_digits(words_, c_.damping ? Damping::keep : Damping::none, c_.digits);
   check_digits(c_.digits);
   check_kept(data.digits);
   if (data.digits.reads_grid()) data.search = data.digits.discns;
@@ -13,7 +12,8 @@ void WheelRailReader::read() {
   sequence_.has_solver = true;
   read_friction(data.digits);
   read_material(c_.digits);
-  read_damping_and_heat(c_.digits);
+  read_damping(words_, c_);
+  if (c_.digits.heat == Heat::read) c_.heat = read_heat(words_, c_.digits.mater);
   if (data.digits.reads_grid()) data.grid = read_patch_rules(words_);
   read_track(data);
   read_wheelset(data);
@@ -49,7 +49,7 @@ void WheelRailReader::check_kept(const WheelRailDigits& own) {
   need(!own.reads_wheel(), has, own.ewheel, "the wheel's profile");
   need(d.heat == Heat::keep, c_.heat.has_value(), d.heat, "the heat parameters");
   need(keeps_points(d), !c_.points.empty(), d.stress, "the points of the interior field");
-  if (d.damping == Damping::keep && !sequence_.has_damping) d.damping = Damping::none;
+  if (d.damping == Damping::keep && !c_.damping) d.damping = Damping::none;
   if (has) return;
   d.pvtime = Continuation::nothing;
   d.iestim = InitialGuess::nothing;
@@ -82,14 +82,6 @@ void WheelRailReader::read_material(const Digits& d) {
   } else if (d.mater != Bulk::elastic && c_.material->model != d.mater) {
     words_.fail("digit M", number(d.mater), "must go with C >= 2, which reads its data");
   }
-}
-
-void WheelRailReader::read_damping_and_heat(const Digits& d) {
-  if (d.damping == Damping::read) {
-    read_damping(words_);
-    sequence_.has_damping = true;
-  }
-  if (d.heat == Heat::read) c_.heat = read_heat(words_, d.mater);
 }
 
 void WheelRailReader::read_track(WheelRailData& data) {

@@ -21,7 +21,6 @@ private:
   void check_kept(const WheelRailDigits& digits);
   void read_friction(const WheelRailDigits& digits);
   void read_material(const Digits& digits);
-  void read_damping_and_heat(const Digits& digits);
   void read_track(WheelRailData& data);
   void read_wheelset(WheelRailData& data);
 

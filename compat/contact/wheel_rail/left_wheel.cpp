@@ -64,6 +64,7 @@ void mirror(Outcome& o) {
   o.totals.fy *= -1;
   o.totals.mz *= -1;
   o.totals.y *= -1;
+  if (o.damping) o.damping->y *= -1;
 }
 
 /// Slip of the elements, x and y in turn.

@@ -62,6 +62,7 @@ std::string material(const Case& c) {
   const auto add = [&](const std::string& section) {
     if (!section.empty()) text += "\n" + section;
   };
+  add(out_damping(c));
   add(out_heat(c));
   add(out_viscoelastic(c, "RW"));
   if (!c.digits.has_friction()) return text;

@@ -30,6 +30,7 @@ constexpr Refusal refusals[] = {
     {"M = 1 (viscoelastic bodies): ours are elastic",
      [](const Case& c) { return c.digits.mater == Bulk::viscoelastic; }},
     {"M = 4 (a layer between the bodies): ours touch", [](const Case& c) { return c.digits.mater == Bulk::layer; }},
+    {"M = 2 (damping): ours roll steadily", [](const Case& c) { return c.damping.has_value(); }},
     {"B = 1 (a thin sheet): ours are half-spaces",
      [](const Case& c) { return c.digits.bound == PressureModel::thin_sheet; }},
     {"C = 9 (influence coefficients from a file): ours are half-spaces'",

@@ -3,6 +3,8 @@
 #include "compat/contact/wheel_rail/patch_rules.hpp"
 #include "compat/contact/wheel_rail/placement.hpp"
 
+#include <algorithm>
+
 namespace microslip::contact_program {
 
 /// A row of elements on a curved surface, in the track's axes.
@@ -31,6 +33,10 @@ struct PatchFrame {
   double row_s(int j) const { return s0 + (j + 0.5) * ds; }
   /// Where a row's middle lies in the plane, and by how much the row is turned against that.
   double row_in_plane(int j) const { return rows.empty() ? row_s(j) : grid.inner(row_of(j).point).y; }
+  /// y of its middle across the track.
+  double row_in_track(int j) const { return grid.outer({0, row_in_plane(j), 0}).y; }
+  /// How far y across the track lies beyond the overlap.
+  double distance_across(double y) const { return std::max({y0 - y, y - y1, 0.0}); }
   double row_turn(int j) const { return rows.empty() ? 0 : row_of(j).angle - angle; }
 
 private:

@@ -4,6 +4,7 @@
 #include "microslip/railway/profile_surface.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace microslip::contact_program {
 
@@ -15,5 +16,8 @@ struct ProfileShape {
 
   bool varies() const { return surface != nullptr; }
 };
+
+/// The cross-section of a surface at u: the natural spline through its points; nothing where it is interrupted.
+std::optional<ProfileCurve> cross_section(const ProfileSurface& surface, ProfileRole role, double u);
 
 } // namespace microslip::contact_program

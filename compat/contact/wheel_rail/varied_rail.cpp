@@ -12,14 +12,9 @@ double roll_of(const Frame<double>& rail) {
 } // namespace
 
 std::optional<ProfileCurve> rail_section(const Placement& p, double x) {
-  const ProfileSurface& surface = *p.rail_profile.surface;
-  const SurfaceSlice section = surface.section(p.place + x);
-  if (section.points.size() < 2) return {};
-  std::vector<std::size_t> kinks;
-  for (const std::size_t v : surface.kinks())
-    if (v > section.first && v < section.last()) kinks.push_back(v - section.first);
-  const ProfileCurve curve(ProfileRole::rail, section.points, kinks);
-  return curve.moved(roll_of(p.rail), p.rail.origin.y, p.rail.origin.z);
+  const auto curve = cross_section(*p.rail_profile.surface, ProfileRole::rail, p.place + x);
+  if (!curve) return {};
+  return curve->moved(roll_of(p.rail), p.rail.origin.y, p.rail.origin.z);
 }
 
 std::pair<double, double> whole_extent(const Placement& p, const ProfileCurve& first) {

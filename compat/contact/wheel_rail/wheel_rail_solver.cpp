@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -75,6 +76,18 @@ void set_totals(Outcome& o, const Wrench& sum) {
   const double limit = friction * *t.integral_fn;
   t.x = limit > 0 ? t.fx / limit : 0;
   t.y = limit > 0 ? t.fy / limit : 0;
+}
+
+/// In the patch's axes, without damping [N].
+Vec force_of(const Outcome& o) {
+  return {o.totals.fx, o.totals.fy, o.totals.fn};
+}
+
+/// The normal force on a row of elements [N].
+double row_load(const Outcome& o, int row) {
+  const ElementGrid& grid = o.step.grid;
+  const auto first = o.solution.normal.pressure.begin() + static_cast<std::ptrdiff_t>(row) * grid.mx;
+  return grid.element_area() * std::accumulate(first, first + grid.mx, 0.0);
 }
 
 /// Moments of the pressure about the axes of a patch's plane [N mm].
@@ -270,6 +283,10 @@ void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<Patc
     track.contact = contact_box(*wheel.patches[k].solution);
     track.carried = track.solver->carried();
     track.carries = false;
+    track.force = force_of(*wheel.patches[k].solution);
+    track.rows.clear();
+    for (int j = 0; j < frames[k].my; ++j)
+      track.rows.push_back({frames[k].row_in_track(j), row_load(*wheel.patches[k].solution, j)});
   }
 }
 
@@ -326,6 +343,31 @@ std::vector<std::vector<WheelRailSolver::Part>> WheelRailSolver::parts_of(const 
   return parts;
 }
 
+/// What the patches bore that patch `k` goes on from. Of one that has split each row's share of the normal force counts
+/// for the nearest of the new ones.
+std::optional<Vec> WheelRailSolver::force_before(const std::vector<PatchFrame>& frames, std::size_t k,
+                                                 Continuation from) const {
+  std::optional<Vec> sum;
+  const auto overlaps = [](const Track& origin, const PatchFrame& frame) {
+    return std::min(origin.y1, frame.y1) > std::max(origin.y0, frame.y0);
+  };
+  for (const Track& origin : origins_) {
+    if (!overlaps(origin, frames[k])) continue;
+    double all = 0, own = 0;
+    for (const auto& [y, load] : origin.rows) {
+      std::size_t nearest = k;
+      for (std::size_t i = 0; i < frames.size(); ++i)
+        if (overlaps(origin, frames[i]) && frames[i].distance_across(y) < frames[nearest].distance_across(y))
+          nearest = i;
+      all += load;
+      if (nearest == k) own += load;
+    }
+    const Vec share = (all > 0 ? own / all : 0) * origin.force;
+    sum = sum ? *sum + share : share;
+  }
+  return carried_force(from, sum);
+}
+
 /// A patch that this case has not had yet.
 WheelRailSolver::Track WheelRailSolver::begin_track(const std::vector<Part>& parts, bool has_history) const {
   Track track;
@@ -358,6 +400,7 @@ void WheelRailSolver::follow(const std::vector<PatchFrame>& frames, const Digits
     }
     if (best) best->taken = true;
     now.push_back(best ? *best : begin_track(parts[k], has_history));
+    if (!best) now.back().force_before = force_before(frames, k, digits.pvtime);
     now.back().y0 = frames[k].y0;
     now.back().y1 = frames[k].y1;
   }
@@ -414,10 +457,12 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     if (o.kind == Outcome::Kind::refused) return o;
     const Rotation<double>& axes = frame.reference.axes;
     WheelPatch& patch = wheel.patches.back();
-    const Wrench sum =
-        frame.rows.empty() ? Wrench{{o.totals.fx, o.totals.fy, o.totals.fn}, moments(o)} : aggregate(o, frame);
+    const Wrench sum = frame.rows.empty() ? Wrench{force_of(o), moments(o)} : aggregate(o, frame);
     if (!frame.rows.empty()) set_totals(*patch.solution, sum);
-    const Vec force = axes * sum.force, moment = axes * sum.moment;
+    constexpr double per_m = 1e3;
+    patch.solution->damping =
+        damping_force(patch.contact, o.step.motion.step * per_m, sum.force, tracks_[k].force_before);
+    const Vec force = axes * (sum.force + patch.solution->damping.value_or(Vec{})), moment = axes * sum.moment;
     patch.track = wrench({placement.rail.origin, {}}, frame.reference.origin, force, moment);
     patch.wheelset = wrench({placement.wheel.origin, placement.wheelset.axes}, frame.reference.origin, force, moment);
     add(wheel.track, patch.track);

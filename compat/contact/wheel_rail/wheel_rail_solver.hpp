@@ -21,6 +21,9 @@ public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
+  /// A profile as it is used; files are read once. Throws Error as read_profile_shape does.
+  ProfileShape profile(const ProfileRecord& record, ProfileRole role);
+
 private:
   /// What a patch takes over of one of the case before: the elements between two lines of s [mm].
   struct Part {
@@ -28,6 +31,11 @@ private:
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 
     friend bool operator==(const Part&, const Part&) = default;
+  };
+
+  /// A row of elements: where it lies across the track [mm], and its normal force [N].
+  struct RowLoad {
+    double y = 0, load = 0;
   };
 
   /// A patch that is followed from case to case.
@@ -38,15 +46,17 @@ private:
     bool carries = false; ///< whether its solver was given `parts` in this case
     bool taken = false;
     std::vector<Part> parts = {};
+    std::optional<Vec3<double>> force_before = {}; ///< what the patches that it goes on from bore [N]
     /// Of a case before: its origin of elements, where the reference lay along the rail, from the wheelset and along
     /// the profile, the elements' sides, those in contact, and what it has left.
     GridOrigin origin = GridOrigin::reference;
     double place = 0, x = 0, s_rail = 0, dx = 0, ds = 0;
     std::optional<PatchBox> contact = {};
     CarriedTractions carried = {};
+    Vec3<double> force = {}; ///< what it bore, in its own axes [N],
+    std::vector<RowLoad> rows = {};
   };
 
-  ProfileShape profile(const ProfileRecord& record, ProfileRole role);
   Outcome solve(const Case& c, const Progress& progress);
   Outcome solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress);
   Outcome find_deflection(const Case& right, const Progress& progress);
@@ -60,6 +70,8 @@ private:
   void finish(const Case& c, WheelOutcome& wheel, const Progress& progress);
   std::vector<std::vector<Part>> parts_of(const std::vector<PatchFrame>& frames, bool has_history) const;
   Track begin_track(const std::vector<Part>& parts, bool has_history) const;
+  std::optional<Vec3<double>> force_before(const std::vector<PatchFrame>& frames, std::size_t k,
+                                           Continuation from) const;
   void follow(const std::vector<PatchFrame>& frames, const Digits& digits);
 
   std::vector<std::pair<ProfileRecord, ProfileShape>> profiles_;

@@ -140,6 +140,56 @@ TEST_P(Wheels, TakeProfilesFromArrays) {
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(found[k], wanted[k], 1e-6 * 80e3) << k;
 }
 
+/// Values of a task about the rail, all of them; the code below 0 alone.
+Values profile_values(int task, Values numbers, int type = 0) {
+  int one = 1, ints = 2, choices[2] = {type, 0}, reals = size_of(numbers), count = 1;
+  double number = 0;
+  if (const int code = cntc_getprofilevalues(&one, &task, &ints, choices, &reals, numbers.data(), &count, &number))
+    return {static_cast<double>(code)};
+  count = 3 * static_cast<int>(number);
+  Values values(static_cast<std::size_t>(count));
+  EXPECT_EQ(cntc_getprofilevalues(&one, &task, &ints, choices, &reals, numbers.data(), &count, values.data()), 0);
+  return values;
+}
+
+/// A ramp of 1 : 100 from u = 0 to 30 mm, 40 mm wide.
+TEST_P(Wheels, HaveRailsThatVary) {
+  std::ofstream list(folder_.path() / "ramp.slcs");
+  list << "0 1\n4\n0\n1\n";
+  for (int k = 0; k < 4; ++k) {
+    const std::string name = "ramp" + std::to_string(k) + ".prr";
+    list << 10 * k << " '" << name << "'\n";
+    std::ofstream slice(folder_.path() / name);
+    slice << "header.begin\n version = 1\n type = 0\nheader.end\nspline.begin\n units.len.f = 1000.\n point.begin\n";
+    for (int y = -20; y <= 20; ++y) slice << y << " " << 0.1 * k << "\n";
+    slice << " point.end\nspline.end\n";
+  }
+  list.close();
+  EXPECT_EQ(profile_values(6, {}), Values{CNTC_err_profil}) << "a profile that does not vary";
+  ASSERT_EQ(set_profile(1, (folder_.path() / "ramp.slcs").string(), 0), 0) << library_.log();
+  const Values across = profile_values(6, {2, 15}); // steps of 2 v of half a millimetre, at u = 15
+  const std::size_t n = across.size() / 3;
+  ASSERT_EQ(n, 41u);
+  for (std::size_t k = 0; k < n; ++k) {
+    EXPECT_EQ(across[k], 15);
+    EXPECT_NEAR(across[n + k], -20 + static_cast<double>(k) * 40 / 40.5, 1e-9) << "81 segments";
+    EXPECT_NEAR(across[2 * n + k], 0.15, 1e-12);
+  }
+  const Values along = profile_values(7, {5, 1}), at_y = profile_values(8, {5, 3.3, 10, 40});
+  ASSERT_EQ(along.size(), 21u);
+  ASSERT_EQ(at_y.size(), 21u);
+  for (std::size_t k = 0; k < 7; ++k) {
+    EXPECT_NEAR(along[k], 5.0 * static_cast<double>(k), 1e-12);
+    EXPECT_NEAR(along[7 + k], -20, 1e-12) << "v = 1 is the gauge side";
+    EXPECT_NEAR(along[14 + k], 0.01 * along[k], 1e-12);
+    EXPECT_EQ(at_y[7 + k], 3.3);
+    EXPECT_NEAR(at_y[14 + k], 0.01 * std::min(at_y[k], 30.0), 1e-12) << "constant beyond the last slice";
+  }
+  EXPECT_EQ(profile_values(8, {5, 30})[14], 999) << "beside the rail";
+  EXPECT_EQ(profile_values(9, {}), Values{CNTC_err_other});
+  EXPECT_EQ(profile_values(6, {1e-9}), Values{CNTC_err_other});
+}
+
 TEST_P(Wheels, TellTheHeightThatTheForceHasLedTo) {
   ASSERT_EQ(set_wheel_state(1, 3), 0);
   ASSERT_EQ(calculate(1), 0);
@@ -185,6 +235,34 @@ TEST_P(Wheels, ReadAnInputFile) {
   ASSERT_EQ(set_wheel_state(1, 3), 0);
   ASSERT_EQ(calculate(1), 0);
   EXPECT_EQ(list(cntc_getglobalforces, 3, whole, 24), list(cntc_getglobalforces, 1, whole, 24));
+}
+
+/// The force that is given is the contact's and its damping, C (F - F')/dt with dt = DX/VELOC.
+TEST_P(Wheels, AreDamped) {
+  ASSERT_EQ(set(cntc_setmaterialparameters, 1, whole, 12, {1e-4, 2e-4, 1e30, 1e30}), 0) << library_.log();
+  ASSERT_EQ(set(cntc_setmaterialparameters, 1, whole, 12, {1, 1, -1, 1}), CNTC_err_other);
+  ASSERT_EQ(set_wheel_state(1, 0), 0);
+  ASSERT_EQ(calculate(1), 0);
+  const auto contact_force = [] {
+    double sum = 0;
+    for (int icp = 1; icp <= patches(1); ++icp) sum += scalars(cntc_getcontactforces, 1, icp)[0];
+    return sum;
+  };
+  const double before = contact_force(), share = 1e-4 / (0.5 / scalars(cntc_getreferencevelocity, 1, 1)[0]);
+  int one = 1;
+  double force = 60e3;
+  ASSERT_EQ(cntc_setverticalforce(&one, &force), 0);
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_pvtime, 0), 0);
+  ASSERT_EQ(calculate(1), 0);
+  EXPECT_NEAR(list(cntc_getglobalforces, 1, whole, 24)[2], 60e3, 60e3 * 1e-5);
+  EXPECT_NEAR(contact_force() / before, (60e3 / 80e3 + share) / (1 + share), 1e-3);
+  const Values material = [] {
+    int ire = 1, icp = 1, task = 2, count = 22;
+    Values values(22);
+    EXPECT_EQ(cntc_getparameters(&ire, &icp, &task, &count, values.data()), 0);
+    return values;
+  }();
+  EXPECT_EQ(Values(material.begin() + 18, material.end()), (Values{1e-4, 2e-4, 1e30, 1e30}));
 }
 
 /// Shifts and transient rolling go on from the tractions of the call before, as cases of a file do.

@@ -29,6 +29,8 @@ public:
 
   /// What the last step has left to the next one.
   const State& carried() const { return after_; }
+  /// What the last step has gone on from.
+  const State& started_from() const { return before_; }
   /// The next step goes on from this in place of it.
   void carry(State state) { after_ = std::move(state); }
 
