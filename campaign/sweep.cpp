@@ -243,9 +243,33 @@ template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepS
   return some;
 }
 
+/// One case that can be read, of some that are tried: a misspelt key is wrong in all, a value out of range may be so in
+/// one. Else the first one's Error.
+void read_some_case(std::size_t count, const std::function<void(std::size_t index)>& read) {
+  constexpr std::size_t some = 5;
+  std::string first_error;
+  for (std::size_t k = 0; k < some; ++k) {
+    try {
+      return read(k * (count - 1) / (some - 1));
+    } catch (const Error& error) {
+      if (k == 0) first_error = error.what();
+    }
+  }
+  throw Error(first_error);
+}
+
 } // namespace
 
-template <class Kind> void Sweep::set_up() {
+template <class Kind> void Sweep::set_up(SweepSpec spec) {
+  if (spec.has_units()) {
+    TomlSection::KeyUnits units;
+    read_some_case(spec.count(), [&](std::size_t index) {
+      const toml::table written = spec.case_as_written(index);
+      Kind::check(TomlSection(written, spec.base_name(), {}, &units));
+    });
+    spec.convert_units(units);
+  }
+  spec_ = std::make_shared<const SweepSpec>(std::move(spec));
   const auto columns = std::make_shared<const Columns<typename Kind::Solved>>(chosen(Kind::columns(*spec_), *spec_));
   for (const auto& column : *columns) columns_.push_back(column.of_file);
   struct Worker {
@@ -266,37 +290,22 @@ template <class Kind> void Sweep::set_up() {
       return row.front() == code_of(Status::ok) ? "" : Kind::reason(solved);
     };
   };
-  check_ = [spec = spec_](std::size_t index) {
-    CaseTable<Kind> table(spec);
+  read_some_case(spec_->count(), [&](std::size_t index) {
+    CaseTable<Kind> table(spec_);
     table.set(index);
     Kind::check(table.root());
-  };
+  });
 }
 
-Sweep::Sweep(const std::string& text, const std::string& name) : spec_(std::make_shared<const SweepSpec>(text, name)) {
-  const TomlSection base(spec_->base(), spec_->base_name());
+Sweep::Sweep(const std::string& text, const std::string& name) {
+  SweepSpec spec(text, name);
+  const TomlSection base(spec.base(), spec.base_name());
   if (is_wheelset_case(base))
-    set_up<WheelsetKind>();
+    set_up<WheelsetKind>(std::move(spec));
   else if (is_wheel_rail_case(base))
-    set_up<WheelKind>();
+    set_up<WheelKind>(std::move(spec));
   else
-    set_up<RollingKind>();
-  check_some_cases();
-}
-
-/// A misspelt key is wrong in all cases, a value out of range may be so in one.
-void Sweep::check_some_cases() const {
-  constexpr std::size_t some = 5;
-  std::string first_error;
-  for (std::size_t k = 0; k < some; ++k) {
-    try {
-      check_(k * (spec_->count() - 1) / (some - 1));
-      return;
-    } catch (const Error& error) {
-      if (k == 0) first_error = error.what();
-    }
-  }
-  throw Error(first_error);
+    set_up<RollingKind>(std::move(spec));
 }
 
 CampaignPlan Sweep::plan() const {

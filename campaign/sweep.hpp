@@ -32,13 +32,11 @@ public:
   RowWorker make_worker() const { return make_worker_(); }
 
 private:
-  template <class Kind> void set_up();
-  void check_some_cases() const;
+  template <class Kind> void set_up(SweepSpec spec);
 
   std::shared_ptr<const SweepSpec> spec_;
   std::vector<SweepColumn> columns_;
   std::function<RowWorker()> make_worker_;
-  std::function<void(std::size_t index)> check_; ///< throws Error if the case cannot be read
 };
 
 } // namespace microslip

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -27,8 +28,10 @@ struct SweepSpec::Axis {
   toml::array list = {};            ///< or else
   std::vector<double> numbers = {}; ///< a column of numbers, or else
   double from = 0, to = 0;
+  std::string from_text = {}, to_text = {}; ///< the ends as texts with units, until these are converted
   bool is_logarithmic = false;
-  std::size_t count = 0; ///< 0: any number between the ends
+  std::size_t count = 0;  ///< 0: any number between the ends
+  std::string place = {}; ///< for messages: file and line
 
   CaseValue at(std::size_t i) const {
     if (!list.empty()) return {.number = 0, .node = list.get(i)};
@@ -41,7 +44,20 @@ struct SweepSpec::Axis {
     return {.number = between(part)};
   }
 
+  bool has_units() const {
+    return !from_text.empty() || !to_text.empty() || std::any_of(list.begin(), list.end(), begins_with_number);
+  }
+  void check_ends() const {
+    if (is_logarithmic && from_text.empty() && to_text.empty() && !(from * to > 0))
+      throw Error(place + "a logarithmic scale needs ends of one sign");
+  }
+
 private:
+  static bool begins_with_number(const toml::node& node) {
+    double value = 0;
+    const std::string_view text = node.value_or(std::string_view());
+    return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+  }
   double between(double part) const {
     return is_logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
   }
@@ -80,8 +96,8 @@ std::vector<std::string> keys_of(const std::string& name) {
 }
 
 bool is_range(const toml::table& table) {
-  const auto is_number = [&](const char* key) { return table.contains(key) && table.get(key)->is_number(); };
-  return table.empty() || is_number("from") || is_number("to") || is_number("count");
+  const auto is_value = [&](const char* key) { return table.contains(key) && table.get(key)->is_value(); };
+  return table.empty() || is_value("from") || is_value("to") || is_value("count");
 }
 
 /// A number as case files may have it: keys that want a number take a whole one, too.
@@ -170,10 +186,12 @@ std::vector<SweepSpec::Entry> SweepSpec::entries_of(const toml::table& section) 
 void SweepSpec::add(const Entry& entry, bool has_count) {
   Axis axis;
   bool is_number = true;
+  const std::string place = name_ + ":" + std::to_string(entry.place.begin.line) + ": ";
   if (const auto* list = entry.values->as_array()) {
     if (list->empty()) fail(entry.place, entry.name + ": must have at least one value");
     axis.list = *list;
     axis.count = list->size();
+    axis.place = place;
     is_number = std::all_of(list->begin(), list->end(), [](const toml::node& node) { return node.is_number(); });
   } else if (const auto* table = entry.values->as_table()) {
     axis = range_of(TomlSection(*table, name_, entry.name), has_count);
@@ -181,7 +199,7 @@ void SweepSpec::add(const Entry& entry, bool has_count) {
     fail(entry.place, entry.name + ": must be a list of values or { from = ..., to = ... }");
   }
   parameters_.push_back({entry.name, keys_of(entry.name), is_number});
-  axes_.push_back(std::make_shared<const Axis>(std::move(axis)));
+  axes_.push_back(std::make_shared<Axis>(std::move(axis)));
 }
 
 /// Of a grid it has a count, of a sample none.
@@ -191,12 +209,17 @@ SweepSpec::Axis SweepSpec::range_of(const TomlSection& range, bool has_count) {
   if (has_count) keys.push_back("count");
   range.allow(keys);
   Axis axis;
-  axis.from = range.finite("from", "SI");
-  axis.to = range.finite("to", "SI");
+  const auto read_end = [&](const char* key, double& value, std::string& text) {
+    if (range.is_text(key))
+      text = range.required_text(key);
+    else
+      value = range.finite(key, "SI");
+  };
+  read_end("from", axis.from, axis.from_text);
+  read_end("to", axis.to, axis.to_text);
   axis.is_logarithmic = range.word("scale", "linear", scales) == "logarithmic";
-  range.at("scale", [&] {
-    if (axis.is_logarithmic && !(axis.from * axis.to > 0)) throw Error("a logarithmic scale needs ends of one sign");
-  });
+  axis.place = range.line_of("scale");
+  axis.check_ends();
   if (!has_count) return axis;
   int count = 0;
   range.count("count", 1, std::numeric_limits<int>::max(), count);
@@ -273,7 +296,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   });
   if (count_ == 0) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
   if (count_ > most_cases) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
-  std::vector<Axis> columns(parameters_.size(), Axis{.count = count_});
+  std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .place = file + ": "});
   visit([&](std::size_t row, const Fields& fields) {
     for (std::size_t k = 0; row > 0 && k < fields.size(); ++k)
       if (parameters_[k].is_number)
@@ -281,7 +304,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
       else
         columns[k].list.push_back(std::string(fields[k]));
   });
-  for (Axis& column : columns) axes_.push_back(std::make_shared<const Axis>(std::move(column)));
+  for (Axis& column : columns) axes_.push_back(std::make_shared<Axis>(std::move(column)));
 }
 
 void SweepSpec::read_chunk(const TomlSection& root) {
@@ -308,19 +331,77 @@ std::string SweepSpec::text_of(std::size_t index, std::size_t k) const {
 }
 
 void SweepSpec::set(std::size_t index, std::size_t k, toml::table& table) const {
-  const CaseValue of_case = value(index, k);
-  for (const std::string& key : parameters_[k].keys) {
-    toml::table* section = &table;
-    std::size_t begin = 0;
-    for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
-      const auto name = std::string_view(key).substr(begin, dot - begin);
-      auto* inside = section->insert(name, toml::table{}).first->second.as_table();
-      if (inside == nullptr) throw Error(base_name_ + ": " + key + ": " + key.substr(0, dot) + " is no table");
-      section = inside;
-      begin = dot + 1;
-    }
-    insert(*section, std::string_view(key).substr(begin), of_case);
+  put(k, value(index, k), table);
+}
+
+void SweepSpec::put(std::size_t k, const CaseValue& value, toml::table& table) const {
+  for (const std::string& key : parameters_[k].keys) put(key, value, table);
+}
+
+void SweepSpec::put(const std::string& key, const CaseValue& value, toml::table& table) const {
+  toml::table* section = &table;
+  std::size_t begin = 0;
+  for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
+    const auto name = std::string_view(key).substr(begin, dot - begin);
+    auto* inside = section->insert(name, toml::table{}).first->second.as_table();
+    if (inside == nullptr) throw Error(base_name_ + ": " + key + ": " + key.substr(0, dot) + " is no table");
+    section = inside;
+    begin = dot + 1;
   }
+  insert(*section, std::string_view(key).substr(begin), value);
+}
+
+bool SweepSpec::has_units() const {
+  return std::any_of(axes_.begin(), axes_.end(), [](const auto& axis) { return axis->has_units(); });
+}
+
+toml::table SweepSpec::case_as_written(std::size_t index) const {
+  toml::table table = base_;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    const toml::value<std::string> from(axes_[k]->from_text);
+    if (axes_[k]->from_text.empty())
+      put(k, value(index, k), table);
+    else
+      put(k, {.number = 0, .node = &from}, table);
+  }
+  return table;
+}
+
+void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units, Units& converter) const {
+  const SweepParameter& parameter = parameters_[k];
+  const auto unit = units.find(parameter.keys.front());
+  if (unit == units.end()) return; // texts that begin with a digit
+  for (const std::string& key : parameter.keys)
+    if (const auto other = units.find(key); other == units.end() || other->second != unit->second)
+      throw Error(axis.place + parameter.name + ": keys of different units cannot take the same text with a unit");
+  const auto number = [&](const std::string& text) {
+    try {
+      return converter.number(parameter.name, text, unit->second);
+    } catch (const Error& error) {
+      throw Error(axis.place + error.what());
+    }
+  };
+  if (!axis.from_text.empty()) axis.from = number(std::exchange(axis.from_text, {}));
+  if (!axis.to_text.empty()) axis.to = number(std::exchange(axis.to_text, {}));
+  axis.check_ends();
+  for (std::size_t i = 0; i < axis.list.size(); ++i)
+    if (const auto* text = axis.list.get_as<std::string>(i)) {
+      const double value = number(text->get());
+      axis.list.replace(axis.list.cbegin() + static_cast<std::ptrdiff_t>(i), value);
+    }
+}
+
+void SweepSpec::convert_units(const TomlSection::KeyUnits& units) {
+  Units converter;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (!axes_[k]->has_units()) continue;
+    convert(*axes_[k], k, units, converter);
+    const auto& list = axes_[k]->list;
+    parameters_[k].is_number = std::all_of(list.begin(), list.end(), [](const auto& node) { return node.is_number(); });
+  }
+  for (const auto& [key, unit] : units)
+    if (const auto* text = base_.at_path(key).as_string())
+      put(key, {.number = converter.number(key, text->get(), unit)}, base_);
 }
 
 std::uint64_t SweepSpec::identity() const {

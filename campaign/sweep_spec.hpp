@@ -23,7 +23,7 @@ struct CaseValue {
 struct SweepParameter {
   std::string name;              ///< as the file has it: "motion.spin", or keys that take the same value: "a.x, b.x"
   std::vector<std::string> keys; ///< of the case file
-  bool is_number = true;         ///< in all cases
+  bool is_number = true;         ///< in all cases; texts with units are after convert_units
 };
 
 /// What the file of a sweep says: a case, and how its keys vary: on a grid, by a list or in a random sample.
@@ -36,6 +36,14 @@ public:
   const std::string& title() const { return title_; }
   const std::string& text() const { return text_; }
   const std::string& name() const { return name_; }
+  /// Whether numbers vary that are given as texts with units, such as "80 kN".
+  bool has_units() const;
+  /// A case with its values as they are written, texts with units among them; of a range that has such ends the first.
+  toml::table case_as_written(std::size_t index) const;
+  /// Makes them numbers in the units that their keys have, also those of the case before anything varies. Error for
+  /// another kind of unit.
+  void convert_units(const TomlSection::KeyUnits& units);
+
   /// The case before anything varies, and its file's name for messages.
   const toml::table& base() const { return base_; }
   const std::string& base_name() const { return base_name_; }
@@ -75,13 +83,16 @@ private:
   std::vector<Entry> entries_of(const toml::table& section) const;
   void add(const Entry& entry, bool has_count);
   static Axis range_of(const TomlSection& range, bool has_count);
+  void put(std::size_t k, const CaseValue& value, toml::table& table) const;
+  void put(const std::string& key, const CaseValue& value, toml::table& table) const;
+  void convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units, Units& converter) const;
   [[noreturn]] void fail(const toml::source_region& place, const std::string& what) const;
 
   std::string title_, text_, name_, base_name_, base_text_, list_text_;
   toml::table base_;
   std::size_t count_ = 0, chunk_ = 1;
   std::vector<SweepParameter> parameters_;
-  std::vector<std::shared_ptr<const Axis>> axes_; ///< of a grid or a sample, or columns of a list
+  std::vector<std::shared_ptr<Axis>> axes_; ///< of a grid or a sample, or columns of a list
   std::vector<std::size_t> shape_;
   std::uint64_t seed_ = 0;
   bool is_sample_ = false;

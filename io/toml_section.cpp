@@ -93,7 +93,7 @@ TomlSection TomlSection::required_section(std::string_view name) const {
 TomlSection TomlSection::optional_section(std::string_view name) const {
   const auto* node = find(name);
   if (node != nullptr && !node->is_table()) wrong_type(name, *node, "a table");
-  return {node == nullptr ? nullptr : node->as_table(), full(name), file_};
+  return {node == nullptr ? nullptr : node->as_table(), full(name), *this};
 }
 
 void TomlSection::allow(const Words& keys) const {
@@ -116,27 +116,28 @@ std::string_view TomlSection::one_of(std::string_view first, std::string_view se
 }
 
 double TomlSection::finite(std::string_view key, std::string_view unit, std::optional<double> missing) const {
-  return number(key, missing, [&](auto field, double value) { return require_finite(field, value, unit); });
+  return number(key, unit, missing, [&](auto field, double value) { return require_finite(field, value, unit); });
 }
 
 double TomlSection::positive(std::string_view key, std::string_view unit, std::optional<double> missing) const {
-  return number(key, missing, [&](auto field, double value) { return require_positive(field, value, unit); });
+  return number(key, unit, missing, [&](auto field, double value) { return require_positive(field, value, unit); });
 }
 
 double TomlSection::between(std::string_view key, std::string_view unit, double low, double high,
                             std::optional<double> missing) const {
-  return number(key, missing, [&](auto field, double value) { return require_between(field, value, unit, low, high); });
+  return number(key, unit, missing,
+                [&](auto field, double value) { return require_between(field, value, unit, low, high); });
 }
 
 double TomlSection::radius(std::string_view key) const {
-  return number(key, {}, [](auto field, double value) {
+  return number(key, "m", {}, [](auto field, double value) {
     require_radius(field, value);
     return value;
   });
 }
 
 double TomlSection::modulus(std::string_view key) const {
-  return number(key, {}, [](auto field, double value) {
+  return number(key, "Pa", {}, [](auto field, double value) {
     if (!(value > 0)) throw Error(field, value, "Pa", "positive (inf for a rigid body)");
     return value;
   });
@@ -150,9 +151,7 @@ std::vector<double> TomlSection::numbers(std::string_view key, std::string_view 
   if (list->empty()) throw Error(location(file_, node->source()) + full(key) + ": must have at least one number");
   std::vector<double> values;
   for (const auto& element : *list) {
-    if (!element.is_number()) wrong_type(key, element, "a list of numbers");
-    values.push_back(element.is_integer() ? static_cast<double>(element.as_integer()->get())
-                                          : element.as_floating_point()->get());
+    values.push_back(value_of(key, element, unit, "a list of numbers"));
     at(key, [&] { require_finite(full(key), values.back(), unit); });
   }
   return values;
@@ -189,6 +188,10 @@ std::string TomlSection::required_text(std::string_view key) const {
 
 bool TomlSection::is_list(std::string_view key) const {
   return has(key) && find(key)->is_array();
+}
+
+bool TomlSection::is_text(std::string_view key) const {
+  return has(key) && find(key)->is_string();
 }
 
 std::string TomlSection::word(std::string_view key, std::string_view missing,
@@ -243,13 +246,23 @@ void TomlSection::wrong_type(std::string_view key, const toml::node& node, const
   throw Error(location(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
 }
 
-double TomlSection::number(std::string_view key, std::optional<double> missing, const Check& check) const {
+double TomlSection::value_of(std::string_view key, const toml::node& node, std::string_view unit,
+                             const std::string& wanted) const {
+  if (key_units_ != nullptr) key_units_->emplace(full(key), unit);
+  if (node.is_integer()) return static_cast<double>(node.as_integer()->get());
+  if (node.is_floating_point()) return node.as_floating_point()->get();
+  if (!node.is_string()) wrong_type(key, node, wanted);
+  double value = 0;
+  at(key, [&] { value = units_->number(full(key), node.as_string()->get(), unit); });
+  return value;
+}
+
+double TomlSection::number(std::string_view key, std::string_view unit, std::optional<double> missing,
+                           const Check& check) const {
   const auto* node = find(key);
   if (node == nullptr && missing) return *missing;
   if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
-  if (!node->is_number()) wrong_type(key, *node, "a number");
-  const auto value =
-      node->is_integer() ? static_cast<double>(node->as_integer()->get()) : node->as_floating_point()->get();
+  const double value = value_of(key, *node, unit, "a number");
   at(key, [&] { check(full(key), value); });
   return value;
 }

@@ -2,8 +2,11 @@
 
 #include "io/option_words.hpp"
 #include "io/toml.hpp"
+#include "io/units.hpp"
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,15 +19,18 @@ namespace microslip {
 toml::table parse_toml(std::string_view text, const std::string& file);
 
 /// A table of a TOML file whose values are read and checked key by key. What is wrong throws an Error with file, line,
-/// key, value and range. An optional table that is missing reads as an empty one. A value for `missing` makes a key
-/// optional. Keeps references to the parsed file and its name.
+/// key, value and range. Where a number in a unit is wanted a text with a unit may stand, "80 kN". An optional table
+/// that is missing reads as an empty one. A value for `missing` makes a key optional. Keeps references to the parsed
+/// file and its name.
 class TomlSection {
 public:
   using Words = std::vector<std::string_view>;
+  /// Which unit a number is read in, by the full names of keys: "load.normal_force".
+  using KeyUnits = std::map<std::string, std::string, std::less<>>;
 
-  /// The whole file, or a table in it with its name for messages.
-  TomlSection(const toml::table& table, const std::string& file, std::string name = {})
-      : table_(&table), name_(std::move(name)), file_(file) {}
+  /// The whole file, or a table in it with its name for messages. The units of all numbers that are read go to `units`.
+  TomlSection(const toml::table& table, const std::string& file, std::string name = {}, KeyUnits* units = nullptr)
+      : table_(&table), name_(std::move(name)), file_(file), units_(std::make_shared<Units>()), key_units_(units) {}
   /// The file's name for messages.
   const std::string& file() const { return file_; }
   TomlSection required_section(std::string_view name) const;
@@ -46,6 +52,7 @@ public:
   /// A list of finite numbers, at least one.
   std::vector<double> numbers(std::string_view key, std::string_view unit) const;
   bool is_list(std::string_view key) const;
+  bool is_text(std::string_view key) const;
   std::string text(std::string_view key, std::string_view missing) const;
   /// A list of texts, empty if the key is missing.
   std::vector<std::string> texts(std::string_view key) const;
@@ -63,21 +70,27 @@ public:
   /// Runs a check and puts file and line before its message: those of the key, if it is there, or of the table.
   void at(std::string_view key, const std::function<void()>& check) const;
 
+  /// What stands before a message about a key: file and line, of the key, if it is there, or of the table.
+  std::string line_of(std::string_view key) const;
+
 private:
   using Check = std::function<double(std::string_view field, double value)>;
 
-  TomlSection(const toml::table* table, std::string name, const std::string& file)
-      : table_(table), name_(std::move(name)), file_(file) {}
+  TomlSection(const toml::table* table, std::string name, const TomlSection& parent)
+      : table_(table), name_(std::move(name)), file_(parent.file_), units_(parent.units_),
+        key_units_(parent.key_units_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
-  std::string line_of(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
-  double number(std::string_view key, std::optional<double> missing, const Check& check) const;
+  double number(std::string_view key, std::string_view unit, std::optional<double> missing, const Check& check) const;
+  double value_of(std::string_view key, const toml::node& node, std::string_view unit, const std::string& wanted) const;
   int whole(std::string_view key, const toml::node& node, int low, int high) const;
 
   const toml::table* table_ = nullptr;
   std::string name_;
   const std::string& file_;
+  std::shared_ptr<Units> units_;
+  KeyUnits* key_units_ = nullptr;
 };
 
 } // namespace microslip

@@ -1,6 +1,10 @@
 #include "io/case_file.hpp"
 
+#include "io/toml_section.hpp"
+#include "io/wheel_rail_case.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
 #include "paths.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -322,8 +326,8 @@ TEST(CaseFile, ReadsPointsInsideTheBodies) {
   EXPECT_EQ(message_of(with_interior("x = [0]\ny = [0]\nz = [1]\n", "fastsim2")),
             "w.toml:23: [interior]: needs solution.theory = \"exact\"");
   EXPECT_EQ(message_of(with_interior("x = [0]\ny = [0]\n")), "w.toml:20: [interior]: z is missing");
-  EXPECT_EQ(message_of(with_interior("x = [0, \"1\"]\ny = [0]\nz = [1]\n")),
-            "w.toml:21: interior.x: must be a list of numbers, not text");
+  EXPECT_EQ(message_of(with_interior("x = [0, true]\ny = [0]\nz = [1]\n")),
+            "w.toml:21: interior.x: must be a list of numbers, not true or false");
   EXPECT_EQ(message_of(with_interior("x = []\ny = [0]\nz = [1]\n")),
             "w.toml:21: interior.x: must have at least one number");
   EXPECT_EQ(message_of(with_interior("x = [0]\ny = [inf]\nz = [1]\n")),
@@ -343,8 +347,59 @@ TEST(CaseFile, NamesWhatIsMissing) {
             "w.toml:2: [body1] needs either young_modulus or shear_modulus");
 }
 
+TEST(CaseFile, TakesTextsWithUnits) {
+  const auto expected = parse_case(good, "w.toml");
+  const auto text = with("rolling_radius = 0.46", "rolling_radius = \"460 mm\"");
+  const auto input = parse_case(text.substr(0, text.find("[body2]")) +
+                                    "[body2]\nrolling_radius = \"inf m\"\ntransverse_radius = \"30 cm\"\nshear_modulus "
+                                    "= \"82 GPa\"\npoisson_ratio "
+                                    "= 0.3\n[load]\nnormal_force = \"80 kN\"\n[friction]\ncoefficient = \"30 "
+                                    "%\"\n[motion]\nrolling_speed = \"108 "
+                                    "km/h\"\n",
+                                "w.toml");
+  EXPECT_EQ(input.body1.rolling_radius, expected.body1.rolling_radius);
+  EXPECT_EQ(input.body2.rolling_radius, expected.body2.rolling_radius);
+  EXPECT_EQ(input.body2.transverse_radius, expected.body2.transverse_radius);
+  EXPECT_EQ(input.body2.material.shear_modulus, expected.body2.material.shear_modulus);
+  EXPECT_EQ(input.normal_force, expected.normal_force);
+  EXPECT_EQ(input.friction.static_coefficient(), expected.friction.static_coefficient());
+  EXPECT_DOUBLE_EQ(input.rolling_speed, expected.rolling_speed);
+  EXPECT_EQ(message_of(with("80e3", "\"80 mm\"")),
+            "w.toml:13: load.normal_force = \"80 mm\" [N]: must be in N, kN, MN, kgf, lbf or kip, e.g. \"80 kN\"");
+  EXPECT_EQ(message_of(with("80e3", "\"-80 kN\"")),
+            "w.toml:13: load.normal_force = -80000 [N]: must be positive and finite");
+}
+
+/// Every number of every example has a unit of which text may give another, or none.
+TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
+  Units units;
+  std::size_t count = 0;
+  const auto check = [&](const std::string& name, const auto& read) {
+    const std::string file = MICROSLIP_SOURCE_DIR "/examples/" + name;
+    const auto table = parse_toml(read_case_text(file), file);
+    TomlSection::KeyUnits found;
+    read(TomlSection(table, file, {}, &found));
+    for (const auto& [key, unit] : found) {
+      ++count;
+      try {
+        units.number(key, "1 kg s", unit);
+        ADD_FAILURE() << key;
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("must be in "), std::string::npos) << error.what();
+      }
+    }
+  };
+  check("hertzian_contact.toml", [](const TomlSection& root) { read_case(root); });
+  check("two_rollers.toml", [](const TomlSection& root) { read_case(root); });
+  check("wheel_on_rail.toml", [](const TomlSection& root) { read_wheel_rail_case(root); });
+  check("wheelset_in_curve.toml", [](const TomlSection& root) { read_wheelset_case(root); });
+  EXPECT_GT(count, 60u);
+  for (const StateQuantity& q : state_quantities()) EXPECT_EQ(units.number("x", "0 " + std::string(q.unit), q.unit), 0);
+  for (const PrescribedForce& f : prescribed_forces())
+    EXPECT_EQ(units.number("x", "0 " + std::string(f.unit), f.unit), 0);
+}
+
 TEST(CaseFile, NamesWrongTypes) {
-  EXPECT_EQ(message_of(with("80e3", "\"80 kN\"")), "w.toml:13: load.normal_force: must be a number, not text");
   EXPECT_EQ(message_of(with("80e3", "true")), "w.toml:13: load.normal_force: must be a number, not true or false");
   EXPECT_EQ(message_of(with("80e3", "[1, 2]")), "w.toml:13: load.normal_force: must be a number, not a list");
   EXPECT_EQ(message_of(with("80e3", "2001-01-01")),

@@ -75,7 +75,7 @@ TEST(ProgramJson, SolveNamesItsPicturesAndTheExtremesInside) {
 TEST(ProgramJson, NumbersThatAreNotFiniteAreWords) {
   const TemporaryFolder folder;
   auto text = contents(example);
-  text.replace(text.find("80e3"), 4, "1e300").replace(text.find("0.0018"), 6, "1e300");
+  text.replace(text.find("\"80 kN\""), 7, "1e300").replace(text.find("0.0018"), 6, "1e300");
   save(folder / "c.toml", text);
   const auto json = document(folder, "solve c.toml -o out --no-pictures", 1);
   EXPECT_NE(json.at("status"), "ok");
@@ -99,7 +99,8 @@ TEST(ProgramJson, WarnsOfImplausibleContacts) {
   const TemporaryFolder folder;
   auto text = contents(example);
   text.replace(text.find("[40, 40]"), 8, "[8, 8]");
-  for (auto at = text.find("210e9"); at != std::string::npos; at = text.find("210e9")) text.replace(at, 5, "210e3");
+  for (auto at = text.find("210 GPa"); at != std::string::npos; at = text.find("210 GPa"))
+    text.replace(at, 7, "210 kPa");
   save(folder / "c.toml", text);
   for (const std::string command : {"solve c.toml -o out --no-pictures", "hertz c.toml"}) {
     const auto outcome = run_program(folder, command + " --json");

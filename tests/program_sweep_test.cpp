@@ -76,6 +76,32 @@ TEST(ProgramSweep, WritesParametersResultsAndReasons) {
   EXPECT_EQ(file.text("failures/reason"), "s.toml: load.normal_force = -1 [N]: must be positive and finite");
 }
 
+/// Numbers with units, in the case and in what varies, are the same sweep as the numbers in SI units.
+TEST(ProgramSweep, TakesTextsWithUnits) {
+  const TemporaryFolder folder;
+  const auto units = [](std::string text) {
+    for (const auto& [number, with_unit] : {std::pair("80e3\n", "\"80 kN\"\n"),
+                                            {"= 30\n", "= \"108 km/h\"\n"},
+                                            {"= 0.46\n", "= \"460 mm\"\n"},
+                                            {"[-1, 40e3, 80e3]", "[\"30 kN\", 40e3, \"80 kN\"]"}})
+      text.replace(text.find(number), std::string(number).size(), with_unit);
+    return text;
+  };
+  save(folder / "si.toml", grid(2).replace(grid(2).find("-1,"), 3, "30e3,"));
+  save(folder / "units.toml", units(grid(2)));
+  save(folder / "wrong.toml", grid(2).replace(grid(2).find("40e3"), 4, "\"40 mm\""));
+  ASSERT_EQ(run_program(folder, "sweep si.toml -o si.h5").exit_code, 0);
+  const auto run = run_program(folder, "sweep units.toml -o units.h5");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const Hdf5Reader si(folder / "si.h5"), other(folder / "units.h5");
+  for (const char* path : {"contact/fx", "contact/fy", "parameters/load.normal_force"})
+    EXPECT_EQ(doubles(si, path), doubles(other, path)) << path;
+  const auto wrong = run_program(folder, "sweep wrong.toml -o wrong.h5");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.errors.find("wrong.toml:3: load.normal_force = \"40 mm\" [N]: must be in N,"), std::string::npos)
+      << wrong.errors;
+}
+
 TEST(ProgramSweep, BadInputLeavesNothing) {
   const TemporaryFolder folder;
   save(folder / "s.toml", two_bodies);

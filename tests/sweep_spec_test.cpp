@@ -50,6 +50,42 @@ TEST(SweepSpec, GridsVaryTheLastKeyFastestInTheOrderOfTheFile) {
   EXPECT_EQ(numbers(spec, 1), (std::vector<double>{0, 0.5, 1, 0, 0.5, 1}));
 }
 
+TEST(SweepSpec, TextsWithUnitsBecomeNumbersInTheUnitsOfTheirKeys) {
+  const std::string base = "[case.load]\nnormal_force = \"80 kN\"\n[case.a]\nword = \"3d\"\n";
+  const TomlSection::KeyUnits units = {{"load.normal_force", "N"}, {"body.radius", "m"}, {"body.temperature", "deg C"}};
+  SweepSpec spec("[grid]\nbody.radius = { from = \"100 mm\", to = 0.4, count = 4 }\n"
+                 "body.temperature = [20, \"293.15 K\", \"50 degC\"]\na.word = [\"3d\", \"2d\"]\n" +
+                     base,
+                 "s.toml");
+  ASSERT_TRUE(spec.has_units());
+  EXPECT_EQ(spec.case_as_written(0).at_path("body.radius").value_or(std::string()), "100 mm");
+  spec.convert_units(units);
+  EXPECT_EQ(number(spec, 0, 0), 0.1);
+  EXPECT_EQ(number(spec, spec.count() - 1, 0), 0.4);
+  EXPECT_EQ(number(spec, 0, 1), 20);
+  EXPECT_NEAR(number(spec, 2, 1), 20, 1e-12);
+  EXPECT_EQ(number(spec, 4, 1), 50);
+  EXPECT_TRUE(spec.parameters()[1].is_number);
+  EXPECT_FALSE(spec.parameters()[2].is_number);
+  EXPECT_EQ(spec.text_of(1, 2), "2d");
+  EXPECT_EQ(spec.base().at_path("load.normal_force").value_or(0.0), 80e3);
+  const auto refused = [&](const std::string& line) {
+    SweepSpec wrong("[grid]\n" + line + "\n" + base, "s.toml");
+    try {
+      wrong.convert_units(units);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(refused("body.radius = [1, \"2 N\"]"),
+            "s.toml:2: body.radius = \"2 N\" [m]: must be in m, mm, um, cm, km, in or ft, e.g. \"460 mm\"");
+  EXPECT_EQ(refused("body.radius = { from = \"0 mm\", to = 1, count = 3, scale = \"logarithmic\" }"),
+            "s.toml:2: a logarithmic scale needs ends of one sign");
+  EXPECT_EQ(refused("\"body.radius, load.normal_force\" = [\"2 m\"]"),
+            "s.toml:2: body.radius, load.normal_force: keys of different units cannot take the same text with a unit");
+}
+
 TEST(SweepSpec, ALogarithmicScaleHasConstantRatios) {
   const SweepSpec spec(
       std::string("[grid]\na.a = { from = -1e-3, to = -10, count = 9, scale = \"logarithmic\" }\n") + inside, "s.toml");

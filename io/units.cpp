@@ -1,0 +1,264 @@
+#include "io/units.hpp"
+
+#include "io/nearest_word.hpp"
+#include "io/text_line.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <udunits2.h>
+
+namespace microslip {
+namespace {
+
+/// A unit by what stands before it in the table.
+struct Definition {
+  const char *symbol, *value; ///< base units have no value
+};
+
+constexpr Definition definitions[] = {
+    {"m", nullptr},
+    {"kg", nullptr},
+    {"s", nullptr},
+    {"K", nullptr},
+    {"rad", nullptr}, // with a dimension of its own, so that 10 Hz are not 10 rad/s
+    {"g", "0.001 kg"},
+    {"t", "1000 kg"},
+    {"lb", "0.45359237 kg"},
+    {"in", "0.0254 m"},
+    {"ft", "0.3048 m"},
+    {"mi", "1609.344 m"},
+    {"min", "60 s"},
+    {"h", "3600 s"},
+    {"mph", "mi/h"},
+    {"deg", "0.017453292519943295 rad"},
+    {"rpm", "6.283185307179586 rad/min"},
+    {"N", "kg m s-2"},
+    {"kgf", "9.80665 N"},
+    {"lbf", "4.4482216152605 N"},
+    {"kip", "1000 lbf"},
+    {"Pa", "N m-2"},
+    {"bar", "100000 Pa"},
+    {"psi", "lbf in-2"},
+    {"ksi", "1000 psi"},
+    {"J", "N m"},
+    {"W", "J/s"},
+    {"degC", "K @ 273.15"},
+    {"degF", "0.5555555555555556 K @ 459.67"},
+    {"%", "0.01"},
+};
+
+constexpr std::pair<const char*, double> prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"c", 1e-2},
+                                                       {"d", 1e-1}, {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
+
+/// What messages say of a unit that a value is wanted in: those to choose from, and an example.
+struct Choice {
+  std::string_view unit, example;
+  std::array<std::string_view, 7> units;
+
+  std::vector<std::string_view> known() const {
+    return {units.begin(), std::find(units.begin(), units.end(), std::string_view())};
+  }
+  std::string sentence() const { return "must be in " + listed(known()) + ", e.g. \"" + std::string(example) + "\""; }
+};
+
+constexpr Choice choices[] = {
+    {"m", "460 mm", {"m", "mm", "um", "cm", "km", "in", "ft"}},
+    {"N", "80 kN", {"N", "kN", "MN", "kgf", "lbf", "kip"}},
+    {"Pa", "210 GPa", {"Pa", "kPa", "MPa", "GPa", "N/mm^2", "psi", "ksi"}},
+    {"1/m", "0.4 1/m", {"1/m", "1/mm", "1/km", "rad/m", "mrad/m", "deg/m"}},
+    {"rad", "3 deg", {"rad", "mrad", "deg"}},
+    {"m/s", "100 km/h", {"m/s", "mm/s", "km/h", "mph", "ft/s"}},
+    {"rad/s", "400 rpm", {"rad/s", "mrad/s", "deg/s", "rpm"}},
+    {"N m", "2 kN m", {"N m", "kN m", "N mm", "lbf ft"}},
+    {"s", "10 ms", {"s", "ms", "us", "min", "h"}},
+    {"s/m", "0.6 s/m", {"s/m", "s/mm", "h/km"}},
+    {"deg C", "20 degC", {"degC", "K", "degF"}},
+    {"K", "400 K", {"K"}},
+    {"kg/m^3", "7.85 g/cm^3", {"kg/m^3", "g/cm^3", "t/m^3"}},
+    {"W/(m K)", "50 W/(m K)", {"W/(m K)", "kW/(m K)"}},
+    {"J/(kg K)", "0.45 kJ/(kg K)", {"J/(kg K)", "kJ/(kg K)"}},
+    {"Pa/m", "400 MPa/mm", {"Pa/m", "MPa/m", "MPa/mm", "GPa/mm"}},
+    {"-", "30 %", {"%"}},
+};
+
+const Choice& choice_of(std::string_view unit) {
+  const auto* const found =
+      std::find_if(std::begin(choices), std::end(choices), [&](const auto& choice) { return choice.unit == unit; });
+  if (found == std::end(choices)) throw Error("no text with a unit is known for [" + std::string(unit) + "]");
+  return *found;
+}
+
+/// In letters that UDUNITS has in any encoding.
+std::string in_ascii(std::string_view unit) {
+  constexpr std::pair<std::string_view, std::string_view> others[] = {
+      {"\u00b5", "u"}, {"\u03bc", "u"}, {"\u00b0", "deg"}, {"\u00b2", "2"},
+      {"\u00b3", "3"}, {"\u00b7", " "}, {"\u22c5", " "}};
+  std::string text(unit.starts_with('/') ? "1" : "");
+  text += unit;
+  for (const auto& [other, letters] : others)
+    for (auto at = text.find(other); at != std::string::npos; at = text.find(other))
+      text.replace(at, other.size(), letters);
+  return text;
+}
+
+/// Of all that UDUNITS understands: products of powers of units. Not a number before them, as in "1 435 mm", nor
+/// dates, logarithms and other origins.
+bool is_plain(std::string_view unit) {
+  constexpr std::size_t longest = 40;
+  const auto is_allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view(" */.^-()%").find(c) != std::string_view::npos;
+  };
+  const bool has_factor = unit.front() >= '0' && unit.front() <= '9' && !unit.starts_with("1/");
+  return unit.size() <= longest && !has_factor && std::all_of(unit.begin(), unit.end(), is_allowed);
+}
+
+/// UDUNITS for one thread, and silent.
+class Silence {
+public:
+  Silence() : lock_(one_at_a_time()), before_(ut_set_error_message_handler(ut_ignore)) {}
+  ~Silence() { ut_set_error_message_handler(before_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  static std::mutex& one_at_a_time() {
+    static std::mutex mutex;
+    return mutex;
+  }
+
+  std::scoped_lock<std::mutex> lock_;
+  ut_error_message_handler before_;
+};
+
+struct Free {
+  void operator()(ut_system* system) const { ut_free_system(system); }
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+template <class Object> using Owned = std::unique_ptr<Object, Free>;
+
+/// Of the same dimensions: UDUNITS itself converts to the reciprocal, too.
+bool are_alike(const ut_unit* given, const ut_unit* wanted) {
+  const Owned<ut_unit> ratio(ut_divide(given, wanted));
+  return ratio && ut_is_dimensionless(ratio.get()) != 0;
+}
+
+UnitScale scale_of(double factor) {
+  const double inverse = std::round(1 / factor);
+  return std::abs(inverse * factor - 1) < 1e-15 ? UnitScale{.over = inverse} : UnitScale{.times = factor};
+}
+
+/// A number and what follows it.
+std::pair<double, std::string_view> split(std::string_view text, const Choice& choice) {
+  auto rest = trimmed(text);
+  if (rest.starts_with('+')) rest.remove_prefix(1);
+  double value = 0;
+  const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (error != std::errc())
+    throw Error("must be a number, or one with its unit such as \"" + std::string(choice.example) + "\"");
+  rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
+  if (rest.starts_with(',')) throw Error("must have a decimal point");
+  return {value, trimmed(rest)};
+}
+
+} // namespace
+
+/// UDUNITS' system of units with those above: its own database would be a file to be found at run time.
+class Units::System {
+public:
+  System() : system_(ut_new_system()) {
+    for (const auto& [symbol, factor] : prefixes) ut_add_symbol_prefix(system_.get(), symbol, factor);
+    for (const auto& [symbol, value] : definitions) {
+      const Owned<ut_unit> unit = value == nullptr ? Owned<ut_unit>(ut_new_base_unit(system_.get())) : parse(value);
+      ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get());
+    }
+  }
+
+  double number(double value, std::string_view name, const Choice& choice) const {
+    const auto converter = converter_of(name, choice);
+    if (cv_convert_double(converter.get(), 0) != 0) return cv_convert_double(converter.get(), value);
+    return scale_of(cv_convert_double(converter.get(), 1))(value);
+  }
+
+  UnitScale scale(std::string_view name, const Choice& choice) const {
+    const auto converter = converter_of(name, choice);
+    if (cv_convert_double(converter.get(), 0) != 0) throw Error("differs by its zero, too");
+    return scale_of(cv_convert_double(converter.get(), 1));
+  }
+
+private:
+  Owned<ut_unit> parse(const std::string& unit) const {
+    return Owned<ut_unit>(ut_parse(system_.get(), unit.c_str(), UT_ASCII));
+  }
+
+  /// Only temperatures may differ by their zero.
+  Owned<cv_converter> converter_of(std::string_view name, const Choice& choice) const {
+    const std::string ascii = in_ascii(name);
+    const auto given = is_plain(ascii) ? parse(ascii) : nullptr;
+    if (!given) {
+      const auto near = suggestion(name, choice.known());
+      throw Error("unknown unit " + printable(name) + (near.empty() ? "; " + choice.sentence() : near));
+    }
+    const bool is_temperature = choice.unit == "deg C";
+    const auto in = [&](const std::string& unit) -> Owned<cv_converter> {
+      const auto wanted = parse(unit);
+      if (!are_alike(given.get(), wanted.get())) return nullptr;
+      Owned<cv_converter> converter(ut_get_converter(given.get(), wanted.get()));
+      const bool is_good = converter && (is_temperature || cv_convert_double(converter.get(), 0) == 0);
+      return is_good ? std::move(converter) : nullptr;
+    };
+    auto found = in(is_temperature ? "degC" : choice.unit == "-" ? "1" : std::string(choice.unit));
+    if (!found && choice.unit == "1/m") found = in("rad/m");
+    if (!found) throw Error(choice.sentence());
+    return found;
+  }
+
+  Owned<ut_system> system_;
+};
+
+Units::Units() = default;
+
+Units::~Units() {
+  const Silence silence;
+  system_.reset();
+}
+
+template <class Work> auto Units::with_system(const Work& work) {
+  const Silence silence;
+  if (!system_) system_ = std::make_unique<System>();
+  return work(*system_);
+}
+
+double Units::number(std::string_view field, std::string_view text, std::string_view unit) {
+  try {
+    const Choice& choice = choice_of(unit);
+    const auto [value, name] = split(text, choice);
+    if (name.empty() && unit == "-") throw Error("must be a number without quotes");
+    if (name.empty()) throw Error("has no unit; " + choice.sentence());
+    if (name == unit) return value;
+    return with_system([&, value = value, name = name](const System& s) { return s.number(value, name, choice); });
+  } catch (const Error& error) {
+    throw Error(std::string(field) + " = " + printable(text) + " [" + std::string(unit) + "]: " + error.what());
+  }
+}
+
+UnitScale Units::scale(std::string_view field, std::string_view from, std::string_view unit) {
+  if (from == unit) return {};
+  try {
+    const Choice& choice = choice_of(unit);
+    return with_system([&](const System& s) { return s.scale(from, choice); });
+  } catch (const Error& error) {
+    throw Error(std::string(field) + " [" + std::string(from) + "]: " + error.what());
+  }
+}
+
+} // namespace microslip

@@ -1,0 +1,161 @@
+#include "io/units.hpp"
+
+#include "microslip/error.hpp"
+
+#include <limits>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <udunits2.h>
+
+namespace microslip {
+namespace {
+
+struct Text {
+  const char *text, *unit;
+  double value;
+};
+
+TEST(Units, NumbersAreInTheUnitThatIsWanted) {
+  Units units;
+  const Text texts[] = {
+      {"80 kN", "N", 80e3},
+      {"80kN", "N", 80e3},
+      {" +80.5  kN ", "N", 80.5e3},
+      {"8e4 N", "N", 8e4},
+      {"460 mm", "m", 0.46},
+      {"1435 mm", "m", 1.435},
+      {"10 \u00b5m", "m", 1e-5},
+      {"10 \u03bcm", "m", 1e-5},
+      {"10 um", "m", 1e-5},
+      {"1 in", "m", 0.0254},
+      {"210 GPa", "Pa", 210e9},
+      {"210000 N/mm^2", "Pa", 210e9},
+      {"210000 N/mm2", "Pa", 210e9},
+      {"210000 N/mm\u00b2", "Pa", 210e9},
+      {"210 kN mm-2", "Pa", 210e9},
+      {"0.4 1/m", "1/m", 0.4},
+      {"0.4/m", "1/m", 0.4},
+      {"0.4 rad/m", "1/m", 0.4},
+      {"3.3333 1/km", "1/m", 3.3333e-3},
+      {"180 deg", "rad", std::numbers::pi},
+      {"180\u00b0", "rad", std::numbers::pi},
+      {"2 mrad", "rad", 2e-3},
+      {"36 km/h", "m/s", 10},
+      {"60 rpm", "rad/s", 2 * std::numbers::pi},
+      {"2 kN m", "N m", 2e3},
+      {"2 kN\u00b7m", "N m", 2e3},
+      {"20 degC", "deg C", 20},
+      {"20 \u00b0C", "deg C", 20},
+      {"20 deg C", "deg C", 20},
+      {"293.15 K", "deg C", 20},
+      {"400 K", "K", 400},
+      {"7.85 g/cm^3", "kg/m^3", 7850},
+      {"50 W/(m K)", "W/(m K)", 50},
+      {"0.05 kW/m/K", "W/(m K)", 50},
+      {"0.45 kJ/(kg K)", "J/(kg K)", 450},
+      {"400 GPa/mm", "Pa/m", 4e14},
+      {"0.6 s/m", "s/m", 0.6},
+      {"30 %", "-", 0.3},
+      {"1.8 mm/m", "-", 1.8e-3},
+      {"inf m", "m", std::numeric_limits<double>::infinity()},
+      {"-3 mm", "m", -0.003},
+  };
+  for (const auto& [text, unit, value] : texts) EXPECT_DOUBLE_EQ(units.number("field", text, unit), value) << text;
+  EXPECT_NEAR(units.number("field", "68 degF", "deg C"), 20, 1e-9);
+}
+
+/// Decimal prefixes do not change the number that is written: results are the same to the last bit.
+TEST(Units, MillimetresAreTheNearestNumbersOfMetres) {
+  Units units;
+  for (int k = 1; k < 3000; ++k) {
+    EXPECT_EQ(units.number("field", std::to_string(k) + " mm", "m"), k / 1e3);
+    EXPECT_EQ(units.number("field", std::to_string(k) + " um", "m"), k / 1e6);
+    EXPECT_EQ(units.number("field", std::to_string(k) + " kN", "N"), k * 1e3);
+  }
+}
+
+TEST(Units, ScalesNumbersOfAColumn) {
+  Units units;
+  EXPECT_EQ(units.scale("column a", "mm", "m")(6.1), 6.1 / 1e3);
+  EXPECT_EQ(units.scale("column normal_force", "kN", "N")(80.3), 80.3 * 1e3);
+  EXPECT_EQ(units.scale("column spin", "1/m", "1/m")(0.4), 0.4);
+  EXPECT_THROW(units.scale("column a", "N", "m"), Error);
+  EXPECT_THROW(units.scale("column t", "K", "deg C"), Error);
+}
+
+std::string error_of(const std::string& text, const std::string& unit) {
+  Units units;
+  try {
+    return "no error, but " + std::to_string(units.number("load.normal_force", text, unit));
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(Units, AnotherKindIsRefusedWithTheRightUnits) {
+  EXPECT_EQ(error_of("80 mm", "N"),
+            "load.normal_force = \"80 mm\" [N]: must be in N, kN, MN, kgf, lbf or kip, e.g. \"80 kN\"");
+  const Text texts[] = {
+      {"300 m", "1/m", 0}, {"0.4 1/m", "m", 0},        {"10 s", "m/s", 0},   {"10 1/s", "rad/s", 0},
+      {"5 %", "rad", 0},   {"0.3 rad", "-", 0},        {"400 degC", "K", 0}, {"400 degF", "K", 0},
+      {"5 kg", "N", 0},    {"50 W/m K", "W/(m K)", 0}, {"3 m", "rad", 0},    {"2 rad/m", "m", 0},
+  };
+  for (const auto& [text, unit, value] : texts)
+    EXPECT_NE(error_of(text, unit).find("]: must be in "), std::string::npos) << error_of(text, unit);
+}
+
+TEST(Units, AnUnknownUnitGetsTheNearestRightOne) {
+  EXPECT_EQ(error_of("80 kn", "N"), "load.normal_force = \"80 kn\" [N]: unknown unit \"kn\"; did you mean kN?");
+  EXPECT_EQ(error_of("2 kNm", "N m"), "load.normal_force = \"2 kNm\" [N m]: unknown unit \"kNm\"; did you mean kN m?");
+  EXPECT_EQ(error_of("210 Gpa", "Pa"), "load.normal_force = \"210 Gpa\" [Pa]: unknown unit \"Gpa\"; did you mean GPa?");
+  EXPECT_EQ(error_of("20 furlongs", "m"), "load.normal_force = \"20 furlongs\" [m]: unknown unit \"furlongs\"; must be "
+                                          "in m, mm, um, cm, km, in or ft, e.g. \"460 mm\"");
+}
+
+TEST(Units, TextIsANumberAndAUnitAndNothingElse) {
+  EXPECT_NE(error_of("80", "N").find("has no unit; must be in N,"), std::string::npos);
+  EXPECT_NE(error_of("0.3", "-").find("must be a number without quotes"), std::string::npos);
+  EXPECT_NE(error_of("80,5 kN", "N").find("must have a decimal point"), std::string::npos);
+  for (const char* text : {"", " ", "kN", "eighty kN", "- 3 kN"})
+    EXPECT_NE(error_of(text, "N").find("must be a number, or one with its unit such as \"80 kN\""), std::string::npos)
+        << text << ": " << error_of(text, "N");
+  // What UDUNITS would take for a factor, a date, a logarithm or another origin.
+  for (const char* text : {"1 435 mm", "1 s since 2000", "3 m @ 2", "1 lg(re 1 m)", "3 \xff", "3 mm;", "3 (m",
+                           "3 m99999999999999999999", "3 m m m m m m m m m m m m m m m m m m m m m m m m"})
+    EXPECT_NE(error_of(text, "m").find("load.normal_force = "), std::string::npos)
+        << text << ": " << error_of(text, "m");
+}
+
+int own_handler(const char*, va_list) {
+  return 0;
+}
+
+/// Another user of UDUNITS in the process keeps its handler, and threads do not disturb one another.
+TEST(Units, SharesUdunitsWithOthers) {
+  const auto before = ut_set_error_message_handler(own_handler);
+  std::vector<int> wrong(4);
+  {
+    std::vector<std::jthread> threads;
+    for (int& count : wrong)
+      threads.emplace_back([&count] {
+        for (int k = 1; k < 300; ++k) {
+          Units units;
+          if (units.number("field", std::to_string(k) + " kN/mm^2", "Pa") != k * 1e9) ++count;
+          try {
+            units.number("field", std::to_string(k) + " kN/mn^2", "Pa");
+            ++count;
+          } catch (const Error&) {
+          }
+        }
+      });
+  }
+  EXPECT_EQ(wrong, std::vector<int>(4));
+  EXPECT_EQ(ut_set_error_message_handler(before), own_handler);
+}
+
+} // namespace
+} // namespace microslip
