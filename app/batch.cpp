@@ -7,6 +7,7 @@
 #include "app/progress_bar.hpp"
 #include "io/contact_table.hpp"
 #include "io/creep_table_file.hpp"
+#include "io/csv_line.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
@@ -26,6 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -45,7 +47,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BatchArguments {
-  fs::path input, output, table; ///< empty: the table that microslip has
+  fs::path input, output; ///< "-": standard input and output
+  fs::path errors;        ///< empty: none are listed
+  bool skip_bad = false;
+  fs::path table; ///< empty: the table that microslip has
   std::string theory = "fastsim2", grid = "10x10", direction = "forward", precision = "double";
   std::string bound, flexibility, coefficients; ///< of the simplified theory; empty: not given
   std::string discretisation, elements;         ///< of the exact theory; empty: not given
@@ -110,13 +115,37 @@ std::string in_options(std::string text) {
   return text;
 }
 
-std::ifstream open_input(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw Error(path.string() + ": cannot be read: it is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(path.string() + ": cannot be read: " + std::generic_category().message(errno));
-  return file;
+bool is_standard(const fs::path& path) {
+  return path == "-";
 }
+
+fs::path input_file(const BatchArguments& arguments) {
+  return is_standard(arguments.input) ? "/dev/stdin" : arguments.input;
+}
+
+std::string input_name(const BatchArguments& arguments) {
+  return is_standard(arguments.input) ? "standard input" : arguments.input.string();
+}
+
+fs::path output_file(const fs::path& path) {
+  return is_standard(path) ? "/dev/stdout" : path;
+}
+
+/// A file, or standard input.
+class Input {
+public:
+  explicit Input(const fs::path& path) {
+    if (is_standard(path)) return;
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) throw Error(path.string() + ": cannot be read: it is a folder");
+    file_.open(path, std::ios::binary);
+    if (!file_) throw Error(path.string() + ": cannot be read: " + std::generic_category().message(errno));
+  }
+  std::istream& stream() { return file_.is_open() ? file_ : std::cin; }
+
+private:
+  std::ifstream file_;
+};
 
 /// Size of a file, 0 if it has none, as a pipe.
 double size_of(const fs::path& path) {
@@ -125,14 +154,46 @@ double size_of(const fs::path& path) {
   return error ? 0 : static_cast<double>(size);
 }
 
+/// What becomes of bad rows.
+enum class BadRows {
+  stop, ///< the first one ends the batch
+  list, ///< all are found; with one of them nothing is solved
+  skip  ///< they are left out
+};
+
+/// Parses chunks on several threads at a time.
+class RowParser {
+public:
+  RowParser(const ContactTableReader& reader, BadRows bad_rows) : reader_(reader), bad_rows_(bad_rows) {}
+
+  ContactRows parse(const TextChunk& chunk) {
+    ContactRows rows = reader_.parse(chunk);
+    if (bad_rows_ == BadRows::stop && !rows.bad.empty()) throw Error(reader_.message(rows.bad.front()));
+    if (!rows.bad.empty()) has_bad_ = true;
+    if (bad_rows_ == BadRows::list && has_bad_) return {.bad = std::move(rows.bad)};
+    return rows;
+  }
+
+private:
+  const ContactTableReader& reader_;
+  BadRows bad_rows_;
+  std::atomic<bool> has_bad_ = false;
+};
+
+/// What a chunk of a table becomes.
+struct ChunkResult {
+  std::string csv;
+  std::vector<BadRow> bad;
+};
+
 /// Solves chunks of a table by one batch. Results go to the places of the chunks; if `progress` ends the batch they
 /// mean nothing.
 class TableSolver {
 public:
   virtual ~TableSolver() = default;
   virtual bool is_exact() const = 0;
-  virtual void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks,
-                     std::span<std::string> results, const Progress& progress) = 0;
+  virtual void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
+                     const Progress& progress) = 0;
   std::size_t contacts() const { return contacts_; }
   std::size_t contacts_unsolved() const { return contacts_unsolved_; }
   /// Of the first contact that could not even be begun; else empty.
@@ -168,11 +229,12 @@ public:
   SimplifiedTableSolver(int threads, Solver solver) : threads_(threads), solver_(std::move(solver)) {}
   bool is_exact() const override { return false; }
 
-  void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
+  void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
              const Progress& progress) override {
     run_batch(chunks.size(), {.threads = threads_, .progress = progress}, [&]() -> BatchWorker {
       return [&, own = solver_](std::size_t i, std::size_t, const Progress& of_chunk) mutable {
-        results[i] = solve(reader.parse(chunks[i]), own, of_chunk);
+        ContactRows rows = parser.parse(chunks[i]);
+        results[i] = {solve(rows, own, of_chunk), std::move(rows.bad)};
       };
     });
   }
@@ -203,11 +265,11 @@ public:
   }
   bool is_exact() const override { return true; }
 
-  void solve(const ContactTableReader& reader, std::span<const TextChunk> chunks, std::span<std::string> results,
+  void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
              const Progress& progress) override {
     std::vector<ContactRows> tables;
     std::vector<const EllipticContact*> rows;
-    for (const TextChunk& chunk : chunks) tables.push_back(reader.parse(chunk));
+    for (const TextChunk& chunk : chunks) tables.push_back(parser.parse(chunk));
     for (const ContactRows& table : tables)
       for (const EllipticContact& contact : table.contacts) rows.push_back(&contact);
     std::vector<ContactForces> forces(rows.size());
@@ -230,7 +292,9 @@ public:
     std::size_t first = 0;
     for (std::size_t c = 0; c < chunks.size(); first += tables[c].contacts.size(), ++c) {
       const std::size_t n = tables[c].contacts.size();
-      results[c] = result_rows(tables[c], std::span(forces).subspan(first, n), std::span(iterations).subspan(first, n));
+      results[c] = {
+          result_rows(tables[c], std::span(forces).subspan(first, n), std::span(iterations).subspan(first, n)),
+          std::move(tables[c].bad)};
     }
   }
 
@@ -279,13 +343,38 @@ std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
                                                             RowSolver(marching_scheme(method.theory), options));
 }
 
+/// Bad rows in a file of their own, if one is named.
+class ErrorList {
+public:
+  explicit ErrorList(const fs::path& path) {
+    if (path.empty()) return;
+    file_.emplace(output_file(path));
+    file_->write("line,error\n");
+  }
+
+  void add(const BadRow& row) {
+    if (file_) file_->write(std::to_string(row.line) + "," + csv_field(row.reason) + "\n");
+  }
+  void commit() {
+    if (file_) file_->commit();
+  }
+
+private:
+  std::optional<OutputFile> file_;
+};
+
 /// Reads, solves and writes a table, a group of chunks at a time.
 class Batch {
 public:
   explicit Batch(const BatchArguments& arguments)
-      : solver_(make_solver(arguments)), input_(open_input(arguments.input)), reader_(input_, arguments.input.string()),
-        output_(arguments.output), size_(size_of(arguments.input)), bar_(arguments.input.filename().string()),
-        chunks_(32 * static_cast<std::size_t>(arguments.threads)), results_(chunks_.size()) {
+      : solver_(make_solver(arguments)), input_(arguments.input), reader_(input_.stream(), input_name(arguments)),
+        bad_rows_(arguments.skip_bad         ? BadRows::skip
+                  : arguments.errors.empty() ? BadRows::stop
+                                             : BadRows::list),
+        parser_(reader_, bad_rows_), output_(output_file(arguments.output)), errors_(arguments.errors),
+        size_(size_of(arguments.input)), bar_(arguments.input.filename().string()),
+        chunks_(32 * static_cast<std::size_t>(arguments.threads)), results_(chunks_.size()),
+        errors_file_(arguments.errors.string()) {
     if (!solver_->is_exact()) reader_.refuse_dissimilar_bodies("unless --theory is exact");
     if (arguments.discretisation == "second_order")
       reader_.refuse_dissimilar_bodies("with --discretisation second_order; dissimilar bodies are solved classically");
@@ -297,19 +386,27 @@ public:
     std::size_t begin = reader_.bytes_read();
     while (const auto count = read_group()) {
       const std::size_t end = reader_.bytes_read();
-      solver_->solve(reader_, std::span(chunks_).first(count), std::span(results_).first(count), [&](double fraction) {
+      solver_->solve(parser_, std::span(chunks_).first(count), std::span(results_).first(count), [&](double fraction) {
         if (size_ > 0) bar_.update((double(begin) + fraction * double(end - begin)) / size_);
         return !InterruptGuard::interrupted();
       });
       InterruptGuard::throw_if_interrupted();
-      for (std::size_t i = 0; i < count; ++i) output_.write(results_[i]);
+      for (std::size_t i = 0; i < count; ++i) write(results_[i]);
       begin = end;
     }
+    errors_.commit();
+    if (bad_rows_ != BadRows::skip && bad_count_ > 0) throw Error(bad_message());
     output_.commit();
     return solver_->contacts_unsolved() == 0;
   }
 
   const TableSolver& solver() const { return *solver_; }
+  std::size_t bad_count() const { return bad_count_; }
+  /// The first bad row, and where to find the others.
+  std::string bad_message() const {
+    return fmt::format("{}; {} bad {} in all{}", first_bad_, bad_count_, bad_count_ == 1 ? "row" : "rows",
+                       errors_file_.empty() ? "" : ", listed in " + errors_file_);
+  }
 
 private:
   std::size_t read_group() {
@@ -318,34 +415,59 @@ private:
     return count;
   }
 
+  void write(const ChunkResult& result) {
+    output_.write(result.csv);
+    for (const BadRow& row : result.bad) {
+      if (bad_count_++ == 0) first_bad_ = reader_.message(row);
+      errors_.add(row);
+    }
+  }
+
   std::unique_ptr<TableSolver> solver_;
-  std::ifstream input_;
+  Input input_;
   ContactTableReader reader_;
+  BadRows bad_rows_;
+  RowParser parser_;
   OutputFile output_;
+  ErrorList errors_;
   double size_;
   ProgressBar bar_;
   std::vector<TextChunk> chunks_;
-  std::vector<std::string> results_;
+  std::vector<ChunkResult> results_;
+  std::size_t bad_count_ = 0;
+  std::string first_bad_, errors_file_;
 };
 
-void print_document(const BatchArguments& arguments, const TableSolver& solver) {
+void print_document(const BatchArguments& arguments, const Batch& work) {
   auto document = json_document("batch");
   document["input"] = arguments.input.string();
   document["theory"] = arguments.theory;
   document["grid"] = arguments.grid;
-  document["contacts"] = solver.contacts();
-  document["contacts_unsolved"] = solver.contacts_unsolved();
+  document["contacts"] = work.solver().contacts();
+  document["contacts_unsolved"] = work.solver().contacts_unsolved();
+  document["bad_rows"] = work.bad_count();
   document["files"] = {arguments.output.string()};
+  if (!arguments.errors.empty()) document["files"].push_back(arguments.errors.string());
   print_json(document);
 }
 
+void check_files(const BatchArguments& arguments) {
+  if (is_standard(arguments.output) && arguments.json) throw Error("--json needs a file for --output");
+  for (const fs::path& file : {arguments.output, arguments.errors})
+    if (!is_standard(file)) require_other_file(file, input_file(arguments));
+  if (arguments.errors == arguments.output) throw Error("--errors and --output must be different files");
+}
+
 int batch(const BatchArguments& arguments) {
+  check_files(arguments);
   require_count("--threads", arguments.threads, 1, most_threads);
   const InterruptGuard guard;
   Batch work(arguments);
   const bool all_solved = work.run();
-  if (arguments.json) print_document(arguments, work.solver());
-  if (all_solved) return ExitCode::done;
+  if (arguments.json) print_document(arguments, work);
+  if (work.bad_count() > 0)
+    fmt::print(stderr, "microslip: warning: {}: left out: {}\n", arguments.output.string(), work.bad_message());
+  if (all_solved) return work.bad_count() > 0 ? ExitCode::not_met : ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {} of {} contacts are not solved, see their status{}\n",
              arguments.output.string(), work.solver().contacts_unsolved(), work.solver().contacts(),
              work.solver().first_error().empty() ? "" : "; " + work.solver().first_error());
@@ -360,8 +482,15 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   const auto option = [&](const char* name, std::string& value, const std::string& type, const char* what) {
     command->add_option(name, value, what)->type_name(type)->capture_default_str();
   };
-  command->add_option("IN.csv", arguments->input, "table of contacts")->required()->type_name("");
-  command->add_option("-o,--output", arguments->output, "table of results")->required()->type_name("OUT.csv");
+  command->add_option("IN.csv", arguments->input, "table of contacts; -: standard input")->required()->type_name("");
+  command->add_option("-o,--output", arguments->output, "table of results; -: standard output")
+      ->required()
+      ->type_name("OUT.csv");
+  command
+      ->add_option("--errors", arguments->errors,
+                   "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then")
+      ->type_name("FILE.csv");
+  command->add_flag("--skip-bad", arguments->skip_bad, "leave bad rows out of OUT.csv");
   option("--theory", arguments->theory, choices<Theory>() + "|table", "what the contacts are solved by");
   command
       ->add_option("--table", arguments->table,
@@ -394,11 +523,14 @@ void add_batch_command(CLI::App& program, int& exit_code) {
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
       "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have\n"
       "dissimilarity [-], the combined K of bodies of different materials, which needs --theory exact, and\n"
-      "rolling_speed [m/s], which forces under a constant coefficient of friction do not depend on. OUT.csv repeats\n"
-      "them and adds fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact\n"
-      "residual [-] and iterations. Forces act on body 1. A bad row is named by line and column, and OUT.csv appears\n"
-      "only when it is complete. With --json the numbers of contacts and of those not solved. Exit code 1: some\n"
-      "contacts have another status than ok.\n\n"
+      "rolling_speed [m/s], which forces under a constant coefficient of friction do not depend on. Behind a name\n"
+      "there may be another unit: normal_force [kN]. Commas, semicolons or tabs separate columns; with the latter two\n"
+      "numbers may have decimal commas. OUT.csv has commas and points, repeats these and any further columns, and "
+      "adds\n"
+      "fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-]\n"
+      "and iterations; those that IN.csv has of these are replaced. Forces act on body 1. A bad row is named by line\n"
+      "and column, and OUT.csv appears only when it is complete. With --json the numbers of contacts, of those not\n"
+      "solved and of bad rows. Exit code 1: some contacts have another status than ok, or rows were left out.\n\n"
       "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");
   command->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }

@@ -20,9 +20,13 @@ constexpr std::string_view label_start = "column ";
 
 struct Column {
   std::string_view label; ///< "column " and its name, as messages have it
-  void (*set)(EllipticContact& contact, std::string_view label, double value);
+  std::string_view unit;
+  void (*set)(EllipticContact& contact, const Column& column, double value);
 
   constexpr std::string_view name() const { return label.substr(label_start.size()); }
+  double finite(double value) const { return require_finite(label, value, unit); }
+  double positive(double value) const { return require_positive(label, value, unit); }
+  double between(double value, double low, double high) const { return require_between(label, value, unit, low, high); }
 };
 
 /// The name of a column that was called otherwise before version 0.2.
@@ -36,28 +40,28 @@ constexpr std::string_view dissimilarity_label = "column dissimilarity";
 
 /// First those that every table has.
 constexpr std::array<Column, 11> known_columns = {{
-    {"column a", [](EllipticContact& c, auto label, double value) { c.a = require_positive(label, value, "m"); }},
-    {"column b", [](EllipticContact& c, auto label, double value) { c.b = require_positive(label, value, "m"); }},
-    {"column shear_modulus",
-     [](EllipticContact& c, auto label, double value) { c.shear_modulus = require_positive(label, value, "Pa"); }},
-    {"column poisson_ratio", [](EllipticContact& c, auto label,
-                                double value) { c.poisson_ratio = require_between(label, value, "-", 0, 0.5); }},
-    {"column friction",
-     [](EllipticContact& c, auto label, double value) {
-       c.friction = FrictionLaw::coulomb(require_between(label, value, "-", 0, FrictionLaw::largest_coefficient));
+    {"column a", "m", [](EllipticContact& c, auto& column, double value) { c.a = column.positive(value); }},
+    {"column b", "m", [](EllipticContact& c, auto& column, double value) { c.b = column.positive(value); }},
+    {"column shear_modulus", "Pa",
+     [](EllipticContact& c, auto& column, double value) { c.shear_modulus = column.positive(value); }},
+    {"column poisson_ratio", "-",
+     [](EllipticContact& c, auto& column, double value) { c.poisson_ratio = column.between(value, 0, 0.5); }},
+    {"column friction", "-",
+     [](EllipticContact& c, auto& column, double value) {
+       c.friction = FrictionLaw::coulomb(column.between(value, 0, FrictionLaw::largest_coefficient));
      }},
-    {"column normal_force",
-     [](EllipticContact& c, auto label, double value) { c.normal_force = require_positive(label, value, "N"); }},
-    {"column creepage_longitudinal",
-     [](EllipticContact& c, auto label, double value) { c.creepage.longitudinal = require_finite(label, value, "-"); }},
-    {"column creepage_lateral",
-     [](EllipticContact& c, auto label, double value) { c.creepage.lateral = require_finite(label, value, "-"); }},
-    {"column spin",
-     [](EllipticContact& c, auto label, double value) { c.creepage.spin = require_finite(label, value, "1/m"); }},
-    {dissimilarity_label, [](EllipticContact& c, auto label,
-                             double value) { c.dissimilarity = require_between(label, value, "-", -0.5, 0.5); }},
-    {"column rolling_speed",
-     [](EllipticContact& c, auto label, double value) { c.rolling_speed = require_positive(label, value, "m/s"); }},
+    {"column normal_force", "N",
+     [](EllipticContact& c, auto& column, double value) { c.normal_force = column.positive(value); }},
+    {"column creepage_longitudinal", "-",
+     [](EllipticContact& c, auto& column, double value) { c.creepage.longitudinal = column.finite(value); }},
+    {"column creepage_lateral", "-",
+     [](EllipticContact& c, auto& column, double value) { c.creepage.lateral = column.finite(value); }},
+    {"column spin", "1/m",
+     [](EllipticContact& c, auto& column, double value) { c.creepage.spin = column.finite(value); }},
+    {dissimilarity_label, "-",
+     [](EllipticContact& c, auto& column, double value) { c.dissimilarity = column.between(value, -0.5, 0.5); }},
+    {"column rolling_speed", "m/s",
+     [](EllipticContact& c, auto& column, double value) { c.rolling_speed = column.positive(value); }},
 }};
 constexpr std::size_t required_columns = 9;
 
@@ -67,6 +71,8 @@ constexpr auto known_names = [] {
   return names;
 }();
 constexpr auto required_names = std::span(known_names).first<required_columns>();
+constexpr std::array<std::string_view, 8> result_names = {"fx",        "fy",     "mz",       "adhesion_area",
+                                                          "slip_area", "status", "residual", "iterations"};
 
 /// K of two bodies is largest when one is rigid: |K| <= 1/2 - nu. A little more is rounding of the table's numbers.
 void require_possible(double dissimilarity, double poisson_ratio) {
@@ -80,6 +86,13 @@ bool is_blank(std::string_view line) {
   return trimmed(line).empty();
 }
 
+/// A column's name and, in brackets behind it, its unit.
+std::pair<std::string_view, std::string_view> name_and_unit(std::string_view field) {
+  const auto open = field.find('[');
+  if (open == std::string_view::npos || !field.ends_with(']')) return {field, {}};
+  return {trimmed(field.substr(0, open)), trimmed(field.substr(open + 1, field.size() - open - 2))};
+}
+
 void append(std::string& text, double value) {
   std::array<char, 32> digits{};
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
@@ -91,6 +104,8 @@ ContactTableReader::ContactTableReader(std::istream& stream, std::string name)
     : stream_(stream), name_(std::move(name)) {
   fill(rest_);
   if (rest_.starts_with("\xef\xbb\xbf")) rest_.erase(0, 3);
+  if (rest_.starts_with("\xff\xfe") || rest_.starts_with("\xfe\xff"))
+    throw Error(name_ + ": is UTF-16; it must be UTF-8 or ASCII");
   std::string_view text = rest_, line;
   std::size_t number = 0;
   while (!text.empty() && is_blank(line)) {
@@ -99,7 +114,11 @@ ContactTableReader::ContactTableReader(std::istream& stream, std::string name)
   }
   if (is_blank(line))
     throw Error(name_ + ": is empty; the first line must name the columns " + listed(required_names, "and"));
-  parse_header(line, number);
+  try {
+    parse_header(line);
+  } catch (const Error& error) {
+    throw Error(name_ + ":" + std::to_string(number) + ": " + error.what());
+  }
   rest_.erase(0, rest_.size() - text.size());
   next_line_ = number + 1;
 }
@@ -115,25 +134,48 @@ void ContactTableReader::fill(std::string& text) {
   bytes_read_ += count;
 }
 
-void ContactTableReader::parse_header(std::string_view line, std::size_t number) {
-  const auto fail = [&](const std::string& what) { throw Error(name_ + ":" + std::to_string(number) + ": " + what); };
-  CsvLine splitter;
-  try {
-    splitter.split(line);
-  } catch (const Error& error) {
-    fail(error.what());
-  }
+void ContactTableReader::parse_header(std::string_view line) {
+  separator_ = csv_separator(line);
+  CsvLine splitter(separator_);
+  std::vector<std::string_view> strangers;
   for (const auto field : splitter.split(line)) {
-    const auto found = std::find(known_names.begin(), known_names.end(), present_name(field));
-    if (found == known_names.end()) fail("column " + printable(field) + ": unknown" + suggestion(field, known_names));
-    if (std::find(columns_.begin(), columns_.end(), *found) != columns_.end())
-      fail("column " + std::string(field) + ": is there twice");
-    columns_.push_back(*found);
-    kinds_.push_back(static_cast<std::size_t>(found - known_names.begin()));
+    uses_.push_back(use_of(field, strangers));
+    const Use& use = uses_.back();
+    const bool is_known = use.known < known_columns.size();
+    if (use.is_kept) columns_.push_back(csv_field(is_known ? present_name(field) : field));
   }
+  if (uses_.size() == 1) throw Error("is one column: commas, semicolons or tabs must separate several");
+  require_columns(strangers);
+}
+
+/// `strangers` grows by the names that are not known.
+ContactTableReader::Use ContactTableReader::use_of(std::string_view field,
+                                                   std::vector<std::string_view>& strangers) const {
+  const auto [name, unit] = name_and_unit(field);
+  const auto found = std::find(known_names.begin(), known_names.end(), present_name(name));
+  const auto known = static_cast<std::size_t>(found - known_names.begin());
+  if (found == known_names.end()) {
+    strangers.push_back(name);
+    return {known, std::find(result_names.begin(), result_names.end(), name) == result_names.end()};
+  }
+  const Column& column = known_columns[known];
+  if (std::any_of(uses_.begin(), uses_.end(), [&](const Use& use) { return use.known == known; }))
+    throw Error(std::string(column.label) + ": is there twice");
+  return {known, true, unit.empty() ? UnitScale() : Units().scale(column.label, unit, column.unit)};
+}
+
+/// A column that resembles one that is not there is that one, misspelt.
+void ContactTableReader::require_columns(std::span<const std::string_view> strangers) const {
+  std::vector<std::string_view> missing;
+  for (std::size_t known = 0; known < known_columns.size(); ++known)
+    if (std::none_of(uses_.begin(), uses_.end(), [&](const Use& use) { return use.known == known; }))
+      missing.push_back(known_names[known]);
+  for (const auto name : strangers)
+    if (const auto near = suggestion(name, missing); !near.empty())
+      throw Error("column " + printable(name) + ": unknown" + near);
   for (const auto name : required_names)
-    if (std::find(columns_.begin(), columns_.end(), name) == columns_.end())
-      fail("column " + std::string(name) + ": is missing");
+    if (std::find(missing.begin(), missing.end(), name) != missing.end())
+      throw Error("column " + std::string(name) + ": is missing");
 }
 
 bool ContactTableReader::read(TextChunk& chunk) {
@@ -153,38 +195,59 @@ bool ContactTableReader::read(TextChunk& chunk) {
 
 ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
   ContactRows rows;
-  CsvLine splitter;
+  CsvLine splitter(separator_);
   std::string_view text = chunk.text;
   for (std::size_t line_number = chunk.first_line; !text.empty(); ++line_number) {
     const auto line = take_line(text);
     if (is_blank(line)) continue;
+    const std::size_t begin = rows.text.size(), count = rows.contacts.size();
     try {
       const auto& fields = splitter.split(line);
-      const bool cut_off = text.empty() && chunk.text.back() != '\n';
-      if (fields.size() != columns_.size())
+      const bool is_cut_off = text.empty() && chunk.text.back() != '\n';
+      if (fields.size() != uses_.size())
         throw Error(std::to_string(fields.size()) + (fields.size() == 1 ? " field, not " : " fields, not ") +
-                    std::to_string(columns_.size()) + (cut_off ? "; the file ends in the middle of a line" : ""));
-      auto& contact = rows.contacts.emplace_back();
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto& column = known_columns[kinds_[i]];
-        column.set(contact, column.label, csv_number(column.label, fields[i]));
-        if (i > 0) rows.text += ',';
-        rows.text += fields[i];
-      }
-      require_possible(contact.dissimilarity, contact.poisson_ratio);
-      if (contact.dissimilarity != 0 && !similar_only_.empty())
-        throw Error(dissimilarity_label, contact.dissimilarity, "-", "0 " + similar_only_);
-      rows.ends.push_back(rows.text.size());
+                    std::to_string(uses_.size()) +
+                    (is_cut_off ? "; the file ends in the middle of a line"
+                     : fields.size() > uses_.size() && separator_ == ','
+                         ? "; decimal commas need semicolons between fields"
+                         : ""));
+      parse_row(fields, rows);
     } catch (const Error& error) {
-      throw Error(name_ + ":" + std::to_string(line_number) + ": " + error.what());
+      rows.bad.push_back({line_number, error.what()});
+      rows.text.resize(begin);
+      rows.contacts.resize(count);
     }
   }
   return rows;
 }
 
-std::string result_header(const std::vector<std::string_view>& columns, bool exact) {
+/// Adds a row, or part of it with an Error.
+void ContactTableReader::parse_row(const std::vector<std::string_view>& fields, ContactRows& rows) const {
+  auto& contact = rows.contacts.emplace_back();
+  bool is_first = true;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const Use& use = uses_[i];
+    if (!use.is_kept) continue;
+    if (!std::exchange(is_first, false)) rows.text += ',';
+    if (use.known == known_columns.size()) {
+      rows.text += csv_field(fields[i]);
+      continue;
+    }
+    const Column& column = known_columns[use.known];
+    column.set(contact, column, use.to_si(csv_number(column.label, fields[i], separator_ != ',')));
+    const auto begin = rows.text.size();
+    rows.text += fields[i];
+    std::replace(rows.text.begin() + static_cast<std::ptrdiff_t>(begin), rows.text.end(), ',', '.');
+  }
+  require_possible(contact.dissimilarity, contact.poisson_ratio);
+  if (contact.dissimilarity != 0 && !similar_only_.empty())
+    throw Error(dissimilarity_label, contact.dissimilarity, "-", "0 " + similar_only_);
+  rows.ends.push_back(rows.text.size());
+}
+
+std::string result_header(const std::vector<std::string>& columns, bool exact) {
   std::string line;
-  for (const auto column : columns) line.append(column).append(",");
+  for (const auto& column : columns) line.append(column).append(",");
   return line + "fx,fy,mz,adhesion_area,slip_area,status" + (exact ? ",residual,iterations\n" : "\n");
 }
 

@@ -4,6 +4,8 @@
 #include "io/text_line.hpp"
 #include "microslip/error.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 #include <csv.h>
@@ -11,7 +13,10 @@
 namespace microslip {
 
 struct CsvLine::Parser {
-  Parser() { csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI); }
+  explicit Parser(char separator) {
+    csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI);
+    csv_set_delim(&parser, static_cast<unsigned char>(separator));
+  }
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
   ~Parser() { csv_free(&parser); }
@@ -19,7 +24,7 @@ struct CsvLine::Parser {
   csv_parser parser{};
 };
 
-CsvLine::CsvLine() : parser_(std::make_unique<Parser>()) {}
+CsvLine::CsvLine(char separator) : parser_(std::make_unique<Parser>(separator)) {}
 CsvLine::~CsvLine() = default;
 
 const std::vector<std::string_view>& CsvLine::split(std::string_view line) {
@@ -45,9 +50,24 @@ const std::vector<std::string_view>& CsvLine::split(std::string_view line) {
   return fields_;
 }
 
-double csv_number(std::string_view label, std::string_view field) {
+char csv_separator(std::string_view header) {
+  constexpr std::array separators = {',', ';', '\t'};
+  std::array<int, separators.size()> counts{};
+  bool is_quoted = false;
+  for (const char letter : header) {
+    if (letter == '"') is_quoted = !is_quoted;
+    for (std::size_t k = 0; k < separators.size(); ++k)
+      if (letter == separators[k] && !is_quoted) ++counts[k];
+  }
+  return separators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+double csv_number(std::string_view label, std::string_view field, bool decimal_comma) {
   const auto fail = [&](const std::string& what) { throw Error(std::string(label) + ": " + what); };
   if (field.empty()) fail("there is nothing");
+  const auto comma = decimal_comma ? field.find(',') : std::string_view::npos;
+  if (comma != std::string_view::npos && field.find('.') == std::string_view::npos)
+    return csv_number(label, std::string(field).replace(comma, 1, "."));
   const auto digits = field.front() == '+' ? field.substr(1) : field;
   const char* const end = digits.data() + digits.size();
   double value = 0;
@@ -55,6 +75,13 @@ double csv_number(std::string_view label, std::string_view field) {
   if (error == std::errc::result_out_of_range && stop == end) fail(printable(field) + " is too large or too small");
   if (error != std::errc() || stop != end || digits.front() == '+') fail(printable(field) + " is not a number");
   return value;
+}
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos && trimmed(text) == text) return std::string(text);
+  std::string quoted = "\"";
+  for (const char letter : text) quoted.append(letter == '"' ? 2 : 1, letter);
+  return quoted + "\"";
 }
 
 } // namespace microslip

@@ -10,7 +10,7 @@ namespace microslip {
 /// Splits lines of CSV into their fields: quotes as in RFC 4180, blanks around fields taken away.
 class CsvLine {
 public:
-  CsvLine();
+  explicit CsvLine(char separator = ',');
   CsvLine(const CsvLine&) = delete;
   CsvLine& operator=(const CsvLine&) = delete;
   ~CsvLine();
@@ -27,7 +27,15 @@ private:
   std::vector<std::string_view> fields_;
 };
 
-/// The number in a field; Error that begins with `label` if there is none.
-double csv_number(std::string_view label, std::string_view field);
+/// What separates the fields of a table with this first line: the most frequent of comma, semicolon and tab outside
+/// quotes.
+char csv_separator(std::string_view header);
+
+/// The number in a field, with a decimal comma where `decimal_comma` allows it; Error that begins with `label` if there
+/// is none.
+double csv_number(std::string_view label, std::string_view field, bool decimal_comma = false);
+
+/// A field as CSV with commas has it: in quotes where it needs them.
+std::string csv_field(std::string_view text);
 
 } // namespace microslip

@@ -172,6 +172,12 @@ void remove_temporary_files() noexcept {
     if (slot.is_there) ::unlink(slot.name.data());
 }
 
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored))
+    throw Error(output.string() + ": is the input, which the output would replace; name another file");
+}
+
 void create_folder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

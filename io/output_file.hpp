@@ -36,6 +36,9 @@ private:
 /// signal handlers that end the process: it only calls unlink.
 void remove_temporary_files() noexcept;
 
+/// Error if both names are of one file, which the output would replace.
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
+
 /// Creates a folder and those above it; Error if that is impossible.
 void create_folder(const std::filesystem::path& path);
 

@@ -535,13 +535,75 @@ TEST(Program, MarksWhatCannotBeComputed) {
   EXPECT_EQ(rows.at(1).at(14), "ok");
 
   auto text = contents(example);
-  text.replace(text.find("80e3"), 4, "1e300").replace(text.find("0.0018"), 6, "1e300");
+  text.replace(text.find("\"80 kN\""), 7, "1e300").replace(text.find("0.0018"), 6, "1e300");
   save(folder / "w.toml", text);
   const auto solve = run_program(folder, "solve w.toml -o out --no-pictures");
   EXPECT_EQ(solve.exit_code, 1);
   EXPECT_NE(solve.errors.find("microslip: warning: w.toml: overflow or underflow in the computation"),
             std::string::npos);
   EXPECT_NE(Hdf5Reader(folder / "out/result.h5").text("exact/status"), "ok");
+}
+
+TEST(Program, BatchReadsStandardInputAndItsOwnOutput) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, "batch " + example_table + " -o first.csv").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "batch first.csv -o second.csv").exit_code, 0);
+  const auto streamed = run_program(folder, "batch - -o - < first.csv");
+  EXPECT_EQ(streamed.exit_code, 0) << streamed.errors;
+  EXPECT_EQ(contents(folder / "second.csv"), contents(folder / "first.csv"));
+  EXPECT_EQ(streamed.output, contents(folder / "first.csv"));
+  expect_refused(folder, "batch - -o out.csv < /dev/null", "standard input: is empty");
+}
+
+TEST(Program, BatchNeverReplacesItsInput) {
+  const TemporaryFolder folder;
+  const std::string text = contents(example_table);
+  save(folder / "in.csv", text);
+  std::filesystem::create_symlink("in.csv", folder / "link.csv");
+  for (const auto* files : {"in.csv -o in.csv", "in.csv -o ./link.csv", "link.csv -o in.csv", "- -o in.csv < in.csv",
+                            "in.csv -o out.csv --errors in.csv"}) {
+    expect_refused(folder, std::string("batch ") + files, "is the input, which the output would replace");
+    EXPECT_EQ(contents(folder / "in.csv"), text);
+  }
+  expect_refused(folder, "batch in.csv -o out.csv --errors out.csv", "must be different files");
+  expect_refused(folder, "batch in.csv -o - --json", "--json needs a file for --output");
+}
+
+TEST(Program, BatchListsAndSkipsBadRows) {
+  const TemporaryFolder folder;
+  const std::string row = "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n";
+  std::string good = header, mixed = header, list = "line,error\n";
+  for (int i = 0; i < 3000; ++i) {
+    good += row;
+    mixed += row;
+    if (i % 1000 != 0) continue;
+    mixed += "0.006,0.005,82e9,0.7,0.3,80e3,0.001,0,0\n";
+    list += std::to_string(i + 3 + i / 1000) + ",\"column poisson_ratio = 0.7 [-]: must be in [0, 0.5]\"\n";
+  }
+  save(folder / "good.csv", good);
+  save(folder / "in.csv", mixed);
+  ASSERT_EQ(run_program(folder, "batch good.csv -o good_out.csv").exit_code, 0);
+  const auto listed = run_program(folder, "batch in.csv -o out.csv --errors errors.csv");
+  EXPECT_EQ(listed.exit_code, 2);
+  EXPECT_EQ(listed.errors,
+            "microslip: in.csv:3: column poisson_ratio = 0.7 [-]: must be in [0, 0.5]; 3 bad rows in all, "
+            "listed in errors.csv\n");
+  EXPECT_EQ(contents(folder / "errors.csv"), list);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
+  for (const auto* theory : {"", " --theory exact --grid 3x3"}) {
+    ASSERT_EQ(run_program(folder, std::string("batch good.csv -o good_out.csv") + theory).exit_code, 0);
+    const auto skipped =
+        run_program(folder, std::string("batch in.csv -o out.csv --skip-bad --errors errors.csv") + theory);
+    EXPECT_EQ(skipped.exit_code, 1);
+    EXPECT_EQ(skipped.errors,
+              "microslip: warning: out.csv: left out: in.csv:3: column poisson_ratio = 0.7 [-]: must be "
+              "in [0, 0.5]; 3 bad rows in all, listed in errors.csv\n");
+    EXPECT_EQ(contents(folder / "out.csv"), contents(folder / "good_out.csv"));
+    EXPECT_EQ(contents(folder / "errors.csv"), list);
+  }
+  const auto none = run_program(folder, "batch good.csv -o out.csv --errors errors.csv");
+  EXPECT_EQ(none.exit_code, 0);
+  EXPECT_EQ(contents(folder / "errors.csv"), "line,error\n");
 }
 
 TEST(Program, BatchRefusesBadTables) {
@@ -669,10 +731,10 @@ TEST(Program, RefusesBadCaseFiles) {
     expect_refused(folder, "solve w.toml", message);
   };
   refused("normal_force", "normal_forse", "load.normal_forse: unknown key; did you mean normal_force?");
-  for (const auto* value : {"0", "-80e3", "inf", "nan"}) refused("80e3", value, "load.normal_force = ");
-  refused("= 0.460", "= 0", "body1.rolling_radius = 0 [m]: must be ");
-  refused("= 0.460", "= nan", "body1.rolling_radius = nan [m]: must be ");
-  refused("= 210e9", "= -1", "body1.young_modulus = -1 [Pa]: must be ");
+  for (const auto* value : {"0", "-80e3", "inf", "nan"}) refused("\"80 kN\"", value, "load.normal_force = ");
+  refused("= \"460 mm\"", "= 0", "body1.rolling_radius = 0 [m]: must be ");
+  refused("= \"460 mm\"", "= nan", "body1.rolling_radius = nan [m]: must be ");
+  refused("= \"210 GPa\"", "= -1", "body1.young_modulus = -1 [Pa]: must be ");
   refused("= 0.28", "= 0.6", "body1.poisson_ratio = 0.6 [-]: must be in [0, 0.5]");
   refused("coefficient = 0.3", "coefficient = -0.3", "friction.coefficient = -0.3 [-]: must be in [0, 10]");
   refused("[40, 40]", "[0, 40]", "solution.grid = 0 [-]: must be in [1, 2000]");
