@@ -30,6 +30,11 @@ add_test(NAME docs_making COMMAND sh -c "${python_packages}; exec \"$0\" -m unit
   WORKING_DIRECTORY ${making})
 set_tests_properties(docs_making PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
 
+# The pictures of docs/images are those that the program draws today, as far as they take less than half a minute.
+add_test(NAME docs_images
+  COMMAND sh -c "${python_packages}; exec \"$0\" '${making}/images.py' --check --quick" ${python_interpreter})
+set_tests_properties(docs_images PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}" TIMEOUT 900)
+
 # With sanitizers tutorials take minutes and say nothing that the tests of the module do not.
 if(CMAKE_CXX_FLAGS MATCHES "sanitize")
   return()

@@ -49,8 +49,9 @@ class ChosenPicturesTest(FolderTest):
         with h5py.File(self.path, "a") as file:
             for theory in ("fastsim2", "exact"):
                 file[f"{theory}/fields/px"][...] = -np.abs(file[f"{theory}/fields/px"])
-        py, px, slip = limits("sy"), limits("px"), limits("slip")
-        self.assertEqual(py.vmin, -py.vmax)
+                file[f"{theory}/fields/sy"][...] = file[f"{theory}/fields/x"]
+        sy, px, slip = limits("sy"), limits("px"), limits("slip")
+        self.assertEqual(sy.vmin, -sy.vmax)
         self.assertEqual(px.vmax, 0)
         self.assertLess(px.vmin, 0)
         self.assertEqual(slip.vmin, 0)

@@ -72,7 +72,7 @@ class WheelRailPicturesTest(unittest.TestCase):
         forces = self.figures(states=4)["forces.png"].axes[0]
         lines = {line.get_label(): line for line in forces.get_lines()}
         np.testing.assert_allclose(lines["$F_x$, forward"].get_xdata(), np.linspace(0, 5, 4))
-        np.testing.assert_allclose(lines["$F_x$, forward"].get_ydata(), 1e-3 * np.linspace(1, 2, 4))
+        np.testing.assert_allclose(lines["$F_x$, forward"].get_ydata(), np.linspace(1, 2, 4))  # in N
         self.assertEqual(self.figures(states=4)["forces.png"].axes[3].get_xlabel(), "lateral [mm]")
 
     def test_patches_lie_where_the_file_says_on_either_side(self):
