@@ -11,6 +11,8 @@ import copy
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
@@ -88,18 +90,16 @@ print(f"largest pressure: {1e-6 * rolling.normal.peak_pressure:.0f} MPa with the
 figure, (left, right) = plt.subplots(
     1, 2, num="Two contact patches beside a groove: pressure, and traction over its bound",
     figsize=(10, 4), sharey=True)
-pressure = 1e-6 * rolling.normal.pressure
-x, y = 1e3 * grid.x, 1e3 * grid.y
-shown = left.pcolormesh(x, y, np.where(pressure > 0, pressure, np.nan), cmap="viridis", shading="nearest")
-figure.colorbar(shown, ax=left, label="pressure [MPa]")
-fields = patch.fields
-inside = fields.bound > 0
-share = np.hypot(fields.px, fields.py)[inside] / fields.bound[inside]
-shown = right.scatter(1e3 * fields.x[inside], 1e3 * fields.y[inside], c=share,
-                      s=9, marker="s", cmap="cividis", vmin=0, vmax=1)
-figure.colorbar(shown, ax=right, label="traction / bound: 1 is slip")
+drawn = microslip.plot.cells_of(patch.fields)
+share = np.hypot(drawn.px, drawn.py) / np.where(drawn.bound > 0, drawn.bound, np.inf)
 for axes in (left, right):
     axes.set(xlabel="x [mm], rolling to the right", aspect="equal", xlim=(-9, 9), ylim=(-8, 8))
+for axes, values, colours, label, highest in ((left, drawn.pressure, "viridis", "pressure [MPa]", drawn.pressure.max()),
+                                              (right, share, "cividis", "traction / bound: 1 is slip", 1)):
+    scale = ScalarMappable(Normalize(0, highest), colours)
+    drawn.draw(axes, values, cmap=colours, norm=scale.norm)
+    drawn.draw_outline(axes)
+    figure.colorbar(scale, ax=axes, label=label)
 left.set_ylabel("y [mm]")
 plt.show()
 

@@ -14,6 +14,7 @@ import math
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
+from matplotlib.patches import Patch
 from microslip.picture_style import BLACK, BLUE, ORANGE, SETTINGS, SKY_BLUE, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
@@ -70,14 +71,16 @@ state = np.asarray(cells.state)
 figure, axes = plt.subplots(
     num="Adhesion (blue) and slip (orange); arrows are the tractions on the wheel",
     figsize=(6.5, 4.6))
-for kind, colour, label in ((microslip.CellState.adhesion, SKY_BLUE, "adhesion"),
-                            (microslip.CellState.slip, ORANGE, "slip")):
-    here = state == kind
-    axes.plot(1e3 * cells.x[here], 1e3 * cells.y[here], "s", color=colour, markersize=5, label=label)
-few = (slice(1, None, 3), slice(1, None, 3))
-axes.quiver(1e3 * cells.x[few], 1e3 * cells.y[few], cells.px[few], cells.py[few], color=BLACK, width=0.004, zorder=3)
-axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", aspect="equal")
-axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
+drawn = microslip.plot.cells_of(cells, (contact.a, contact.b))
+axes.set(xlim=(-7, 7), ylim=(-5.5, 5.5), aspect="equal")
+drawn.draw_areas(axes)
+drawn.draw_boundary(axes)
+drawn.draw_outline(axes)
+few = drawn.sample()
+axes.quiver(drawn.x[few], drawn.y[few], drawn.px[few], drawn.py[few], color=BLACK, width=0.004, pivot="middle", zorder=3)
+axes.legend(handles=[Patch(color=SKY_BLUE, label="adhesion"), Patch(color=ORANGE, label="slip")], loc="upper left",
+            bbox_to_anchor=(1, 1))
+axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]")
 plt.show()
 
 # %% [markdown]

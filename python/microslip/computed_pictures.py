@@ -153,12 +153,12 @@ def stresses_picture(result, y=0.0):
             peaks[body, measure] = layers.find_largest(np.linspace(0.75 * grid.dx, size, 10), measure)
     largest_of_all = max(peak.value for peak in peaks.values())
     scale, unit = unit_for(largest_of_all, "Pa")
-    # True to scale where both directions are of one size; a slender ellipse rolling along its longer axis needs a tall panel.
-    figure = new_figure(12, 6.2)
+    # To one scale where both directions are of one size.
+    to_scale = 1 / 3 < 4 * a / (3.2 * size) < 3
+    figure = new_figure(12, 1.7 + 4.4 * (0.8 * size / a if to_scale else 1), layout="compressed" if to_scale else "constrained")
     bodies = bodies_of(result)
     put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}, y = {number(y)} mm", result))
     backward = result.text("/inputs/direction") == "backward"
-    to_scale = 1 / 3 < 4 * a / (3.2 * size) < 3
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
         draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
         axes.plot([-1e3 * a, 1e3 * a], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")

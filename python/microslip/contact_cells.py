@@ -3,11 +3,14 @@
 import math
 
 import numpy as np
+from matplotlib.colors import ListedColormap
 from matplotlib.patches import PathPatch
 
 from microslip.contact_outline import ellipse, outline_of_rows
+from microslip.picture_style import ORANGE, SKY_BLUE
 
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
+HATCH = {"hatch": "////", "edgecolor": "#8a5f00"}
 # Finer grids are sampled: a picture has no pixels to show more.
 MOST_CELLS = 400
 # Along the longer side of an image.
@@ -17,7 +20,7 @@ MOST_ARROWS = 20
 # Contacts slimmer than this are drawn with different scales along x and y.
 SLIMMEST_TRUE_TO_SCALE = 1 / 8
 # Rings and rays of the mesh of a surface.
-RINGS, RAYS = 48, 181
+RINGS, RAYS = 36, 145
 # Elements so near to the edge do not tell the smooth factor of fields that vanish there.
 NEAR_EDGE = 0.97
 
@@ -106,6 +109,12 @@ class ContactCells:
         """The outline as a line, or with a facecolor as an area."""
         how = {"fill": "facecolor" in how, "edgecolor": "black", "linewidth": 1.2, "zorder": 3, **how}
         axes.add_patch(PathPatch(self.path(turned), **how))
+
+    def draw_areas(self, axes, turned=False):
+        """Slip hatched over the whole contact, adhesion over it."""
+        self.draw_outline(axes, turned, facecolor=ORANGE, zorder=1, linewidth=0, **HATCH)
+        adhesion = np.where(self.state == ADHESION, 1.0, np.nan)
+        self.draw(axes, adhesion, turned, cmap=ListedColormap([SKY_BLUE]), zorder=1.5)
 
     def draw_boundary(self, axes, turned=False):
         """The line between adhesion and slip, with a white rim."""
@@ -214,6 +223,16 @@ def every(count, stride):
     """Indices of evenly spaced entries, the remainder shared between both ends; the stride is rounded up."""
     stride = min(count, max(1, math.ceil(stride - 1e-9)))
     return np.arange((count - 1) % stride // 2, count, stride)
+
+
+def cells_of(fields, semi_axes=None):
+    """The cells of a solution's fields, arrays (rows, cells of a row) in SI; `semi_axes` [m] of an ellipse, else the pressures
+    tell where the contact ends. For pictures of one's own: draw, draw_areas, draw_boundary, draw_outline, sample."""
+    names = ("x", "y", "area", "bound", "px", "py", "sx", "sy")
+    x, y, area, bound, px, py, sx, sy = (np.asarray(getattr(fields, name), dtype=float) for name in names)
+    axes, pressure = (None, 1e-6 * np.asarray(fields.pressure)) if semi_axes is None else ([1e3 * axis for axis in semi_axes], None)
+    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy,
+                        np.asarray(fields.state).astype(int), axes, pressure)
 
 
 def read_cells(result, theory):

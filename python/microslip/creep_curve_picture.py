@@ -43,6 +43,8 @@ def creep_curve_picture(result, theories):
     mark_points(axes, result, theories, varied, scale)
     mark_limits(axes, limit, extremes, with_unit(limit / scale, "N"))
     axes.axhline(0, color=BLACK, linewidth=0.8)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))  # lines stand off the frame
     axes.set_xlabel(f"{title} [{unit}]")
     axes.set_ylabel(f"force on {the(bodies_of(result)[0])} [{force_unit}]")
     relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))

@@ -10,7 +10,7 @@ import matplotlib
 from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
-from microslip.contact_cells import read_cells
+from microslip.contact_cells import cells_of, read_cells  # noqa: F401, microslip.plot.cells_of
 from microslip.contact_run_pictures import contact_run_pictures
 from microslip.cut_picture import cut_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures

@@ -7,7 +7,7 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from microslip.contact_cells import ADHESION, SLIP, read_cells
+from microslip.contact_cells import HATCH, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
 from microslip.interior_picture import interior_picture
@@ -17,7 +17,6 @@ from microslip.result_file import ResultError
 
 # The light part of a map of one hue: black arrows stand out on all of it.
 BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
-HATCH = {"hatch": "////", "edgecolor": "#8a5f00"}
 
 
 def rolling_contact_pictures(result):
@@ -72,20 +71,13 @@ def areas_picture(result, cells):
     figure, panels = contact_panels(result, cells, "Adhesion and slip areas")
     longest = max(np.hypot(grid.sx, grid.sy).max() for grid in cells.values())
     for axes, (theory, grid) in zip(panels, cells.items()):
-        draw_areas(axes, grid)
+        grid.draw_areas(axes)
         grid.draw_boundary(axes)
         draw_arrows(axes, cells, grid, (grid.sx, grid.sy), grid.sample() & (grid.state == SLIP), longest,
                     lambda size: rf"slip {number(size)}$\,\cdot\,10^{{-3}}$")
         axes.set_title(THEORIES[theory])
         axes.legend(handles=area_patches(result, theory), loc="lower right")
     return figure
-
-
-def draw_areas(axes, grid, turned=False):
-    """Slip hatched over the whole contact, adhesion over it."""
-    grid.draw_outline(axes, turned, facecolor=ORANGE, zorder=1, linewidth=0, **HATCH)
-    adhesion = np.where(grid.state == ADHESION, 1.0, np.nan)
-    grid.draw(axes, adhesion, turned, cmap=ListedColormap([SKY_BLUE]), zorder=1.5)
 
 
 def area_patches(result, theory):

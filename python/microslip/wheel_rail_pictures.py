@@ -11,7 +11,6 @@ from microslip.contact_points_picture import draw_contact_points
 from microslip.field_picture import SEQUENTIAL
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
                                      put_title, unit_for, with_unit)
-from microslip.rolling_contact_pictures import draw_areas
 
 LENGTHS = {"m": ("mm", 1e3)}
 # What lies around the patches on pictures of the rail head [mm].
@@ -95,7 +94,7 @@ def patches_picture(result, patches):
             axes.set_aspect("equal")
         cells.draw(pressure, 1e6 * scale_of_stress * cells.pressure, turned=True, cmap=SEQUENTIAL, norm=colours)
         cells.draw_outline(pressure, turned=True, linewidth=0.8)
-        draw_areas(areas, cells, turned=True)
+        cells.draw_areas(areas, turned=True)
         cells.draw_boundary(areas, turned=True)
         cells.draw_outline(areas, turned=True, linewidth=0.8)
         draw_tractions(areas, cells, longest)
