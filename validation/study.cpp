@@ -9,6 +9,7 @@
 #include "validation/contact_wheel_rail.hpp"
 #include "validation/creep_curve.hpp"
 #include "validation/creep_table.hpp"
+#include "validation/creep_table_patches.hpp"
 #include "validation/edge_constants.hpp"
 #include "validation/exact_112.hpp"
 #include "validation/exact_test_set.hpp"
@@ -51,6 +52,8 @@ constexpr std::array all_studies = {
     Study{"creep-curve", "longitudinal creep forces of a locomotive's wheel by exact theory", run_creep_curve},
     Study{"creep-table", "the creep-force table beside exact theory, FASTSIM2 and Polach's formula; times",
           run_creep_table},
+    Study{"creep-table-patches", "the creep-force table on patches between wheel and rail that are not elliptic",
+          run_creep_table_patches},
     Study{"edge-constants", "where leading elements end inside the edge of contact, for second order",
           run_edge_constants},
     Study{"exact-112", "112 of the 3,220 cases by exact theory", run_exact_112},

@@ -13,16 +13,17 @@ namespace {
 /// within rows of the load's means; the share of the squared half-lengths is exact then.
 PatchEllipse ellipse_of(std::span<const LoadedRow> rows, std::span<const double> share,
                         const detail::LoadMoments& moments) {
-  double inertia = 0, least = 0, squares = 0, product = 0;
+  double inertia = 0, least = 0, squares = 0, product = 0, third = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const LoadedRow& row = rows[k];
     const double y = row.y - moments.centre.y, own = row.width * row.width / 12, part = share[k] * row.load;
     inertia += part * (y * y - own), least += part * own;
-    product += part * y * (row.centre - moments.centre.x);
+    product += part * y * (row.centre - moments.centre.x), third += part * y * y * y;
     if (row.load > 0) squares += share[k] * row.width * row.half_length * row.half_length;
   }
-  const double b = std::sqrt(5 * std::max(inertia, least) / moments.load);
-  return {std::sqrt(0.75 * squares / b), b, product / std::max(inertia, least)};
+  inertia = std::max(inertia, least);
+  const double radius = std::sqrt(inertia / moments.load), b = std::sqrt(5.0) * radius;
+  return {std::sqrt(0.75 * squares / b), b, product / inertia, third / (moments.load * radius * radius * radius)};
 }
 
 /// The mirror image in x.

@@ -66,7 +66,9 @@ RowForces RowStrips::strip(double scale, double centre, double half_length, cons
 RowForces RowStrips::row(const LoadedRow& row, double sum) const noexcept {
   const double capacity = row.load * row.friction;
   if (!(capacity > 0)) return {};
-  return strip(stiffness_ * stiffness(row) / (sum * capacity), row.centre, row.half_length, row.creepage, capacity);
+  const double skew = square(shape_.skewness), gain = 1 + 0.06 * skew / (1 + skew / 4);
+  return strip(gain * stiffness_ * stiffness(row) / (sum * capacity), row.centre, row.half_length, row.creepage,
+               capacity);
 }
 
 RowForces RowStrips::ellipse(const Creepage& at_centre) const noexcept {
