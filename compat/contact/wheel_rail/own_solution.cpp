@@ -75,8 +75,12 @@ WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
   } else {
     track.rail_origin = ProfilePoint{mm * d.track.rail_y0, -mm * d.track.rail_z0};
   }
-  Wheelset wheelset{
-      mm * d.wheelset.flange_back_distance, mm * d.wheelset.flange_back_position, mm * d.wheelset.nominal_radius, {}};
+  // FBDIST may have any sign there; only where it puts the wheel matters.
+  const double lateral = mm * (d.wheelset.flange_back_distance / 2 - d.wheelset.flange_back_position);
+  Wheelset wheelset{.flange_back_distance = 1,
+                    .flange_back_position = 0.5 - lateral,
+                    .nominal_radius = mm * d.wheelset.nominal_radius,
+                    .tape_circle = {}};
   constexpr double no_tape_circle = 999;
   if (std::abs(d.wheelset.tape_circle) < no_tape_circle) wheelset.tape_circle = mm * d.wheelset.tape_circle;
   return {.rail = own_profile(placement.rail_profile, ProfileRole::rail),
@@ -97,8 +101,9 @@ PatchShape own_shape(const Case& c) {
   return c.material->coefficients == Coefficients::angle_corrected ? PatchShape::conformal : PatchShape::curved;
 }
 
-/// CONTACT's axes, y to the right and z down, are ours turned by half a turn about x. Without friction nothing moves.
-WheelState<double> own_state(const Case& c) {
+/// CONTACT's axes, y to the right and z down, are ours turned by half a turn about x. Its wheels turn on their axle
+/// about the profile's origin, at a distance from the axle [mm], ours about the axle. Without friction nothing moves.
+WheelState<double> own_state(const Case& c, double distance) {
   const WheelRailData& d = *c.wheel_rail;
   WheelState<double> s;
   s.lateral = -mm * d.position.y;
@@ -108,8 +113,11 @@ WheelState<double> own_state(const Case& c) {
   s.pitch = -d.position.pitch;
   const auto& f = d.deflection;
   const RailPosition& r = d.rail_position;
-  s.deflection = {
-      .longitudinal = mm * f.dx, .lateral = -mm * f.dy, .vertical = -mm * f.dz, .roll = f.droll, .yaw = -f.dyaw};
+  const double aside = distance * std::sin(f.droll), down = distance * std::cos(f.droll);
+  s.deflection.longitudinal = mm * f.dx;
+  s.deflection.lateral = -mm * (f.dy + aside);
+  s.deflection.vertical = -mm * (f.dz + distance - down);
+  s.deflection.roll = f.droll, s.deflection.yaw = -f.dyaw;
   s.rail = {.lateral = -mm * r.dy, .vertical = -mm * r.dz, .roll = r.roll};
   if (!c.digits.has_friction()) return s;
   const double rate = d.digits.is_roller() ? d.track.roller_radius : 1; // a roller's velocity is that of its rotation
@@ -120,9 +128,9 @@ WheelState<double> own_state(const Case& c) {
   s.pitch_velocity = -d.velocity.vpitch;
   s.yaw_velocity = -d.velocity.vyaw;
   s.curvature = -per_m * d.track.curvature;
-  s.deflection.longitudinal_velocity = mm * f.vx;
-  s.deflection.lateral_velocity = -mm * f.vy;
-  s.deflection.vertical_velocity = -mm * f.vz;
+  s.deflection.longitudinal_velocity = mm * (f.vx - down * f.vpitch - aside * f.vyaw);
+  s.deflection.lateral_velocity = -mm * (f.vy + down * f.vroll);
+  s.deflection.vertical_velocity = -mm * (f.vz + aside * f.vroll);
   s.deflection.roll_velocity = f.vroll, s.deflection.pitch_velocity = -f.vpitch, s.deflection.yaw_velocity = -f.vyaw;
   s.rail.lateral_velocity = -mm * r.vy, s.rail.vertical_velocity = -mm * r.vz, s.rail.roll_velocity = r.vroll;
   return s;
@@ -134,7 +142,7 @@ public:
   OwnWheel(const Case& c, const WheelOutcome& wheel)
       : case_(c), data_(*c.wheel_rail),
         solver_(own_bodies(c, wheel.placement), {.level = WheelRailLevel::exact, .shape = own_shape(c)}),
-        state_(own_state(c)) {
+        state_(own_state(c, wheel.placement.wheel_on_axle.origin.z - c.wheel_rail->deflection.dz)) {
     if (c.digits.norm == Normal::force)
       vertical_force_ = data_.position.z;
     else

@@ -1,0 +1,130 @@
+// Case files with files of slices, rollers, and right sides that differ.
+
+#include "cases/wheel_rail_result.hpp"
+#include "microslip/error.hpp"
+#include "tests/temporary_folder.hpp"
+#include "tests/wheel_rail_text.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
+const std::string rail_line = "profile = \"" + profiles + "60e1.prr\"",
+                  wheel_line = "profile = \"" + profiles + "s1002.prw\"";
+
+/// Case files in a folder with slices of the examples' profiles.
+class VaryingProfileCase : public testing::Test {
+protected:
+  VaryingProfileCase() {
+    for (const char* name : {"60e1.prr", "s1002.prw"}) std::filesystem::copy(profiles + name, folder_ / name);
+    // 60E1 from 0 to 3 m, and S1002 all around
+    write("same.slcs", "0 1\n4\n0\n1\n0 '60e1.prr'\n1000 '60e1.prr'\n2000 '60e1.prr'\n3000 '60e1.prr'\n");
+    write("round.slcw", "0 1\n4\n0\n1\n-2 's1002.prw'\n-1 's1002.prw'\n1 's1002.prw'\n2 's1002.prw'\n");
+    // A wave of .1 mm and 2 m along the track, crests of z (down) at .5 m and 2.5 m
+    write("wave.slcs", "0 1\n2\n0\n1 1\n0 '60e1.prr'\n3000 '60e1.prr'\n1\n0.1 2000 0\n");
+  }
+
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+  std::string name() const { return folder_ / "case.toml"; }
+
+  WheelRailSolution solve(const std::string& text) const {
+    return solve_case(parse_wheel_rail_case(text, name()), {}).solutions.at(0);
+  }
+  std::string message(const std::string& text) const {
+    try {
+      if (is_wheelset_case(text, name()))
+        parse_wheelset_case(text, name());
+      else
+        parse_wheel_rail_case(text, name());
+    } catch (const Error& error) {
+      const std::string what = error.what();
+      return what.substr(what.find("case.toml"));
+    }
+    return "no error";
+  }
+
+  TemporaryFolder folder_;
+};
+
+std::string with_slices(const std::string& text, const std::string& rail) {
+  return with_part(text, rail_line, "profile = \"" + rail + "\"");
+}
+
+const std::string both = with_part(with_part(wheel_rail_text, "\"left\"", "\"both\""), "0.0061", "0.002");
+
+TEST_F(VaryingProfileCase, OfEqualSlicesIsThatOfTheFixedProfiles) {
+  const auto fixed = solve(wheel_rail_text);
+  const auto sliced =
+      solve(with_part(with_slices(wheel_rail_text, "same.slcs"), wheel_line, "profile = \"round.slcw\""));
+  ASSERT_EQ(sliced.status, Status::ok);
+  ASSERT_EQ(sliced.patches.size(), fixed.patches.size());
+  EXPECT_NEAR(sliced.force.y, fixed.force.y, 2e-3 * 80e3);
+  EXPECT_NEAR(sliced.force.x, fixed.force.x, 2e-3 * 80e3);
+  EXPECT_NEAR(sliced.vertical, fixed.vertical, 2e-7);
+}
+
+TEST_F(VaryingProfileCase, FollowsAWaveAlongTheTrack) {
+  const std::string text = with_part(with_slices(with_part(wheel_rail_text, "0.0061", "0.0"), "wave.slcs"), "lateral",
+                                     "longitudinal = 0.5\nlateral");
+  const double trough = solve(text).vertical, crest = solve(with_part(text, "= 0.5", "= 1.5")).vertical;
+  EXPECT_NEAR(crest - trough, 2e-4, 2e-6);
+}
+
+TEST_F(VaryingProfileCase, NamesWhatIsWrong) {
+  const std::string text = with_slices(wheel_rail_text, "same.slcs");
+  EXPECT_NE(message(with_slices(wheel_rail_text, "none.slcs")).find("case.toml:6: rail.profile: "), std::string::npos);
+  EXPECT_NE(message(with_part(text, "lateral", "longitudinal = 4\nlateral"))
+                .find("wheel.longitudinal = 4 [m]: must be in [0, 3]"),
+            std::string::npos);
+  EXPECT_NE(message(with_part(text, "lateral", "longitudinal = -0.1\nlateral")).find("must be in [0, 3]"),
+            std::string::npos);
+  EXPECT_NE(message(text + "[sweep]\nlongitudinal = [0.0, 3.5]\n").find("sweep.longitudinal = 3.5 [m]"),
+            std::string::npos);
+  EXPECT_NE(message(with_part(text, "lateral", "longitudinel = 1\nlateral")).find("longitudinal"), std::string::npos);
+  EXPECT_NE(message(with_part(text, "lateral", "pitsh = 1\nlateral")).find("pitch"), std::string::npos);
+  EXPECT_NE(message(with_part(text, "[rail]", "roller_radius = 0.5\n[rail]")).find("a roller cannot have a profile"),
+            std::string::npos);
+  EXPECT_NE(message(with_slices(wheel_rail_text, "round.slcw")).find("holds slices of a wheel"), std::string::npos);
+  EXPECT_NE(message(with_part(wheel_rail_text, "[rail]", "roller_radios = 0.5\n[rail]")).find("roller_radius"),
+            std::string::npos);
+  EXPECT_NE(message(with_part(wheel_rail_text, "[rail]", "roller_radius = 0.001\n[rail]")).find("roller_radius"),
+            std::string::npos);
+  EXPECT_NE(
+      message(with_part(wheel_rail_text, "[rail]", "roller_radius = 1000\n[rail]")).find("must be in [-100, 100]"),
+      std::string::npos);
+}
+
+TEST_F(VaryingProfileCase, HasARightSideOfItsOwn) {
+  const std::string worn = "profile = \"s1002.prw\"\nscale = 1.002\n";
+  const auto alike = solve_case(parse_wheelset_case(both + "[right_wheel]\nprofile = \"s1002.prw\"\n", name()), {});
+  const auto plain = solve_case(parse_wheelset_case(both, name()), {});
+  EXPECT_EQ(alike.solutions[0].force.y, plain.solutions[0].force.y);
+  const auto other = solve_case(parse_wheelset_case(both + "[right_wheel]\n" + worn, name()), {});
+  EXPECT_EQ(other.status, Status::ok);
+  EXPECT_GT(std::abs(other.solutions[0].right.force.y - plain.solutions[0].right.force.y), 10);
+  const auto rail = parse_wheelset_case(both + "[right_rail]\nprofile = \"same.slcs\"\n", name());
+  EXPECT_TRUE(bodies_of(rail, TrackSide::right).rail_surface);
+  EXPECT_FALSE(bodies_of(rail, TrackSide::left).rail_surface);
+  // of a wheel alone there is none
+  EXPECT_NE(message(wheel_rail_text + "[right_wheel]\n" + worn).find("right_wheel"), std::string::npos);
+  EXPECT_NE(message(both + "[right_wheal]\n" + worn).find("right_wheel"), std::string::npos);
+  EXPECT_NE(message(both + "[right_wheel]\nprofil = \"s1002.prw\"\n").find("profile"), std::string::npos);
+  EXPECT_NE(message(both + "[right_wheel]\nprofile = \"none.prw\"\n").find("right_wheel.profile: "), std::string::npos);
+}
+
+TEST_F(VaryingProfileCase, OfALargeRollerIsThatOfARail) {
+  const auto rail = solve(wheel_rail_text);
+  const auto roller = solve(with_part(wheel_rail_text, "[rail]", "roller_radius = 100.0\n[rail]"));
+  ASSERT_EQ(roller.status, Status::ok);
+  EXPECT_NEAR(roller.force.y, rail.force.y, 0.01 * 80e3);
+  EXPECT_NEAR(roller.force.x, rail.force.x, 0.01 * 80e3);
+}
+
+} // namespace
+} // namespace microslip
