@@ -4,7 +4,7 @@
 #include "fmi/model.hpp"
 #include "io/length_unit.hpp"
 #include "io/option_words.hpp"
-#include "io/profile_file.hpp"
+#include "io/sliced_profile.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
@@ -116,16 +116,19 @@ public:
     for_each_parameter(p, [&](const auto&, const char*, const char*, auto& member) { read(v, place++, member); });
     solver_.reset();
     std::vector<std::string> warnings;
-    const Profile& rail = read_once("rail", ProfileRole::rail, p.rail, rail_, warnings);
-    const Profile& wheel = read_once("wheelset", ProfileRole::wheel, p.wheel, wheel_, warnings);
+    const PlacedProfile& rail = read_once("rail", ProfileRole::rail, p.rail, rail_, warnings);
+    const PlacedProfile& wheel = read_once("wheelset", ProfileRole::wheel, p.wheel, wheel_, warnings);
     const Material material = Material::from_young(p.young_modulus, p.poisson_ratio);
-    solver_.emplace(WheelRailBodies{.rail = rail,
-                                    .wheel = wheel,
+    solver_.emplace(WheelRailBodies{.rail = rail.profile,
+                                    .wheel = wheel.profile,
                                     .track = p.track,
                                     .wheelset = p.wheelset,
                                     .side = from_word<TrackSide>("wheel.side", p.side),
                                     .material = combine(material, material),
-                                    .friction = {{0, p.friction}}},
+                                    .friction = {{0, p.friction}},
+                                    .strength = {},
+                                    .rail_surface = rail.surface,
+                                    .wheel_surface = wheel.surface},
                     WheelRailMethod{.level = from_word<WheelRailLevel>("solution.theory", p.theory),
                                     .shape = p.shape.empty()
                                                  ? std::nullopt
@@ -161,11 +164,11 @@ public:
 private:
   struct Read {
     ProfileParameters from;
-    PreparedProfile prepared;
+    PlacedProfile prepared;
   };
 
-  const Profile& read_once(const std::string& section, ProfileRole role, const ProfileParameters& p,
-                           std::optional<Read>& kept, std::vector<std::string>& warnings) const {
+  const PlacedProfile& read_once(const std::string& section, ProfileRole role, const ProfileParameters& p,
+                                 std::optional<Read>& kept, std::vector<std::string>& warnings) const {
     if (!kept || !(kept->from == p)) {
       kept.reset();
       ProfileFileOptions options{.role = role};
@@ -174,11 +177,11 @@ private:
       if (!p.z_axis.empty()) options.z_axis = from_word<VerticalSense>(section + ".z_axis", p.z_axis);
       options.treatment.smoothing_length =
           require_between(section + ".smoothing_length", p.smoothing_length, "m", 0, 1);
-      kept = {p, read_profile(resources_ / p.profile, options)};
+      kept = {p, read_placed_profile(resources_ / p.profile, options)};
       for (const std::string& warning : kept->prepared.report.warnings)
         warnings.push_back(section + ".profile: " + warning);
     }
-    return kept->prepared.profile;
+    return kept->prepared;
   }
 
   WheelState<double> state(const Values& v) const {

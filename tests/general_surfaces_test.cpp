@@ -160,6 +160,11 @@ TEST_P(GeneralSurfaces, OfARampLiftTheWheel) {
     EXPECT_NEAR(d.vertical[longitudinal_number], slope, 1e-3 * slope);
     EXPECT_NEAR(d.vertical[static_cast<std::size_t>(WheelVariable::deflection_longitudinal)], slope, 1e-3 * slope);
     EXPECT_NEAR(d.force[longitudinal_number].y, 0, 1);
+    // At rest the force passes through the axle.
+    state.forward_velocity = state.pitch_velocity = 0;
+    const auto resting = contact.solve(state, 5e3);
+    EXPECT_NEAR(resting.force.x / resting.force.z, -slope, 1e-2 * slope);
+    EXPECT_NEAR(resting.moment.y, 0, 1e-2 * slope * radius * 5e3);
   }
 }
 

@@ -94,8 +94,9 @@ void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, cons
   const Vec3<double> tangential = Vec3<double>{f.x, 0, 0} + f.y * row.tangent();
   const Vec3<double> whole = tangential + f.z * row.normal();
   const Vec3<double> place = row.point + Vec3<double>{x, 0, 0};
-  force = force + whole;
-  moment = moment + cross(place - centre, whole);
+  const Vec3<double> leaning = whole - Vec3<double>{row.slope * f.z, 0, 0}; // along the true normal
+  force = force + leaning;
+  moment = moment + cross(place - centre, leaning);
   patch.fx += whole.x, patch.fs += dot(whole, frame.tangent()), patch.normal_force += dot(whole, frame.normal());
   patch.moment += dot(cross(place - frame.origin, tangential), frame.normal());
 }

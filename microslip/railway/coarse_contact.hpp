@@ -33,7 +33,8 @@ struct ContactPatch {
 struct WheelForces {
   Vec3<double> force, moment; ///< [N]; about the wheel's centre [N m]
 
-  /// Adds forces f [N] along a row's axes at a point x [m] of it, to a patch's sums as well.
+  /// Adds forces f [N] along a row's axes at a point x [m] of it, to a patch's sums as well. Normal forces lean by the
+  /// row's slope along the track, to first order.
   void add(const Vec3<double>& f, const PatchRow& row, double x, const PatchFrame& frame, const Vec3<double>& centre,
            WheelRailPatch& patch);
 };

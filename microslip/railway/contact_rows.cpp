@@ -207,6 +207,7 @@ void ContactRows::add(const WheelPlacement<double>& placement, double low, doubl
   if (!equivalent_) return;
   const EquivalentRail::Along along = equivalent_->at(row.at.s);
   row.normal.place.x = along.x, row.normal.curvature = along.curvature / 2;
+  row.at.slope = along.slope;
 }
 
 } // namespace microslip

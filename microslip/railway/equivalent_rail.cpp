@@ -70,6 +70,14 @@ template <class Function> std::optional<Least> find_least(Function function, dou
   return {};
 }
 
+/// dn/dx of the rail; 0 where it begins or ends.
+double rail_slope(Lines lines, double x) {
+  constexpr double step = 2e-4; // [m]
+  if (!lines.distance(x - step)) return 0;
+  const double behind = lines.rail().n;
+  return lines.distance(x + step) ? (lines.rail().n - behind) / (2 * step) : 0;
+}
+
 /// Of places along the track around x the one with the least distance.
 double lowest_place(Lines lines, double x) {
   constexpr int to_each_side = 6;
@@ -174,7 +182,7 @@ void EquivalentRail::move_points(const WheelPlacement<double>& placement, std::v
     const auto found = find_least([&](double x) { return lines.distance(x); }, start);
     if (!found || !lines.distance(found->x)) continue;
     a.moved = a.round->value - found->value, a.is_found = true;
-    a.along = {found->x, found->curvature, lines.rail().n - a.moved};
+    a.along = {found->x, found->curvature, lines.rail().n - a.moved, rail_slope(lines, found->x)};
   }
 }
 
@@ -184,7 +192,7 @@ EquivalentRail::Along EquivalentRail::at(double rail_s) const {
   const auto k = static_cast<std::size_t>(number);
   const Along &a = along_[k], &b = along_[std::min(k + 1, along_.size() - 1)];
   const auto between = [share](double from, double to) { return from + share * (to - from); };
-  return {between(a.x, b.x), between(a.curvature, b.curvature), between(a.rise, b.rise)};
+  return {between(a.x, b.x), between(a.curvature, b.curvature), between(a.rise, b.rise), between(a.slope, b.slope)};
 }
 
 void EquivalentRail::find_gaps(const WheelPlacement<double>& placement, const Vec3<double>& point,

@@ -26,6 +26,7 @@ public:
     double x = 0;         ///< of the least distance, in track axes [m]
     double curvature = 0; ///< of the distance there, d^2 n/dx^2 [1/m], > 0
     double rise = 0;      ///< of the true rail there over the equivalent one, along its normal [m]
+    double slope = 0;     ///< of both surfaces there along the track, dn/dx
   };
   /// A stretch of x [m].
   struct Stretch {

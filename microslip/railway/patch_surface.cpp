@@ -46,6 +46,7 @@ PatchRow PatchSurface::row(const PatchFrame& frame, PatchShape shape, double s, 
   const auto [point, slope] = at(rail_s);
   row.point = {frame.origin.x, point.y, point.z};
   row.rail_s = rail_s;
+  if (equivalent_) row.slope = equivalent_->at(rail_s).slope;
   row.angle = shape == PatchShape::flat ? frame.angle : std::atan2(slope.z, slope.y);
   row.inside = rail_s >= 0 && rail_s <= rail_->length();
   return row;

@@ -39,6 +39,7 @@ struct PatchRow {
   double rail_s = 0;  ///< parameter of the rail's profile there [m]
   double wheel_s = 0; ///< parameter of the wheel's profile opposite of it, a start for the next row [m]
   bool inside = true; ///< of the rail's profile
+  double slope = 0;   ///< of the contact along the track, dn/dx, where surfaces vary
 
   Vec3<double> tangent() const { return {0, std::cos(angle), std::sin(angle)}; }
   Vec3<double> normal() const { return {0, -std::sin(angle), std::cos(angle)}; }
