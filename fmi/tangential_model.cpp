@@ -3,8 +3,14 @@
 #include "fmi/model.hpp"
 #include "fmi/tangential_law.hpp"
 #include "microslip/contact/limits.hpp"
+#include "microslip/error.hpp"
 
+#include <fstream>
+#include <iterator>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace microslip::fmi {
 namespace {
@@ -28,20 +34,40 @@ enum Reference : std::size_t {
   poisson_ratio,
   mx,
   my,
-  status
+  status,
+  theory,
+  table
 };
+
+/// The table in a file.
+CreepTableNodes read_table(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const auto bytes =
+      std::make_shared<std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  if (!file || bytes->empty()) throw Error("table = " + path.string() + ": cannot be read");
+  try {
+    return decode(std::as_bytes(std::span(*bytes)), bytes);
+  } catch (const Error& error) {
+    throw Error("table = " + path.string() + ": " + error.what());
+  }
+}
 
 class TangentialModel final : public Model {
 public:
+  explicit TangentialModel(std::filesystem::path resources) : resources_(std::move(resources)) {}
+
   std::vector<std::string> set_parameters(const Values& v) override {
+    law_.reset();
     law_.emplace(LawParameters{.semi_axis_x = v.real[semi_axis_x],
                                .semi_axis_y = v.real[semi_axis_y],
                                .reference_force = v.real[reference_force],
                                .shear_modulus = v.real[shear_modulus],
                                .poisson_ratio = v.real[poisson_ratio],
                                .mx = v.integer[mx],
-                               .my = v.integer[my]});
-    return {};
+                               .my = v.integer[my],
+                               .table = table_of(v)});
+    if (law_->in_range()) return {};
+    return {"the ellipse or Poisson's ratio is beyond the creep-force table's range: forces are those of limits"};
   }
 
   void evaluate(Values& v) override {
@@ -63,6 +89,23 @@ private:
             .friction = v.real[friction]};
   }
 
+  /// Read once unless the file or Poisson's ratio changes.
+  std::optional<CreepForceTable> table_of(const Values& v) {
+    const std::string& word = v.text[theory];
+    if (word == "fastsim2") return std::nullopt;
+    if (word != "table") throw Error("theory = \"" + word + "\": must be fastsim2 or table");
+    const auto from = std::pair(v.text[table], v.real[poisson_ratio]);
+    if (!table_ || read_from_ != from) {
+      table_.reset();
+      table_.emplace(read_table(resources_ / from.first), from.second);
+      read_from_ = from;
+    }
+    return table_;
+  }
+
+  std::filesystem::path resources_;
+  std::optional<CreepForceTable> table_;
+  std::pair<std::string, double> read_from_;
   std::optional<TangentialLaw> law_;
   std::array<std::array<double, 5>, 3> derivatives_{};
 };
@@ -89,12 +132,15 @@ ModelInfo model_info() {
                     .min = 1,
                     .max = most_cells};
   };
+  const auto text = [](const char* name, const char* start, const char* what) {
+    return Variable{.name = name, .description = what, .kind = Kind::text, .causality = parameter, .start_text = start};
+  };
   return {
       .name = "microslip tangential contact law",
       .identifier = "microslip_tangential",
-      .description =
-          "Creep forces of a wheel on a rail by FASTSIM2: forces on the wheel, x along the rolling direction, "
-          "y to the left, z up",
+      .description = "Creep forces of a wheel on a rail by FASTSIM2 or a creep-force table: forces on the wheel, x "
+                     "along the rolling direction, "
+                     "y to the left, z up",
       .variables = {
           real("creepage_longitudinal", input, "-", 0,
                "xi, velocity of the wheel over the rail along x, over the rolling speed"),
@@ -118,11 +164,17 @@ ModelInfo model_info() {
                  0, 0.5),
           cells("mx", p.mx, "Cells along each row of the contact"),
           cells("my", p.my, "Rows of cells"),
-          {.name = "status", .description = "0: contact, 3: no contact", .kind = Kind::integer, .causality = output}}};
+          {.name = "status",
+           .description = "0: contact, 2: contact beyond the range of the creep-force table, 3: no contact",
+           .kind = Kind::integer,
+           .causality = output},
+          text("theory", "fastsim2", "fastsim2 or table"),
+          text("table", "hertz.creep",
+               "Creep-force table of theory table: a path, from the unit's resources on if it is relative")}};
 }
 
-std::unique_ptr<Model> make_model(const std::filesystem::path&) {
-  return std::make_unique<TangentialModel>();
+std::unique_ptr<Model> make_model(const std::filesystem::path& resources) {
+  return std::make_unique<TangentialModel>(resources);
 }
 
 } // namespace microslip::fmi

@@ -39,8 +39,12 @@ double critical_speed(const microslip::WheelRailBodies& bodies, const ProfiledPa
 ProfiledHistory run(const microslip::WheelRailBodies& bodies, const ProfiledParameters& parameters, double displacement,
                     double duration, double step) {
   ProfiledWheelset wheelset(bodies, parameters);
+  return run(wheelset, wheelset.standing(displacement), duration, step);
+}
+
+ProfiledHistory run(ProfiledWheelset& wheelset, const ProfiledWheelset::State& start, double duration, double step) {
   Integrator steps = integrator();
-  return integrate(wheelset, steps, wheelset.standing(displacement), duration, step, [](double) {});
+  return integrate(wheelset, steps, start, duration, step, [](double) {});
 }
 
 std::vector<double> amplitudes(const microslip::WheelRailBodies& bodies, ProfiledParameters parameters, double start,

@@ -24,6 +24,10 @@ double critical_speed(const microslip::WheelRailBodies& bodies, const ProfiledPa
 ProfiledHistory run(const microslip::WheelRailBodies& bodies, const ProfiledParameters& parameters, double displacement,
                     double duration, double step = 1e-3);
 
+/// A run of a wheelset from a state.
+ProfiledHistory run(ProfiledWheelset& wheelset, const ProfiledWheelset::State& start, double duration,
+                    double step = 1e-3);
+
 /// Amplitudes that are left at each speed after `duration` [s], from the state in which the speed before left the
 /// wheelset; from 0.1 mm where less is left.
 std::vector<double> amplitudes(const microslip::WheelRailBodies& bodies, ProfiledParameters parameters, double start,

@@ -61,8 +61,9 @@ microslip::WheelRailBodies bodies_from(const std::filesystem::path& profiles, do
           .friction = {{0, friction}}};
 }
 
-ProfiledWheelset::ProfiledWheelset(const microslip::WheelRailBodies& bodies, const ProfiledParameters& parameters)
-    : p_(parameters), contact_(bodies) {}
+ProfiledWheelset::ProfiledWheelset(const microslip::WheelRailBodies& bodies, const ProfiledParameters& parameters,
+                                   const microslip::WheelRailMethod& method)
+    : p_(parameters), contact_(bodies, method) {}
 
 microslip::WheelsetState ProfiledWheelset::wheelset_state(const State& z) const {
   microslip::WheelsetState all;

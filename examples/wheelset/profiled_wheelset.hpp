@@ -41,7 +41,8 @@ public:
   using Jacobian = Matrix<states>;
   enum { lateral, height, roll, yaw, lateral_rate, height_rate, roll_rate, yaw_rate, rotation };
 
-  ProfiledWheelset(const microslip::WheelRailBodies& bodies, const ProfiledParameters& parameters);
+  ProfiledWheelset(const microslip::WheelRailBodies& bodies, const ProfiledParameters& parameters,
+                   const microslip::WheelRailMethod& method = {});
 
   const ProfiledParameters& parameters() const { return p_; }
   void set(const ProfiledParameters& parameters) { p_ = parameters; }

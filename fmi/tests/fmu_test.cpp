@@ -4,6 +4,12 @@
 #include "fmi/tests/importer.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
 
 namespace microslip::fmi {
 namespace {
@@ -58,6 +64,8 @@ TEST(Fmu, StartsWithTheValuesOfTheDescription) {
   for (const auto& [name, start] : description().starts) {
     if (description().types.at(name) == "Integer")
       EXPECT_EQ(instance.get_integer(name), std::stoi(start)) << name;
+    else if (description().types.at(name) == "String")
+      EXPECT_EQ(instance.get_text(name), start) << name;
     else
       EXPECT_EQ(instance.get(name), std::stod(start)) << name;
   }
@@ -141,6 +149,62 @@ TEST(Fmu, DirectionalDerivatives) {
   }
   const fmi2ValueReference no_output = r.at("slip_area");
   EXPECT_EQ(FMI(fmi2GetDirectionalDerivative)(instance.unit, &no_output, 1, knowns, 1, seed, found), fmi2Error);
+}
+
+/// The table among the unit's resources.
+CreepForceTable own_table(double poisson_ratio) {
+  std::ifstream file(MICROSLIP_UNPACKED_FMU "/resources/hertz.creep", std::ios::binary);
+  const auto bytes =
+      std::make_shared<std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  return CreepForceTable(decode(std::as_bytes(std::span(*bytes)), bytes), poisson_ratio);
+}
+
+TEST(Fmu, StepsByATable) {
+  LawInstance instance;
+  EXPECT_EQ(instance.set_text("theory", "table"), fmi2OK);
+  instance.initialize();
+  TangentialLaw law({.table = own_table(0.28)});
+  for (int k = 0; k < 250; ++k) {
+    instance.set_input(input_at(k * 1e-3));
+    ASSERT_EQ(instance.step(k * 1e-3), fmi2OK) << instance.messages.last;
+    instance.expect_forces(law.evaluate(input_at(k * 1e-3)));
+  }
+  EXPECT_EQ(instance.messages.count, 0);
+  const LawInput input = input_at(0.013);
+  instance.set_input(input);
+  const auto& r = description().references;
+  const fmi2ValueReference unknowns[] = {r.at("fy")}, knowns[] = {r.at("normal_force")};
+  const double seed[] = {1};
+  double found = 0;
+  ASSERT_EQ(FMI(fmi2GetDirectionalDerivative)(instance.unit, unknowns, 1, knowns, 1, seed, &found), fmi2OK);
+  LawInput above = input, below = input;
+  above.normal_force += 1, below.normal_force -= 1;
+  const double difference = (law.evaluate(above).fy - law.evaluate(below).fy) / 2;
+  EXPECT_NEAR(found, difference, 1e-5 * std::abs(difference));
+}
+
+TEST(Fmu, BeyondATablesRangeIsAWarningAndAStatus) {
+  Instance instance;
+  EXPECT_EQ(instance.set_text("theory", "table"), fmi2OK);
+  EXPECT_EQ(instance.set("semi_axis_x", 0.2), fmi2OK);
+  instance.initialize();
+  EXPECT_NE(instance.messages.last.find("beyond the creep-force table's range"), std::string::npos);
+  EXPECT_EQ(instance.step(0), fmi2OK);
+  EXPECT_EQ(instance.get_integer("status"), static_cast<int>(Status::not_converged));
+}
+
+TEST(Fmu, WrongTablesFailTheInitialization) {
+  for (const auto& [name, value, what] :
+       {std::tuple("theory", "exact", "theory = \"exact\": must be fastsim2 or table"),
+        {"table", "none.creep", "none.creep: cannot be read"},
+        {"table", "../modelDescription.xml", "modelDescription.xml: "}}) {
+    Instance instance;
+    EXPECT_EQ(instance.set_text("theory", "table"), fmi2OK);
+    EXPECT_EQ(instance.set_text(name, value), fmi2OK);
+    EXPECT_EQ(FMI(fmi2EnterInitializationMode)(instance.unit), fmi2OK);
+    EXPECT_EQ(FMI(fmi2ExitInitializationMode)(instance.unit), fmi2Error);
+    EXPECT_NE(instance.messages.last.find(what), std::string::npos) << instance.messages.last;
+  }
 }
 
 TEST(Fmu, TwoInstancesAtOnceAreIndependent) {
