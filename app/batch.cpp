@@ -491,7 +491,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
                    "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then")
       ->type_name("FILE.csv");
   command->add_flag("--skip-bad", arguments->skip_bad, "leave bad rows out of OUT.csv");
-  option("--theory", arguments->theory, choices<Theory>() + "|table", "what the contacts are solved by");
+  option("--theory", arguments->theory, choices<Theory>(), "what the contacts are solved by");
   command
       ->add_option("--table", arguments->table,
                    "a creep-force table made by `microslip table make`; default: the one that microslip has")

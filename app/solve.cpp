@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -89,43 +90,72 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.print();
 }
 
-/// Adds the rows that both theories have, a column for each.
+/// A theory's column of a table.
+struct TheoryColumn {
+  std::string name;
+  const ContactSolution* solution;
+  GridError grid_error = {}; ///< NaN where there was nothing to compare with
+};
+
+/// The theory that the case asks for and, where it is there, the simplified one beside it.
+std::vector<TheoryColumn> theory_columns(const RollingCase& input, const RollingContactResult& result) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<TheoryColumn> columns;
+  if (result.exact) columns.push_back({"exact", &result.exact->contact, result.exact->grid_error});
+  if (result.table) columns.push_back({"table", &result.table->solution, {none, none, none}});
+  if (const auto& simplified = result.simplified)
+    columns.push_back({simplified_name(input), &simplified->solution, simplified->grid_error});
+  return columns;
+}
+
+std::vector<std::string> names_of(const std::vector<TheoryColumn>& columns) {
+  std::vector<std::string> names;
+  for (const TheoryColumn& column : columns) names.push_back(column.name);
+  return names;
+}
+
+/// Adds the rows that all theories have, a column for each.
 class SideBySide {
 public:
-  SideBySide(QuantityTable& table, const RollingContactResult& result) : table_(table), result_(result) {}
+  SideBySide(QuantityTable& table, const std::vector<TheoryColumn>& columns) : table_(table), columns_(columns) {}
 
   /// A quantity of the table by its name.
   void add(std::string_view name) {
-    std::vector<const ContactSolution*> solutions = {&result_.exact->contact};
-    if (const auto& simplified = result_.simplified) solutions.push_back(&simplified->solution);
+    std::vector<const ContactSolution*> solutions;
+    for (const TheoryColumn& column : columns_) solutions.push_back(column.solution);
     table_.add_quantity(name, solutions);
   }
 
   /// A number that `value` takes from the totals of a theory.
   template <class Value> void add(const std::string& label, const std::string& unit, const Value& value) {
-    std::vector<double> values = {value(result_.exact->contact.totals)};
-    if (const auto& simplified = result_.simplified) values.push_back(value(simplified->solution.totals));
+    std::vector<double> values;
+    for (const TheoryColumn& column : columns_) values.push_back(value(column.solution->totals));
     table_.add(label, values, unit);
   }
 
-  /// An error that `value` takes from the grid errors; none where there was nothing to compare with.
+  /// An error that `value` takes from the grid errors.
   void add_error(const std::string& name, const std::string& unit, double GridError::*value) {
-    std::vector<std::string> texts = {error_text(result_.exact->grid_error.*value)};
-    if (const auto& simplified = result_.simplified) texts.push_back(error_text(simplified->grid_error.*value));
+    std::vector<std::string> texts;
+    for (const TheoryColumn& column : columns_) texts.push_back(error_text(column.grid_error.*value));
     table_.add(name, texts, unit);
+  }
+
+  void add_status() {
+    std::vector<std::string> texts;
+    for (const TheoryColumn& column : columns_) texts.emplace_back(to_string(column.solution->report.status));
+    table_.add("status", texts);
   }
 
 private:
   static std::string error_text(double error) { return std::isnan(error) ? "none" : fmt::format("{:.6g}", error); }
 
   QuantityTable& table_;
-  const RollingContactResult& result_;
+  const std::vector<TheoryColumn>& columns_;
 };
 
-void add_totals(QuantityTable& table, const RollingContactResult& result) {
-  const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
-  const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
-  SideBySide rows(table, result);
+void add_totals(SideBySide& rows, const EllipticContact& contact) {
+  const auto limit = contact.friction.static_coefficient() * contact.normal_force;
+  const auto moment = limit * std::sqrt(contact.a * contact.b);
   for (const auto* name : {"fx", "fy", "mz"}) rows.add(name);
   if (limit > 0) {
     rows.add("fx", "mu Fn", [&](const Totals& t) { return t.fx / limit; });
@@ -136,6 +166,12 @@ void add_totals(QuantityTable& table, const RollingContactResult& result) {
   rows.add_error("discretisation error of fx", "mu Fn", &GridError::fx);
   rows.add_error("discretisation error of fy", "mu Fn", &GridError::fy);
   rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &GridError::mz);
+}
+
+/// What the simplified theory, or a table, lets aside.
+void add_assumption(QuantityTable& table, const RollingCase& input, const std::string& of) {
+  const auto assumption = simplified_assumption(input);
+  if (!assumption.empty()) table.add(fmt::format("{} assumes", of), {assumption});
 }
 
 void add_limit(QuantityTable& table, const AccurateContact& limit, const RollingCase& input) {
@@ -149,16 +185,13 @@ void add_limit(QuantityTable& table, const AccurateContact& limit, const Rolling
 
 void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto& contact = result.exact->contact;
-  std::vector<std::string> heads = {"exact"}, status = {std::string(to_string(contact.report.status))};
-  if (result.simplified) {
-    heads.push_back(simplified_name(input));
-    status.emplace_back(to_string(result.simplified->solution.report.status));
-  }
+  const auto columns = theory_columns(input, result);
   const auto& limit = result.exact->limit;
   const auto [mx, my] =
       limit ? std::pair(limit->elements, limit->elements) : std::pair(input.options.mx, input.options.my);
-  QuantityTable table(describe_exact(input, mx, my), heads);
-  add_totals(table, result);
+  QuantityTable table(describe_exact(input, mx, my), names_of(columns));
+  SideBySide rows(table, columns);
+  add_totals(rows, result.contact);
   if (limit) add_limit(table, *limit, input);
   const auto add_found = [&](std::string_view name) {
     const Quantity& q = quantity(name);
@@ -176,9 +209,18 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.add_quantity("residual", contact,
                      fmt::format("{} Newton steps, {} products{}", contact.report.newton_steps, contact.report.products,
                                  contact.fields.friction.empty() ? "" : slip_start));
-  table.add("status", status);
-  const auto assumption = simplified_assumption(input);
-  if (result.simplified && !assumption.empty()) table.add(fmt::format("{} assumes", heads.back()), {assumption});
+  rows.add_status();
+  if (result.simplified) add_assumption(table, input, columns.back().name);
+  table.print();
+}
+
+void print_table(const RollingCase& input, const RollingContactResult& result) {
+  const auto columns = theory_columns(input, result);
+  QuantityTable table("creep-force table, steady rolling", names_of(columns));
+  SideBySide rows(table, columns);
+  add_totals(rows, result.contact);
+  rows.add_status();
+  add_assumption(table, input, columns.front().name);
   table.print();
 }
 
@@ -218,7 +260,12 @@ void print_tables(const RollingCase& input, const RollingContactResult& result) 
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
   print_hertz(input, result);
   fmt::print("\n");
-  result.exact ? print_exact(input, result) : print_simplified(input, result);
+  if (result.exact)
+    print_exact(input, result);
+  else if (result.table)
+    print_table(input, result);
+  else
+    print_simplified(input, result);
   if (result.exact) print_interior("inside the bodies", input.interior, result.exact->interior);
   fmt::print("\n");
 }
@@ -291,7 +338,8 @@ void add_solve_command(CLI::App& program, int& exit_code) {
       "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
       "[sweep]; with side = \"both\" those of a wheelset with its height, roll and rolling speed. Of two bodies with\n"
       "radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
-      "asks for; the exact theory and FASTSIM2 stand side by side. Prints forces on body 1 [N], the moment [N m], "
+      "asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1 [N], the "
+      "moment [N m], "
       "areas\n"
       "[mm^2] and the frictional power [W]. Writes result.h5 (SI) and pictures. With --json the numbers of result.h5\n"
       "but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"

@@ -43,13 +43,15 @@ public:
     ranks_.agree([&] { sweep_.emplace(read_case_text(arguments_.spec), arguments_.spec.string()); });
     const CampaignPlan plan = sweep_->plan();
     Campaign campaign(checkpoint_of(arguments_.output), plan, ranks_);
-    kept_ = campaign.kept_cases();
-    compute(campaign);
-    ranks_.agree(
-        [&] {
-          if (ranks_.is_first()) write(campaign);
-        },
-        may_go_on);
+    if (!is_complete(campaign)) {
+      kept_ = campaign.kept_cases();
+      compute(campaign);
+      ranks_.agree(
+          [&] {
+            if (ranks_.is_first()) write(campaign);
+          },
+          may_go_on);
+    }
     if (!ranks_.is_first()) return ExitCode::done;
     arguments_.json ? print_document() : print_summary();
     return count_.failed == 0 ? ExitCode::done : ExitCode::not_met;
@@ -59,6 +61,21 @@ private:
   static bool may_go_on(double) {
     InterruptGuard::throw_if_interrupted();
     return true;
+  }
+
+  /// Whether an earlier run has written the result file; what it may have left of the checkpoint is removed.
+  bool is_complete(Campaign& campaign) {
+    bool is_there = false;
+    ranks_.agree([&] {
+      if (!ranks_.is_first()) return;
+      const auto found = find_sweep(*sweep_, arguments_.output);
+      if (!found) return;
+      is_there = true;
+      count_ = *found;
+      kept_ = count_.cases;
+      campaign.remove();
+    });
+    return !ranks_.from_first(is_there ? "yes" : "").empty();
   }
 
   void compute(Campaign& campaign) {
@@ -91,7 +108,10 @@ private:
 
   void print_summary() const {
     fmt::print("{} cases", count_.cases);
-    if (kept_ > 0) fmt::print(", {} of them from the checkpoint", kept_);
+    if (kept_ == count_.cases)
+      fmt::print(", all of them computed before");
+    else if (kept_ > 0)
+      fmt::print(", {} of them from the checkpoint", kept_);
     fmt::print("\n{}\n", arguments_.output.string());
     std::fflush(stdout);
     if (count_.failed > 0)
@@ -123,7 +143,7 @@ int sweep(const SweepArguments& arguments) {
     return SweepRun(arguments, *ranks).run();
   } catch (const Error&) { // the same on all ranks
     if (ranks->is_first()) throw;
-    return ExitCode::bad_input;
+    return ExitCode::done; // with another code mpirun would end the first rank, which has yet to say what is wrong
   }
 }
 
@@ -149,9 +169,10 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       "  solution.theory = [\"fastsim2\", \"exact\"]\n\n"
       "OUT.h5 has the parameters and all quantities of every case, in their order, and the reasons of those that are\n"
       "not solved. Finished chunks of cases are kept in OUT.h5.checkpoint until OUT.h5 is complete: after an\n"
-      "interruption, a crash or a full disk the same command goes on with what is missing. Started by mpirun all\n"
-      "ranks share the cases. The results are the same to the last bit on any threads and ranks. Exit code 1: some\n"
-      "cases have another status than ok.\n\n"
+      "interruption, a crash or a full disk the same command goes on with what is missing, and ends at once if "
+      "nothing\n"
+      "is. Started by mpirun all ranks share the cases. The results are the same to the last bit on any threads and\n"
+      "ranks. Exit code 1: some cases have another status than ok.\n\n"
       "Example:\n"
       "  microslip sweep examples/creep_sweep.toml -o creep.h5\n"
       "  mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5");

@@ -3,6 +3,7 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
+#include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "io/creep_table_file.hpp"
 #include "microslip/contact/limits.hpp"
@@ -34,6 +35,13 @@ struct MakeArguments {
 
 struct ShowArguments {
   fs::path file;
+  bool json = false;
+};
+
+struct DrawArguments {
+  fs::path file, folder = ".";
+  double axis_ratio = 1, poisson_ratio = 0.28;
+  std::vector<double> spins{0, 0.5, 1};
   bool json = false;
 };
 
@@ -112,6 +120,55 @@ void add_show(CLI::App& table) {
   command->callback([arguments] { print(read_creep_table(arguments->file), arguments->file, arguments->json); });
 }
 
+int draw(const DrawArguments& arguments) {
+  const fs::path file = arguments.file.empty() ? shipped_creep_table() : arguments.file;
+  const CreepTableAxes axes = read_creep_table(file).axes;
+  require_between("--axis-ratio", arguments.axis_ratio, "-", 1e-3, 1e3);
+  require_between("--poisson-ratio", arguments.poisson_ratio, "-", 0, 0.5);
+  const auto pictures = draw_pictures({file.string(), "--output=" + arguments.folder.string(),
+                                       fmt::format("--axis-ratio={}", arguments.axis_ratio),
+                                       fmt::format("--poisson-ratio={}", arguments.poisson_ratio),
+                                       fmt::format("--spins={}", fmt::join(arguments.spins, ","))});
+  if (!pictures.problem.empty()) throw Error(pictures.problem);
+  if (arguments.json) {
+    auto document = json_document("table");
+    document["input"] = file.string();
+    document["in_range"] = arguments.axis_ratio >= axes.least_ratio && arguments.axis_ratio <= axes.largest_ratio &&
+                           arguments.poisson_ratio >= axes.poisson_ratios.front() &&
+                           arguments.poisson_ratio <= axes.poisson_ratios.back();
+    document["files"] = pictures.files;
+    print_json(document);
+  } else {
+    for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
+  }
+  return ExitCode::done;
+}
+
+void add_draw(CLI::App& table, int& exit_code) {
+  auto* command = table.add_subcommand("draw", "Draw creep curves of a creep-force table beside the exact theory");
+  const auto arguments = std::make_shared<DrawArguments>();
+  command->add_option("FILE", arguments->file, "a creep-force table; default: the one that microslip has")
+      ->type_name("");
+  command->add_option("-o,--output", arguments->folder, "folder for the picture")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  command->add_option("--axis-ratio", arguments->axis_ratio, "a/b of the ellipse, along over across the rolling [-]")
+      ->type_name("RATIO")
+      ->capture_default_str();
+  command->add_option("--poisson-ratio", arguments->poisson_ratio, "Poisson's ratio [-]")
+      ->type_name("NU")
+      ->capture_default_str();
+  command->add_option("--spin", arguments->spins, "spins, scaled with G (a b)^(3/2)/(mu Fn) [-]")
+      ->type_name("SPIN...")
+      ->capture_default_str();
+  add_json_flag(*command, arguments->json);
+  command->footer(
+      "Draws Fx over the longitudinal creepage, Fy and Mz over the lateral one: lines by the table, points by "
+      "the exact\ntheory on 24 x 24 elements, and writes their largest distance above.\n\n"
+      "Example:\n  microslip table draw -o pictures --axis-ratio 2 --spin 0 1 2");
+  command->callback([arguments, &exit_code] { exit_code = draw(*arguments); });
+}
+
 void add_make(CLI::App& table, int& exit_code) {
   auto* command = table.add_subcommand("make", "Compute a creep-force table by the exact theory");
   const auto arguments = std::make_shared<MakeArguments>();
@@ -140,9 +197,10 @@ void add_make(CLI::App& table, int& exit_code) {
 } // namespace
 
 void add_table_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("table", "Show or make a creep-force table");
+  auto* command = program.add_subcommand("table", "Show, draw or make a creep-force table");
   command->require_subcommand(1);
   add_show(*command);
+  add_draw(*command, exit_code);
   add_make(*command, exit_code);
   command->footer("A creep-force table has results of the exact theory, between which --theory table interpolates. The "
                   "one that\nmicroslip has was made by the defaults of table make.\n\n"

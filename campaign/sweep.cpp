@@ -38,6 +38,10 @@ Method solver_method(const RollingCase& input) {
     method.bound.reset();
     method.flexibility.reset();
   }
+  if (input.theory == Theory::table) {
+    method.bound.reset();
+    method.flexibility.reset();
+  }
   if (!exact || input.discretisation == Discretisation::second_order) method.discretisation.reset();
   if (!exact || input.elements == ElementShape::constant) method.elements.reset();
   if (!exact || input.coupling == Coupling::newton) method.coupling.reset();
@@ -46,7 +50,8 @@ Method solver_method(const RollingCase& input) {
 }
 
 // A kind of cases: what it finds, its columns, which keys need a new solver, and how it is read and solved. `root` is
-// the case's file; `is_new` says that one of those keys has changed since the last call.
+// the case's file; `tables` are those of all cases and workers; `is_new` says that one of those keys has changed since
+// the last call.
 
 /// Two bodies that touch in an ellipse.
 class RollingKind {
@@ -73,12 +78,12 @@ public:
     return all;
   }
   static bool needs_new_solver(std::string_view) { return false; }
-  static void check(const TomlSection& root) { read_case(root); }
+  static void check(const TomlSection& root, const CreepTables& tables) { read_case(root, tables); }
 
   /// The solver is new each time: with influence coefficients that it keeps for the next contact the last bits are
   /// others.
-  static Solved solve(const TomlSection& root, bool, const Progress& progress) {
-    const RollingCase input = read_case(root);
+  static Solved solve(const TomlSection& root, const CreepTables& tables, bool, const Progress& progress) {
+    const RollingCase input = read_case(root, tables);
     return {hertz_contact(input), Solver(solver_method(input)).solve(rolling_problem(input), progress)};
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
@@ -108,10 +113,11 @@ template <class Input, class Solver> class RailwayCases {
 public:
   /// The state alone is read from case to case, unless something else has changed. The exact theory's solver is new
   /// each time: with what it keeps for the next state the last bits are others.
-  template <class Read> const auto& state(const TomlSection& root, bool is_new, const Read& read) {
+  template <class Read>
+  const auto& state(const TomlSection& root, const CreepTables& tables, bool is_new, const Read& read) {
     is_new = is_new || !solver_;
     if (is_new)
-      input_ = read(root);
+      input_ = read(root, tables);
     else
       input_->states = read_states(root, *input_);
     if (is_new || input_->method.level == WheelRailLevel::exact) solver_.emplace(solver_of(*input_, input_->method));
@@ -140,10 +146,10 @@ public:
              return key == std::string(q.section) + "." + std::string(q.name);
            });
   }
-  static void check(const TomlSection& root) { read_wheel_rail_case(root); }
+  static void check(const TomlSection& root, const CreepTables& tables) { read_wheel_rail_case(root, tables); }
 
-  Solved solve(const TomlSection& root, bool is_new, const Progress&) {
-    const LoadedWheelState& s = cases_.state(root, is_new, read_wheel_rail_case);
+  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress&) {
+    const LoadedWheelState& s = cases_.state(root, tables, is_new, read_wheel_rail_case);
     return cases_.solver().solve(s.state, s.vertical_force);
   }
   static std::string reason(const Solved& solved) { return wheel_reason(solved.status); }
@@ -176,10 +182,10 @@ public:
                         [&](const auto& q) { return is_key(q.of_wheel->section, q.name); }) &&
            std::none_of(forces.begin(), forces.end(), [&](const auto& f) { return is_key("wheel", f.name); });
   }
-  static void check(const TomlSection& root) { read_wheelset_case(root); }
+  static void check(const TomlSection& root, const CreepTables& tables) { read_wheelset_case(root, tables); }
 
-  Solved solve(const TomlSection& root, bool is_new, const Progress&) {
-    const LoadedWheelsetState& s = cases_.state(root, is_new, read_wheelset_case);
+  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress&) {
+    const LoadedWheelsetState& s = cases_.state(root, tables, is_new, read_wheelset_case);
     return cases_.solver().solve(s.state, s.load);
   }
   static std::string reason(const Solved& solved) { return wheelset_reason(solved.status); }
@@ -261,11 +267,12 @@ void read_some_case(std::size_t count, const std::function<void(std::size_t inde
 } // namespace
 
 template <class Kind> void Sweep::set_up(SweepSpec spec) {
+  const auto tables = std::make_shared<const CreepTables>();
   if (spec.has_units()) {
     TomlSection::KeyUnits units;
     read_some_case(spec.count(), [&](std::size_t index) {
       const toml::table written = spec.case_as_written(index);
-      Kind::check(TomlSection(written, spec.base_name(), {}, &units));
+      Kind::check(TomlSection(written, spec.base_name(), {}, &units), *tables);
     });
     spec.convert_units(units);
   }
@@ -278,12 +285,12 @@ template <class Kind> void Sweep::set_up(SweepSpec spec) {
     std::shared_ptr<const Columns<typename Kind::Solved>> columns;
     bool has_failed = false; ///< the last case: its solver may not be as its keys say
   };
-  make_worker_ = [spec = spec_, columns]() -> RowWorker {
+  make_worker_ = [spec = spec_, columns, tables]() -> RowWorker {
     const auto worker = std::make_shared<Worker>(Worker{CaseTable<Kind>(spec), {}, columns});
-    return [worker](std::size_t index, std::span<double> row, const Progress& progress) {
+    return [worker, tables](std::size_t index, std::span<double> row, const Progress& progress) {
       const bool is_new = worker->table.set(index) || worker->has_failed;
       worker->has_failed = true;
-      const auto solved = worker->kind.solve(worker->table.root(), is_new, progress);
+      const auto solved = worker->kind.solve(worker->table.root(), *tables, is_new, progress);
       worker->has_failed = false;
       std::transform(worker->columns->begin(), worker->columns->end(), row.begin(),
                      [&](const auto& column) { return column.value(solved); });
@@ -293,7 +300,7 @@ template <class Kind> void Sweep::set_up(SweepSpec spec) {
   read_some_case(spec_->count(), [&](std::size_t index) {
     CaseTable<Kind> table(spec_);
     table.set(index);
-    Kind::check(table.root());
+    Kind::check(table.root(), *tables);
   });
 }
 

@@ -1,5 +1,6 @@
 #include "campaign/sweep_file.hpp"
 
+#include "io/result_attribute.hpp"
 #include "io/result_file.hpp"
 #include "microslip/status.hpp"
 
@@ -7,12 +8,14 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace microslip {
 namespace {
 
 constexpr std::size_t block = 4096; ///< cases that are written at a time
+constexpr const char *identity_name = "sweep_identity", *failed_name = "sweep_failed"; ///< attributes
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A column that comes into being with its first number: what no case has, the file leaves out.
@@ -149,8 +152,16 @@ SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Prove
   const SweepCount count = writer.finish();
   file.attribute("/", "case", sweep.spec().base_name());
   if (!sweep.spec().base_text().empty()) file.attribute("/", "base_case_text", sweep.spec().base_text());
+  file.attribute("/", identity_name, std::to_string(campaign.plan().identity));
+  file.attribute("/", failed_name, std::to_string(count.failed));
   file.commit();
   return count;
+}
+
+std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::path& path) {
+  const auto identity = result_attribute(path, identity_name), failed = result_attribute(path, failed_name);
+  if (identity != std::to_string(sweep.spec().identity()) || !failed) return std::nullopt;
+  return SweepCount{sweep.spec().count(), static_cast<std::size_t>(std::stoull(*failed))};
 }
 
 } // namespace microslip

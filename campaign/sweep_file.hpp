@@ -6,6 +6,7 @@
 #include "microslip/progress.hpp"
 
 #include <filesystem>
+#include <optional>
 
 namespace microslip {
 
@@ -19,6 +20,9 @@ struct SweepCount {
 
 /// Where a sweep that writes to `output` keeps its checkpoint: OUT.h5.checkpoint.
 std::filesystem::path checkpoint_of(const std::filesystem::path& output);
+
+/// How the cases ended in the file at `path`, if it is the complete result of this very sweep; none for any other file.
+std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::path& path);
 
 /// Writes the rows of a campaign in which nothing is missing as HDF5, in constant memory: `parameters/KEY`, the columns
 /// of the sweep that any case has, `failures/case` and `failures/reason`. The file appears whole or not at all. Throws

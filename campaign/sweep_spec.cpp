@@ -414,10 +414,10 @@ std::uint64_t SweepSpec::identity() const {
     std::ifstream file(fs::path(base_name_).parent_path() / path->value_or(std::string()), std::ios::binary);
     hash = hash_of(std::string((std::istreambuf_iterator<char>(file)), {}), hash);
   };
-  for (const char* section : {"rail", "wheelset"}) {
-    if (const auto* path = base_.at_path(std::string(section) + ".profile").node()) add_file(path);
+  for (const std::string key : {"rail.profile", "wheelset.profile", "solution.table"}) {
+    if (const auto* path = base_.at_path(key).node()) add_file(path);
     for (std::size_t k = 0; k < parameters_.size(); ++k)
-      if (parameters_[k].name.find(std::string(section) + ".profile") != std::string::npos)
+      if (std::find(parameters_[k].keys.begin(), parameters_[k].keys.end(), key) != parameters_[k].keys.end())
         for (const auto& path : axes_[k]->list) add_file(&path);
   }
   return hash;

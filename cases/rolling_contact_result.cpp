@@ -3,7 +3,9 @@
 #include "cases/interior_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastrip.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,12 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
+
+/// Of similar bodies, as the simplified theory and tables have them.
+EllipticContact similar(EllipticContact contact) {
+  contact.dissimilarity = 0;
+  return contact;
+}
 
 GridError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
@@ -36,8 +44,8 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
 }
 
 /// Of similar bodies: beside the exact theory's result for dissimilar ones it is a comparison that says so.
-SimplifiedResult solve_simplified(const RollingCase& input, EllipticContact contact) {
-  contact.dissimilarity = 0;
+SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& given) {
+  const EllipticContact contact = similar(given);
   const auto& options = input.options;
   auto finer = options;
   finer.mx *= 2;
@@ -45,6 +53,16 @@ SimplifiedResult solve_simplified(const RollingCase& input, EllipticContact cont
   if (input.theory == Theory::fastrip) return solve_simplified(contact, Fastrip(options), Fastrip(finer));
   const auto scheme = marching_scheme(input.theory);
   return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
+}
+
+TableResult look_up(const RollingCase& input, const EllipticContact& contact) {
+  RollingProblem problem = rolling_problem(input);
+  problem.bodies.material.dissimilarity = 0;
+  TableResult result;
+  result.solution = Solver({.theory = Theory::table, .table = input.table}).solve(problem);
+  result.curve = creep_curve(similar(contact), simplified_curve_points,
+                             [&](const EllipticContact& moved) { return input.table->solve(moved); });
+  return result;
 }
 
 CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, const Progress& progress) {
@@ -178,6 +196,11 @@ void write_solution(ResultWriter& file, const RollingCase& input) {
     file.scalar("inputs/friction_memory_distance", input.friction_memory.distance, "m", "slip that friction remembers");
     file.scalar("inputs/friction_memory_speed", input.friction_memory.slowest, "m/s", "least speed of forgetting");
   }
+  if (input.theory == Theory::table) {
+    const auto [least, largest] = std::pair(input.table->axes().least_ratio, input.table->axes().largest_ratio);
+    file.scalar("inputs/table_least_ratio", least, "-", "least a/b of the creep-force table");
+    file.scalar("inputs/table_largest_ratio", largest, "-", "largest a/b of the creep-force table");
+  }
   file.scalar("inputs/mx", options.mx, "-", "cells along x");
   file.scalar("inputs/my", options.my, "-", "rows along y");
   file.text("inputs/bound", std::string(to_word(options.bound)), "shape of the traction bound");
@@ -225,6 +248,7 @@ void write_theory(ResultWriter& file, const std::string& theory, const ContactSo
   file.text(theory + "/status", std::string(to_string(solution.report.status)), "how the calculation ended");
   if (!solution.report.reason.empty()) file.text(theory + "/reason", solution.report.reason, "why it is not ok");
 
+  if (solution.elements.size() == 0) return;
   const ResultWriter::Shape shape = shape_of(solution.elements);
   const std::string fields = theory + "/fields/";
   for (const FieldQuantity& f : field_quantities())
@@ -369,10 +393,13 @@ RollingContactResult solve_case(const RollingCase& input, const Progress& progre
   result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
+  if (input.theory == Theory::table) result.table = look_up(input, result.contact);
   if (result.exact) result.status = report_of(*result.exact).status;
   if (input.motion.kind == ContactMotion::steady && result.status == Status::ok)
     result.simplified = solve_simplified(input, result.contact);
-  SolverReport report = result.exact ? report_of(*result.exact) : result.simplified->solution.report;
+  SolverReport report = result.exact   ? report_of(*result.exact)
+                        : result.table ? result.table->solution.report
+                                       : result.simplified->solution.report;
   add_reason(report);
   result.status = report.status;
   result.reason = report.reason;
@@ -393,6 +420,11 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
+  }
+  if (const auto& table = result.table) {
+    write_theory(file, "table", table->solution);
+    write_assumption(file, "table", simplified_assumption(input));
+    write_curve(file, "table", table->curve);
   }
   if (const auto& simplified = result.simplified) {
     const auto name = simplified_name(input);

@@ -34,12 +34,19 @@ struct ExactResult {
   std::optional<CreepCurve> curve;      ///< if it converges for steady rolling
 };
 
+/// What a creep-force table makes of a case.
+struct TableResult {
+  ContactSolution solution; ///< without fields
+  CreepCurve curve;
+};
+
 /// All that `microslip solve` computes of a case.
 struct RollingContactResult {
   HertzContact hertz;
   EllipticContact contact; ///< with the creepages that the exact theory found, where a force is given
   std::optional<ExactResult> exact;
-  std::optional<SimplifiedResult> simplified; ///< beside the exact theory if that converges for steady rolling
+  std::optional<TableResult> table;
+  std::optional<SimplifiedResult> simplified; ///< also beside a table, and the exact theory's converged steady rolling
   Status status = Status::ok;                 ///< of the theory that the case asks for
   std::string reason;                         ///< why it is not ok; empty if it is
   std::vector<std::string> warnings;          ///< of an implausible contact; see implausibilities
@@ -61,8 +68,8 @@ std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz);
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const RollingCase& input);
 
-/// Where Hertz's solution and the simplified theory, as they stand beside the exact theory, are those of simpler bodies
-/// than the case's: which. Empty: of the same.
+/// Where Hertz's solution, a table's and the simplified theory's are those of simpler bodies than the case's: which.
+/// Empty: of the same.
 std::string hertz_assumption(const RollingCase& input);
 std::string simplified_assumption(const RollingCase& input);
 
@@ -71,8 +78,8 @@ constexpr const char* kind_of(const RollingCase&) {
   return "rolling_contact";
 }
 
-/// Solves a case by the theory it asks for, and beside the exact theory by FASTSIM2. `progress` is told of long work.
-/// Throws Stopped if it returns false.
+/// Solves a case by the theory it asks for, and beside the exact theory and a table by FASTSIM2. `progress` is told of
+/// long work. Throws Stopped if it returns false.
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
 
 /// Writes inputs, solutions and their tolerances.

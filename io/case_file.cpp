@@ -205,9 +205,9 @@ void refuse_where_given(const TomlSection& root, const Incompatibility& found) {
   throw Error(root.file() + ": " + found.message());
 }
 
-void read_solution(const TomlSection& solution, RollingCase& input) {
+void read_solution(const TomlSection& solution, const CreepTables& tables, RollingCase& input) {
   solution.allow({"theory", "grid", "accuracy", "discretisation", "elements", "tolerance", "coupling", "slip_start",
-                  "bound", "flexibility", "coefficients", "slope_reduction"});
+                  "bound", "flexibility", "coefficients", "slope_reduction", "table"});
   input.theory = solution.option("theory", input.theory);
   solution.counts("grid", 1, most_field_cells, input.options.mx, input.options.my);
   input.discretisation = solution.option("discretisation", input.discretisation);
@@ -216,6 +216,10 @@ void read_solution(const TomlSection& solution, RollingCase& input) {
   input.tolerance = solution.between("tolerance", "-", smallest_tolerance, 0.1, input.tolerance);
   input.coupling = solution.option("coupling", input.coupling);
   input.slip_start = solution.option("slip_start", input.slip_start);
+  if (input.theory == Theory::table)
+    input.table = tables.get(solution, std::nullopt, input.options.direction);
+  else if (solution.has("table"))
+    solution.at("table", [] { throw Error("solution.table: needs theory = \"table\""); });
   set_defaults(input.theory, input.options);
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
@@ -242,7 +246,7 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   return read_case(TomlSection(table, name));
 }
 
-RollingCase read_case(const TomlSection& root) {
+RollingCase read_case(const TomlSection& root, const CreepTables& tables) {
   root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
   RollingCase input;
   input.title = root.text("title", "");
@@ -253,7 +257,7 @@ RollingCase read_case(const TomlSection& root) {
   read_load(root.required_section("load"), input);
   read_friction(root.required_section("friction"), input);
   read_motion(root.required_section("motion"), input);
-  read_solution(root.optional_section("solution"), input);
+  read_solution(root.optional_section("solution"), tables, input);
   if (root.has("interior")) {
     const auto interior = root.required_section("interior");
     input.interior = read_interior(interior);
@@ -342,7 +346,9 @@ Method method_of(const RollingCase& input) {
           .bound = input.options.bound,
           .flexibility = input.options.flexibility,
           .coefficients = input.options.creepage_table,
-          .slope_reduction = input.options.slope_reduction};
+          .slope_reduction = input.options.slope_reduction,
+          .precision = {},
+          .table = input.table};
 }
 
 ExactOptions exact_options(const RollingCase& input) {

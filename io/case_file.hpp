@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/creep_tables.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -9,6 +10,7 @@
 #include "microslip/simplified/row_solver.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +50,7 @@ struct RollingCase {
   double tolerance = 1e-6;                                      ///< of its residual
   Coupling coupling = Coupling::newton;                         ///< of its problems for dissimilar materials
   SlipStart slip_start = SlipStart::below;                      ///< of its friction that depends on the slip
+  std::shared_ptr<const CreepForceTable> table = {};            ///< of the theory `table`
   InteriorGrid interior = {};          ///< points inside the bodies, with the exact theory; none: no interior field
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
 };
@@ -56,8 +59,8 @@ struct RollingCase {
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
 RollingCase parse_case(std::string_view text, const std::string& name);
-/// The same of a file that is parsed as TOML already.
-RollingCase read_case(const TomlSection& root);
+/// The same of a file that is parsed as TOML already. Where many are read, `tables` are those of all of them.
+RollingCase read_case(const TomlSection& root, const CreepTables& tables = {});
 
 /// The bodies of a case: elastic, or viscoelastic in steady rolling.
 Bodies bodies_of(const RollingCase& input);

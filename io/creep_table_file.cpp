@@ -64,7 +64,10 @@ CreepTableNodes read_creep_table(const fs::path& path) {
 }
 
 fs::path shipped_creep_table() {
-  return python_folder() / "microslip/hertz.creep";
+  const fs::path name = "hertz.creep";
+  std::error_code error;
+  const fs::path beside = library_folder() / name; // of the Python module
+  return fs::exists(beside, error) ? beside : python_folder() / "microslip" / name;
 }
 
 void write_creep_table(const CreepTableNodes& nodes, const fs::path& path) {

@@ -17,7 +17,8 @@ using Word = std::string_view;
 // Each list is in the order of its enumerators.
 template <class Option> constexpr std::array<Word, 0> words_of{};
 template <>
-constexpr auto words_of<Theory> = std::array<Word, 5>{"fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip"};
+constexpr auto words_of<Theory> =
+    std::array<Word, 6>{"fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"};
 template <> constexpr auto words_of<TractionBound> = std::array<Word, 2>{"parabolic", "elliptic"};
 template <> constexpr auto words_of<FlexibilityModel> = std::array<Word, 3>{"three", "one", "blended"};
 template <> constexpr auto words_of<CreepageTable> = std::array<Word, 2>{"kalker", "computed"};

@@ -4,6 +4,8 @@
 
 #ifdef _WIN32
 #include <windows.h>
+#else
+#include <dlfcn.h>
 #endif
 
 namespace microslip {
@@ -18,6 +20,16 @@ fs::path program_file() {
 #else
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error);
+#endif
+}
+
+fs::path library_folder() {
+#ifdef _WIN32
+  return program_file().parent_path(); // there is no Python module
+#else
+  Dl_info here = {};
+  const bool is_known = ::dladdr(reinterpret_cast<const void*>(&library_folder), &here) != 0; // NOLINT: as dladdr wants it
+  return is_known && here.dli_fname != nullptr ? fs::path(here.dli_fname).parent_path() : fs::path();
 #endif
 }
 

@@ -1,6 +1,5 @@
 #include "io/wheel_rail_case.hpp"
 
-#include "io/creep_table_file.hpp"
 #include "io/interior_section.hpp"
 #include "io/length_unit.hpp"
 #include "io/profile_file.hpp"
@@ -10,7 +9,6 @@
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
-#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -167,30 +165,14 @@ std::vector<InclinedFriction> read_friction(const TomlSection& section) {
   return friction;
 }
 
-/// The creep-force table that is named, or the one that microslip has, for a Poisson's ratio.
-std::shared_ptr<const CreepForceTable> read_table(const TomlSection& section, double poisson_ratio) {
-  const auto path = section.has("table")
-                        ? std::filesystem::path(section.file()).parent_path() / section.required_text("table")
-                        : shipped_creep_table();
-  std::shared_ptr<const CreepForceTable> table;
-  section.at(section.has("table") ? "table" : "theory", [&] {
-    try {
-      table = std::make_shared<const CreepForceTable>(read_creep_table(path), poisson_ratio);
-    } catch (const Error& error) {
-      throw Error(std::string("solution.table: ") + error.what());
-    }
-  });
-  return table;
-}
-
-WheelRailMethod read_method(const TomlSection& section, double poisson_ratio) {
+WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, const CreepTables& tables) {
   section.allow({"theory", "shape", "grid", "tolerance", "table"});
   WheelRailMethod method;
   method.level = section.option("theory", method.level);
   if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
   section.at("shape", [&] { require_shape(method, "solution.shape"); });
   if (method.level == WheelRailLevel::table)
-    method.table = read_table(section, poisson_ratio);
+    method.table = tables.get(section, poisson_ratio, RollingDirection::forward);
   else if (section.has("table"))
     section.at("table", [] { throw Error("solution.table needs theory = \"table\""); });
   section.count("grid", 6, 1000, method.elements);
@@ -336,7 +318,7 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
 }
 
 /// All sections but [wheel] and [sweep].
-WheelRailSetting read_setting(const TomlSection& root, const Variables& variables) {
+WheelRailSetting read_setting(const TomlSection& root, const Variables& variables, const CreepTables& tables) {
   TomlSection::Words sections = {"title",    "track",    "rail",     "wheelset", "wheel",
                                  "material", "friction", "solution", "interior", "sweep"};
   if (is_wheelset_case(root)) sections.insert(sections.end(), {"right_rail", "right_wheel"});
@@ -358,7 +340,7 @@ WheelRailSetting read_setting(const TomlSection& root, const Variables& variable
           .material = material,
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
-          .method = read_method(root.optional_section("solution"), material.poisson_ratio),
+          .method = read_method(root.optional_section("solution"), material.poisson_ratio, tables),
           .varied = {}};
 }
 
@@ -427,12 +409,12 @@ WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& na
   return read_wheel_rail_case(TomlSection(table, name));
 }
 
-WheelRailCase read_wheel_rail_case(const TomlSection& root) {
+WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& tables) {
   const TomlSection wheel = root.required_section("wheel");
   const Variables variables = wheel_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
   wheel.word("side", "left", TomlSection::Words{"left", "right", "both"});
-  WheelRailCase input{read_setting(root, variables), wheel.option("side", TrackSide::left), {}, {}};
+  WheelRailCase input{read_setting(root, variables, tables), wheel.option("side", TrackSide::left), {}, {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);
   if (root.has("interior") && input.method.level == WheelRailLevel::table)
@@ -458,12 +440,12 @@ WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name)
   return read_wheelset_case(TomlSection(table, name));
 }
 
-WheelsetCase read_wheelset_case(const TomlSection& root) {
+WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tables) {
   if (root.has("interior"))
     root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
   const Variables variables = wheelset_variables_by_name();
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
-  WheelsetCase input{read_setting(root, variables),
+  WheelsetCase input{read_setting(root, variables, tables),
                      read_right_profile(root, "right_rail", ProfileRole::rail),
                      read_right_profile(root, "right_wheel", ProfileRole::wheel),
                      {}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/creep_tables.hpp"
 #include "io/sliced_profile.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -66,9 +67,9 @@ bool is_wheelset_case(const TomlSection& root);
 /// of profiles start. Errors as of parse_case; those about a profile begin with the line that names it.
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name);
 WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name);
-/// The same of a file that is parsed as TOML already.
-WheelRailCase read_wheel_rail_case(const TomlSection& root);
-WheelsetCase read_wheelset_case(const TomlSection& root);
+/// The same of a file that is parsed as TOML already. Where many are read, `tables` are those of all of them.
+WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& tables = {});
+WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tables = {});
 /// Its states alone, of the setting `of`.
 std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRailCase& of);
 std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase& of);

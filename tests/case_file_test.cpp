@@ -133,10 +133,10 @@ TEST(CaseFile, NamesTheNearestKnownWord) {
   EXPECT_EQ(message_of(with("coefficient = 0.3", "law = \"colomb\"")),
             "w.toml:15: friction.law = \"colomb\": must be coulomb, linear, rational, exponential or polach; did you "
             "mean coulomb?");
-  EXPECT_EQ(
-      message_of(good + "[solution]\ntheory = \"fastsim3\""),
-      "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step, fastsim2, exact or fastrip; did "
-      "you mean fastsim?");
+  EXPECT_EQ(message_of(good + "[solution]\ntheory = \"fastsim3\""),
+            "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step, fastsim2, exact, fastrip "
+            "or table; did "
+            "you mean fastsim?");
   EXPECT_EQ(message_of(good + "velocity = 3\nbeyond = 1"),
             "w.toml:18: motion.velocity: unknown key; must be kind, creepage_longitudinal, force_longitudinal, "
             "creepage_lateral, force_lateral, spin, rolling_speed, direction or step");

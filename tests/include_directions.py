@@ -27,7 +27,7 @@ ALLOWED = {
     "microslip/interior": ["microslip/contact", "microslip/elasticity", "microslip/numerics", EXACT + "halfspace"],
     "microslip/rolling": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/simplified",
                           "microslip/thermal", EXACT + "classical", EXACT + "fitted", EXACT + "halfspace",
-                          EXACT + "normal"],
+                          EXACT + "normal", "microslip/table"],
     "microslip/damage": ["microslip/contact"],
     "microslip/batch": ["microslip/contact", "microslip/simplified"],
     "microslip/table": ["microslip/contact", "microslip/numerics", "microslip/simplified"],

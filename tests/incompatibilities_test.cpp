@@ -1,6 +1,7 @@
 #include "microslip/rolling/method.hpp"
 
 #include "io/case_file.hpp"
+#include "io/creep_table_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
 
@@ -48,6 +49,8 @@ struct Broken {
 
 std::vector<Broken> broken_cases() {
   const std::string fastsim2 = "theory = \"fastsim2\"\n", fastrip = "theory = \"fastrip\"\n", steel = Parts().body1;
+  const std::string table = "theory = \"table\"\n",
+                    not_of_table = ": cannot be combined with solution.theory = \"table\"";
   const std::string exact = "theory = \"exact\"\n", needs_exact = ": needs solution.theory = \"exact\"";
   const std::string shift = "kind = \"shift\"\nshift_longitudinal = 1e-6\n", rolling = Parts().motion;
   const auto parts = [&](auto change) {
@@ -83,6 +86,11 @@ std::vector<Broken> broken_cases() {
        "solution.bound: must be elliptic with solution.theory = \"fastrip\""},
       {of_solution(fastrip + "[solution.slope_reduction]\ninitial = 0.5\n"),
        "solution.slope_reduction: FaStrip has none, solution.theory = \"fastrip\""},
+      {of_solution(table + "bound = \"parabolic\"\n"), "solution.bound" + not_of_table},
+      {of_solution(table + "flexibility = \"three\"\n"), "solution.flexibility" + not_of_table},
+      {of_solution(table + "coefficients = \"computed\"\n"), "solution.coefficients" + not_of_table},
+      {of_solution(table + "[solution.slope_reduction]\ninitial = 0.5\n"), "solution.slope_reduction" + not_of_table},
+      {of_solution(table + "accuracy = 1e-3\n"), "solution.accuracy" + needs_exact},
       {of_solution(fastsim2 + "accuracy = 1e-3\n"), "solution.accuracy" + needs_exact},
       {of_solution(fastsim2 + "discretisation = \"classical\"\n"), "solution.discretisation" + needs_exact},
       {of_solution(fastsim2 + "elements = \"constant\"\n"), "solution.elements" + needs_exact},
@@ -150,12 +158,20 @@ TEST(Incompatibilities, AreTheLibrarysWords) {
   RollingProblem gap = problem;
   gap.geometry = GapValues{};
   EXPECT_EQ(first(gap, {.theory = Theory::fastsim2}),
-            "solution.theory: must be exact for a gap on a grid: the simplified theory needs an ellipse");
+            "solution.theory: must be exact for a gap on a grid: all others need an ellipse");
   EXPECT_EQ(first(gap, {.accuracy = 1e-3}),
             "solution.accuracy: needs an ellipse; a gap on a grid is solved on that grid");
+  EXPECT_EQ(first(problem, {.theory = Theory::table}), "solution.theory: needs a creep-force table, solution.table");
+  const auto backward = CreepTables().get(shipped_creep_table(), 0.28, RollingDirection::backward);
+  EXPECT_EQ(first(problem, {.theory = Theory::table, .table = backward}),
+            "motion.direction: must be that of the creep-force table");
+  EXPECT_EQ(first(problem, {.table = backward}), "solution.table: needs solution.theory = \"table\"");
   RollingProblem unlike = problem;
   unlike.bodies.material.dissimilarity = 0.2;
   EXPECT_EQ(Solver({.theory = Theory::fastsim2}).solve(unlike).report.reason,
+            "dissimilarity = 0.2 [-]: must be 0 in the simplified theory");
+  unlike.motion.direction = RollingDirection::backward;
+  EXPECT_EQ(Solver({.theory = Theory::table, .table = backward}).solve(unlike).report.reason,
             "dissimilarity = 0.2 [-]: must be 0 in the simplified theory");
 }
 

@@ -186,6 +186,40 @@ TEST(ProgramSweep, GoesOnAfterAnInterruptionAndAKill) {
   EXPECT_EQ(folder.entries(), (std::vector<std::string>{"r.h5", "s.toml"}));
 }
 
+TEST(ProgramSweep, OfOneCase) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", "[grid]\nload.normal_force = [80e3]\n" + two_bodies);
+  const auto outcome = run_program(folder, "sweep s.toml -o r.h5");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "1 cases\nr.h5\n");
+  EXPECT_EQ(doubles(Hdf5Reader(folder / "r.h5"), "contact/fx").size(), 1u);
+}
+
+TEST(ProgramSweep, ACompleteResultIsNotComputedAgain) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(5));
+  ASSERT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "15 cases\nr.h5\n");
+  const std::string whole = contents(folder / "r.h5");
+  const auto expect_as_it_is = [&] {
+    const auto again = run_program(folder, "sweep s.toml -o r.h5");
+    EXPECT_EQ(again.exit_code, 1);
+    EXPECT_EQ(again.output, "15 cases, all of them computed before\nr.h5\n");
+    EXPECT_EQ(again.errors, "microslip: warning: r.h5: 5 of 15 cases have another status than ok, see failures/\n");
+    EXPECT_EQ(contents(folder / "r.h5"), whole);
+    EXPECT_EQ(folder.entries(), (std::vector<std::string>{"r.h5", "s.toml"}));
+  };
+  expect_as_it_is();
+  // What is left of a checkpoint whose run was killed while it was removed.
+  ASSERT_TRUE(std::filesystem::create_directory(folder / "r.h5.checkpoint"));
+  expect_as_it_is();
+  // Another sweep's result, and a damaged one.
+  save(folder / "s.toml", grid(6));
+  EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "18 cases\nr.h5\n");
+  save(folder / "r.h5", contents(folder / "r.h5").substr(0, 3000));
+  EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "18 cases\nr.h5\n");
+  expect_grid(folder / "r.h5", 6);
+}
+
 TEST(ProgramSweep, RefusesASecondRunAndAnotherSweep) {
   const TemporaryFolder folder;
   save(folder / "s.toml", grid(100000));
@@ -214,7 +248,7 @@ TEST(ProgramSweep, AFullDiskIsAnErrorAndTheRestIsComputedLater) {
   EXPECT_NE(fuller.errors.find("r.h5: "), std::string::npos) << fuller.errors;
   EXPECT_FALSE(std::filesystem::exists(folder / "r.h5"));
   const auto rest = run_program(folder, "sweep s.toml -o r.h5");
-  EXPECT_EQ(rest.output, "90 cases, 90 of them from the checkpoint\nr.h5\n");
+  EXPECT_EQ(rest.output, "90 cases, all of them computed before\nr.h5\n");
   expect_grid(folder / "r.h5", 30);
 }
 
@@ -230,30 +264,69 @@ TEST(ProgramSweep, ABillionCasesEndWithinASecond) {
   EXPECT_EQ(program.end(SIGINT), 130);
 }
 
-TEST(ProgramSweep, RanksFindTheSameBits) {
-  if (std::system("mpirun --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no mpirun";
-  const TemporaryFolder folder;
-  save(folder / "s.toml", grid(40));
-  run_program(folder, "sweep s.toml -o one.h5 --threads 1");
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && mpirun --allow-run-as-root --oversubscribe -n 3 '" + MICROSLIP_PROGRAM +
-                              "' sweep s.toml -o ";
-  EXPECT_EQ(WEXITSTATUS(std::system((command + "three.h5 >out 2>errors").c_str())), 1) << contents(folder / "errors");
-  EXPECT_NE(contents(folder / "out").find("120 cases\nthree.h5\n"), std::string::npos) << contents(folder / "out");
-  const Hdf5Reader one(folder / "one.h5"), three(folder / "three.h5");
+bool has_mpirun() {
+  return std::system("mpirun --version >/dev/null 2>&1") == 0;
+}
+
+/// Runs `sweep s.toml -o OUTPUT` on three ranks, each by a shell that does something else first. Its output and errors
+/// go to the files `out` and `errors`.
+int run_ranks(const TemporaryFolder& folder, const std::string& output, const std::string& before = "true") {
+  save(folder / "rank.sh", before + "; exec '" MICROSLIP_PROGRAM "' sweep s.toml -o " + output + "\n");
+  return WEXITSTATUS(std::system(("cd '" + folder.path().string() +
+                                  "' && mpirun --allow-run-as-root --oversubscribe -n 3 sh rank.sh >out 2>errors")
+                                     .c_str()));
+}
+
+void expect_same_bits(const std::filesystem::path& first, const std::filesystem::path& second) {
+  const Hdf5Reader one(first), other(second);
   for (const char* path : {"contact/fx", "contact/mz", "contact/residual", "contact/elastic_energy", "hertz/a"}) {
-    const Doubles a = doubles(one, path), b = doubles(three, path);
+    const Doubles a = doubles(one, path), b = doubles(other, path);
     ASSERT_EQ(a.size(), b.size());
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << path;
   }
-  // One message for all ranks.
+}
+
+TEST(ProgramSweep, RanksFindTheSameBits) {
+  if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun";
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(40));
+  run_program(folder, "sweep s.toml -o one.h5 --threads 1");
+  EXPECT_EQ(run_ranks(folder, "three.h5"), 1) << contents(folder / "errors");
+  EXPECT_NE(contents(folder / "out").find("120 cases\nthree.h5\n"), std::string::npos) << contents(folder / "out");
+  expect_same_bits(folder / "one.h5", folder / "three.h5");
+  EXPECT_EQ(run_ranks(folder, "three.h5"), 1) << contents(folder / "errors");
+  EXPECT_NE(contents(folder / "out").find("120 cases, all of them computed before\n"), std::string::npos);
+}
+
+TEST(ProgramSweep, AllRanksEndWithOneMessage) {
+  if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun";
+  const TemporaryFolder folder;
   save(folder / "s.toml", "[grid]\n" + two_bodies);
-  EXPECT_EQ(WEXITSTATUS(std::system((command + "none.h5 >out 2>errors").c_str())), 2);
+  // The first rank has the message and is the slowest: nobody ends it before.
+  EXPECT_EQ(run_ranks(folder, "none.h5", "[ $OMPI_COMM_WORLD_RANK != 0 ] || renice -n 19 -p $$ >/dev/null"), 2);
   const std::string errors = contents(folder / "errors"),
                     message = "microslip: s.toml: [grid]: names no key that varies";
   const auto first = errors.find(message);
   ASSERT_NE(first, std::string::npos) << errors;
   EXPECT_EQ(errors.find(message, first + 1), std::string::npos) << errors;
+}
+
+TEST(ProgramSweep, ARankThatDiesWhileItWritesCostsItsChunkAlone) {
+  if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun";
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(2000));
+  run_program(folder, "sweep s.toml -o one.h5 --threads 2");
+  // Once rank 1 has some chunks the system ends it within the next write but one, at the latest.
+  const std::string limited = "if [ $OMPI_COMM_WORLD_RANK = 1 ]; then '" MICROSLIP_PROGRAM
+                              "' sweep s.toml -o r.h5 & rank=$!; until [ -s r.h5.checkpoint/rank-1 ]; do sleep 0.01; "
+                              "done; prlimit --pid $rank --fsize=$(($(stat -c %s r.h5.checkpoint/rank-1) + 100)); "
+                              "wait $rank; exit $?; fi";
+  EXPECT_NE(run_ranks(folder, "r.h5", limited), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "r.h5.checkpoint/rank-1"));
+  const auto rest = run_program(folder, "sweep s.toml -o r.h5");
+  EXPECT_NE(rest.output.find(" of them from the checkpoint\n"), std::string::npos) << rest.output << rest.errors;
+  expect_same_bits(folder / "one.h5", folder / "r.h5");
 }
 
 } // namespace

@@ -148,6 +148,36 @@ TEST(Sweep, RowsOfWheelsetsDoNotDependOnEachOther) {
                                 example("s.toml")));
 }
 
+TEST(Sweep, RowsByATableDoNotDependOnEachOther) {
+  const std::string theories = "solution.theory = [\"table\", \"fastsim2\"]\n";
+  expect_independent_rows(
+      Sweep("[sample]\ncount = 12\nseed = 6\n" + theories +
+                "\"body1.poisson_ratio, body2.poisson_ratio\" = { from = 0, to = 0.5 }\n"
+                "body2.transverse_radius = { from = 0.001, to = 3, scale = \"logarithmic\" }\n"
+                "motion.direction = [\"forward\", \"backward\"]\nmotion.spin = { from = -2, to = 2 }\n" +
+                two_bodies,
+            "s.toml"));
+  // A wheel's solver is new for each coefficient of friction; its table is not.
+  expect_independent_rows(Sweep("[sample]\ncount = 8\nseed = 7\n" + theories +
+                                    "wheel.lateral = { from = -0.005, to = 0.006 }\n"
+                                    "friction.coefficient = { from = 0.1, to = 0.5 }\n" +
+                                    wheel_case("right"),
+                                example("s.toml")));
+}
+
+TEST(Sweep, BeyondATablesRangeTheReasonSaysSo) {
+  const Sweep sweep("[grid]\nbody2.transverse_radius = [0.3, 0.0008]\n" + two_bodies +
+                        "[case.solution]\ntheory = \"table\"\n",
+                    "s.toml");
+  const RowWorker worker = sweep.make_worker();
+  EXPECT_EQ(row_of(sweep, worker, 0).reason, "");
+  const Row beyond = row_of(sweep, worker, 1);
+  EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::not_converged));
+  EXPECT_NE(beyond.reason.find("beyond the creep-force table's range"), std::string::npos) << beyond.reason;
+  EXPECT_TRUE(std::isfinite(number(sweep, beyond, "contact/fx")));
+  EXPECT_TRUE(std::isnan(number(sweep, beyond, "contact/peak_traction")));
+}
+
 TEST(Sweep, OfAWheelIsThatOfItsCase) {
   const Sweep sweep("[grid]\nwheel.lateral = [0, 0.006]\n" + wheel_case("right"), example("s.toml"));
   auto text = wheel_case("right");

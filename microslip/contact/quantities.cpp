@@ -15,6 +15,9 @@ bool always(Solution) {
 bool has_pressure(Solution s) {
   return !s.fields.pressure.empty() || s.report.status == Status::invalid_input;
 }
+bool has_tractions(Solution s) {
+  return s.elements.size() != 0 || s.report.status == Status::invalid_input;
+}
 bool has_temperatures(Solution s) {
   return !s.fields.temperature1.empty();
 }
@@ -51,7 +54,7 @@ constexpr Quantity all_quantities[] = {
     {"peak_pressure", "peak pressure", "p_max", "Pa", "Pa", "largest pressure of an element",
      [](Solution s) { return s.totals.peak_pressure; }, has_pressure},
     {"peak_traction", "peak traction", "|p|_max", "Pa", "Pa", "largest traction of an element",
-     [](Solution s) { return s.totals.peak_traction; }, always},
+     [](Solution s) { return s.totals.peak_traction; }, has_tractions},
     {"highest_temperature", "highest temperature", "T_max", "deg C", "deg C",
      "highest temperature of the surfaces in contact", [](Solution s) { return s.highest_temperature; },
      has_temperatures},

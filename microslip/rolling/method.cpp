@@ -1,6 +1,7 @@
 #include "microslip/rolling/method.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 namespace microslip {
 namespace {
@@ -10,6 +11,9 @@ bool is_exact(const Method& m) {
 }
 bool is_fastrip(const Method& m) {
   return m.theory == Theory::fastrip;
+}
+bool is_table(const Method& m) {
+  return m.theory == Theory::table;
 }
 bool is_steady(const RollingProblem& p) {
   return p.motion.kind == ContactMotion::steady;
@@ -32,7 +36,8 @@ struct Rule {
   bool (*is_broken)(Problem, How);
 };
 
-constexpr std::string_view needs_exact = "needs solution.theory = \"exact\"";
+constexpr std::string_view needs_exact = "needs solution.theory = \"exact\"",
+                           not_of_table = "cannot be combined with solution.theory = \"table\"";
 
 /// What cannot be combined. Every door reads it from here, in this order.
 constexpr Rule rules[] = {
@@ -78,7 +83,19 @@ constexpr Rule rules[] = {
     {"solution.slope_reduction", "FaStrip has none, solution.theory = \"fastrip\"",
      [](Problem, How m) { return is_fastrip(m) && has_slope_reduction(m); }},
     {"solution.precision", "single is for FASTSIM and FASTSIM2",
-     [](Problem, How m) { return m.precision == Precision::single && (is_exact(m) || is_fastrip(m)); }},
+     [](Problem, How m) { return m.precision == Precision::single && (is_exact(m) || is_fastrip(m) || is_table(m)); }},
+    // Creep-force tables
+    {"solution.table", "needs solution.theory = \"table\"", [](Problem, How m) { return !is_table(m) && m.table; }},
+    {"solution.theory", "needs a creep-force table, solution.table",
+     [](Problem, How m) { return is_table(m) && !m.table; }},
+    {"motion.direction", "must be that of the creep-force table",
+     [](Problem p, How m) { return is_table(m) && m.table && m.table->direction() != p.motion.direction; }},
+    {"solution.bound", not_of_table, [](Problem, How m) { return is_table(m) && m.bound.has_value(); }},
+    {"solution.flexibility", not_of_table, [](Problem, How m) { return is_table(m) && m.flexibility.has_value(); }},
+    {"solution.coefficients", not_of_table,
+     [](Problem, How m) { return is_table(m) && m.coefficients != CreepageTable::kalker; }},
+    {"solution.slope_reduction", not_of_table, [](Problem, How m) { return is_table(m) && has_slope_reduction(m); }},
+    // What the exact theory alone has
     {"solution.accuracy", needs_exact, [](Problem, How m) { return !is_exact(m) && m.accuracy.has_value(); }},
     {"solution.discretisation", needs_exact,
      [](Problem, How m) { return !is_exact(m) && m.discretisation.has_value(); }},
@@ -100,7 +117,7 @@ constexpr Rule rules[] = {
      [](Problem p, How m) { return !is_exact(m) && !p.bodies.are_elastic(); }},
     {"body1.bulk_temperature, body2.bulk_temperature", needs_exact,
      [](Problem p, How m) { return !is_exact(m) && p.thermal.has_value(); }},
-    {"solution.theory", "must be exact for a gap on a grid: the simplified theory needs an ellipse",
+    {"solution.theory", "must be exact for a gap on a grid: all others need an ellipse",
      [](Problem p, How m) { return !is_exact(m) && !is_hertzian(p); }},
 };
 

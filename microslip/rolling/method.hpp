@@ -4,12 +4,15 @@
 #include "microslip/rolling/rolling_problem.hpp"
 #include "microslip/rolling/theory.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace microslip {
+
+class CreepForceTable;
 
 /// How a problem is solved. What is not given takes the best value for the problem.
 struct Method {
@@ -29,6 +32,8 @@ struct Method {
   CreepageTable coefficients = CreepageTable::kalker;
   SlopeReduction slope_reduction = {};
   Precision precision = Precision::full; ///< of the forces of many contacts
+  // Of the theory `table`:
+  std::shared_ptr<const CreepForceTable> table = {}; ///< for the direction of rolling
 };
 
 /// Something in a problem that its method, or another part of the problem, does not allow.

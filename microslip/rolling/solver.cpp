@@ -7,7 +7,10 @@
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/simplified/fastrip.hpp"
 #include "microslip/simplified/row_solver.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
+#include <array>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -49,6 +52,46 @@ ContactSolution with_limit(AccurateContact found) {
   out.report.products = found.products;
   out.report.estimated_error = found.error;
   out.report.reason.clear();
+  add_reason(out.report);
+  return out;
+}
+
+/// Why a contact is out of a table's range; empty if it is within.
+std::string out_of_range(const CreepTableAxes& axes, const EllipticContact& contact) {
+  const auto beyond = [](const char* name, double value, double least, double largest) -> std::string {
+    if (value >= least && value <= largest) return "";
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "%s = %.4g is beyond the creep-force table's range, %g to %g: the forces are those of limits", name,
+                  value, least, largest);
+    return text.data();
+  };
+  const std::string shape = beyond("a/b", contact.a / contact.b, axes.least_ratio, axes.largest_ratio);
+  if (!shape.empty()) return shape;
+  return beyond("Poisson's ratio", contact.poisson_ratio, axes.poisson_ratios.front(), axes.poisson_ratios.back());
+}
+
+/// Forces, areas and power.
+ContactSolution look_up(const CreepForceTable& table, const EllipticContact& contact) {
+  try {
+    check_simplified(contact);
+  } catch (const Error& error) {
+    return solution_without_result(Status::invalid_input, error.what());
+  }
+  const ContactForces forces = table.solve(contact);
+  ContactSolution out;
+  out.creepage = contact.creepage;
+  out.totals.fx = forces.fx;
+  out.totals.fy = forces.fy;
+  out.totals.mz = forces.mz;
+  out.totals.adhesion_area = forces.adhesion_area;
+  out.totals.slip_area = forces.slip_area;
+  const auto& [xi, eta, phi] = contact.creepage;
+  const double power = -contact.rolling_speed * (xi * forces.fx + eta * forces.fy + phi * forces.mz);
+  out.totals.frictional_power = out.totals.power_by_creepage = power;
+  out.report.status = forces.status;
+  if (forces.status != Status::ok && forces.status != Status::invalid_input)
+    out.report.reason = out_of_range(table.axes(), contact);
   add_reason(out.report);
   return out;
 }
@@ -110,6 +153,7 @@ struct Solver::Kept {
 
   ContactSolution solve_ellipse(const RollingProblem& problem, const Progress& progress) {
     const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
+    if (method.theory == Theory::table) return look_up(*method.table, contact);
     if (method.theory != Theory::exact) return solve_simplified(contact, problem.motion.direction);
     const ExactOptions options = exact_options(problem, method);
     if (method.accuracy) {

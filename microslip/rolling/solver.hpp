@@ -12,7 +12,8 @@ namespace microslip {
 /// A Hertzian problem as the solvers of either theory take it.
 EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz);
 
-/// Solves any rolling problem by one method: an ellipse by either theory, to an accuracy if one is asked for; a gap on
+/// Solves any rolling problem by one method: an ellipse by either theory, to an accuracy if one is asked for, or by a
+/// creep-force table, which gives forces without fields; a gap on
 /// a grid by the exact theory, at second order where that is possible (steady rolling of similar elastic bodies with
 /// Coulomb friction), else classically. What does not change from problem to problem (transforms, influence
 /// coefficients, pressures) is kept for the next one. Distinct objects may be used from distinct threads.
@@ -28,7 +29,8 @@ public:
 
   /// Throws Error for a problem that the method cannot honour (incompatibilities), whose geometry makes no sense, or
   /// which needs more memory than the machine has; of a gap on a grid for any input out of range. Other input out of
-  /// range, not converging, no contact and a force beyond friction are statuses, with their reason. `progress` is told
+  /// range, not converging, no contact, an ellipse or a material beyond a table's range and a force beyond friction are
+  /// statuses, with their reason. `progress` is told
   /// of the fraction done; false ends the work, with status not_converged. Cost: of an ellipse with N elements
   /// O(N log N), some ms at 24 x 24; of the simplified theory O(N).
   ContactSolution solve(const RollingProblem& problem, const Progress& progress = {});

@@ -5,10 +5,10 @@
 namespace microslip {
 
 /// What a contact can be solved by.
-enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip };
+enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip, table };
 
-/// The scheme of the simplified theory, except FaStrip, which is a solver of its own; beside the exact theory
-/// FASTSIM2.
+/// The scheme of the simplified theory, except FaStrip, which is a solver of its own; beside the exact theory and a
+/// creep-force table FASTSIM2.
 inline MarchingScheme marching_scheme(Theory theory) {
   switch (theory) {
   case Theory::fastsim:

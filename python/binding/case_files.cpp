@@ -53,10 +53,14 @@ inline constexpr auto fields<ExactResult> =
                Field{"limit", &ExactResult::limit}, Field{"interior", &ExactResult::interior},
                Field{"curve", &ExactResult::curve}};
 template <>
+inline constexpr auto fields<TableResult> =
+    std::tuple{Field{"solution", &TableResult::solution}, Field{"curve", &TableResult::curve}};
+template <>
 inline constexpr auto fields<RollingContactResult> =
-    std::tuple{Field{"hertz", &RollingContactResult::hertz},   Field{"contact", &RollingContactResult::contact},
-               Field{"exact", &RollingContactResult::exact},   Field{"simplified", &RollingContactResult::simplified},
-               Field{"status", &RollingContactResult::status}, Field{"warnings", &RollingContactResult::warnings}};
+    std::tuple{Field{"hertz", &RollingContactResult::hertz},           Field{"contact", &RollingContactResult::contact},
+               Field{"exact", &RollingContactResult::exact},           Field{"table", &RollingContactResult::table},
+               Field{"simplified", &RollingContactResult::simplified}, Field{"status", &RollingContactResult::status},
+               Field{"warnings", &RollingContactResult::warnings}};
 template <>
 inline constexpr auto fields<SolvedCase> =
     std::tuple{Field{"case", &SolvedCase::of}, Field{"result", &SolvedCase::result}};
@@ -111,6 +115,7 @@ ExactOptions options_for(const Case& self, std::optional<Discretisation> asked) 
   const RollingProblem problem = rolling_problem(self.input);
   Method method = method_of(self.input);
   method.theory = Theory::exact;
+  method.table.reset();
   method.accuracy.reset(); // the solver's own
   if (asked) method.discretisation = asked;
   if (asked == Discretisation::second_order) method.elements.reset();
@@ -188,7 +193,8 @@ void bind_case(py::module_& module) {
       .def_property_readonly("body1", of_input(&RollingCase::body1), "The body that forces act on, e.g. the wheel.")
       .def_property_readonly("body2", of_input(&RollingCase::body2), "The other body, e.g. the rail.")
       .def_property_readonly("friction", of_input(&RollingCase::friction), "The FrictionLaw, mu [-].")
-      .def_property_readonly("theory", of_input(&RollingCase::theory), "fastsim, fastsim_half_step, fastsim2 or exact.")
+      .def_property_readonly("theory", of_input(&RollingCase::theory),
+                             "fastsim, fastsim_half_step, fastsim2, fastrip, exact or table.")
       .def_property_readonly(
           "hertz", [](const Case& self) { return hertz_contact(self.input); }, "The HertzContact.")
       .def_property_readonly(
@@ -276,6 +282,13 @@ void bind_theories(py::module_& module) {
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
       .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
   add_value(exact, {"solution", "grid_error", "limit"});
+
+  py::class_<TableResult> table(module, "TableResult", "What a creep-force table makes of a case.");
+  table.def_readonly("solution", &TableResult::solution, "The ContactSolution, without fields.")
+      .def_property_readonly(
+          "forces", [](const TableResult& self) { return self.solution.forces(); }, "The totals, as ContactForces.")
+      .def_readonly("curve", &TableResult::curve, "The CreepCurve through the case.");
+  add_value(table, {"solution"});
 }
 
 } // namespace
@@ -298,8 +311,10 @@ void bind_case_files(py::module_& module) {
                              "The EllipticContact, with creepages as found where a force is prescribed.")
       .def_property_readonly("exact", result(&RollingContactResult::exact),
                              "ExactResult, None if the case does not ask for it.")
+      .def_property_readonly("table", result(&RollingContactResult::table),
+                             "TableResult, None if the case does not ask for it.")
       .def_property_readonly("simplified", result(&RollingContactResult::simplified),
-                             "SimplifiedResult, also beside the exact theory in steady rolling; else None.")
+                             "SimplifiedResult, also beside the exact theory in steady rolling and a table; else None.")
       .def_property_readonly("interior", &states_inside,
                              "InteriorStates at the case's points, shape (z, y, x) as their lists; None without any.")
       .def_property_readonly("status", result(&RollingContactResult::status),
@@ -311,9 +326,9 @@ void bind_case_files(py::module_& module) {
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "
            "be written.");
-  add_value(solved, {"status", "exact", "simplified", "warnings"});
+  add_value(solved, {"status", "exact", "table", "simplified", "warnings"});
   module.def("solve_case", &solve, "case"_a,
-             "Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI\n"
+             "Solves a RollingCase by the theory it asks for, and beside exact theory or table by FASTSIM2, SI\n"
              "units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status.");
 }
 

@@ -127,6 +127,10 @@ SweepReport sweep(const py::object& spec, const py::object& output, int threads,
   const Sweep cases(read_case_text(name), name);
   Ranks one;
   Campaign campaign(checkpoint_of(path), cases.plan(), one);
+  if (const auto found = find_sweep(cases, path)) {
+    campaign.remove();
+    return {found->cases, found->failed, found->cases};
+  }
   const std::size_t kept = campaign.kept_cases();
   executor.is_none() ? solve_on_threads(cases, campaign, count) : solve_by(executor, cases.spec(), campaign);
   const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
@@ -157,7 +161,8 @@ void bind_sweep(py::module_& module) {
       "Solves the cases of a specification file, as `microslip sweep` does, and writes them to an HDF5 file, SI\n"
       "units [-]. What is finished is kept in OUTPUT.checkpoint: after an interruption the same call goes on with "
       "what\n"
-      "is missing. On threads, 0: one for each processor, or by a concurrent.futures.Executor, whose workers import\n"
+      "is missing, and ends at once if nothing is. On threads, 0: one for each processor, or by a "
+      "concurrent.futures.Executor, whose workers import\n"
       "microslip and read the files of the specification. The results are the same to the last bit. Returns\n"
       "SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written.");
 }

@@ -1243,7 +1243,7 @@ class RollingCase:
         """The FrictionLaw, mu [-]."""
     @property
     def theory(self) -> str:
-        """fastsim, fastsim_half_step, fastsim2 or exact."""
+        """fastsim, fastsim_half_step, fastsim2, fastrip, exact or table."""
     @property
     def hertz(self) -> HertzContact:
         """The HertzContact."""
@@ -1281,8 +1281,11 @@ class RollingContactResult:
     def exact(self) -> ExactResult | None:
         """ExactResult, None if the case does not ask for it."""
     @property
+    def table(self) -> TableResult | None:
+        """TableResult, None if the case does not ask for it."""
+    @property
     def simplified(self) -> SimplifiedResult | None:
-        """SimplifiedResult, also beside the exact theory in steady rolling; else None."""
+        """SimplifiedResult, also beside the exact theory in steady rolling and a table; else None."""
     @property
     def interior(self) -> InteriorStates | None:
         """InteriorStates at the case's points, shape (z, y, x) as their lists; None without any."""
@@ -1501,6 +1504,20 @@ class SweepReport:
     @property
     def from_checkpoint(self) -> int:
         """Those that an earlier run had computed [-]."""
+
+class TableResult:
+    """What a creep-force table makes of a case."""
+    @property
+    def solution(self) -> ContactSolution:
+        """The ContactSolution, without fields."""
+    @property
+    def forces(self) -> ContactForces:
+        """The totals, as ContactForces."""
+    @property
+    def curve(self) -> CreepCurve:
+        """The CreepCurve through the case."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class TangentialProblem:
     """The tangential contact problem of the exact theory on a grid of elements with constant
@@ -2437,7 +2454,7 @@ def shear_excess(solution: ContactSolution, shear_yield_strength: float) -> NDAr
     """Traction of each element less the yield strength in shear [Pa], shape (my, mx)."""
 
 def solve_case(case: RollingCase) -> RollingContactResult:
-    """Solves a RollingCase by the theory it asks for, and beside the exact theory by FASTSIM2, SI
+    """Solves a RollingCase by the theory it asks for, and beside exact theory or table by FASTSIM2, SI
     units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status."""
 
 def surface_fatigue_index(traction_coefficient: float, peak_pressure: float, shear_yield_strength: float) -> float:
@@ -2446,7 +2463,7 @@ def surface_fatigue_index(traction_coefficient: float, peak_pressure: float, she
 def sweep(path: str | os.PathLike[str], output: str | os.PathLike[str], threads: int = 0, executor: Executor | None = None) -> SweepReport:
     """Solves the cases of a specification file, as `microslip sweep` does, and writes them to an HDF5 file, SI
     units [-]. What is finished is kept in OUTPUT.checkpoint: after an interruption the same call goes on with what
-    is missing. On threads, 0: one for each processor, or by a concurrent.futures.Executor, whose workers import
+    is missing, and ends at once if nothing is. On threads, 0: one for each processor, or by a concurrent.futures.Executor, whose workers import
     microslip and read the files of the specification. The results are the same to the last bit. Returns
     SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written."""
 

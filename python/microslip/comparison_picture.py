@@ -19,7 +19,7 @@ TOTALS = (("fx", "$F_x$", "N"), ("fy", "$F_y$", "N"), ("mz", "$M_z$", "N m"), ("
 
 def main_theory(result):
     """The best theory of a file: the exact one if it is there."""
-    theories = [theory for theory in reversed(THEORIES) if theory in result]
+    theories = [theory for theory in reversed(THEORIES) if f"{theory}/fields" in result]
     if not theories:
         raise ResultError(f"{result.path}: no results of a theory ({', '.join(THEORIES)})")
     return theories[0]

@@ -15,7 +15,7 @@ CREEPAGES = {
 FORCES = {"fx": ("$F_x$", BLUE), "fy": ("$F_y$", VERMILION)}
 # For the last theory of a picture, and for those before it.
 LINE_STYLES = {True: "-", False: "--"}
-POINT_MARKERS = {"fastsim": "s", "fastsim_half_step": "^", "fastsim2": "o", "fastrip": "v", "exact": "D"}
+POINT_MARKERS = {"fastsim": "s", "fastsim_half_step": "^", "fastsim2": "o", "fastrip": "v", "table": "P", "exact": "D"}
 
 
 def creep_curve_picture(result, theories):

@@ -33,6 +33,7 @@ THEORIES = {
     "fastsim_half_step": "FASTSIM, half first step",
     "fastsim2": "FASTSIM2",
     "fastrip": "FaStrip",
+    "table": "creep-force table",
     "exact": "exact theory",
 }
 

@@ -28,6 +28,8 @@ from microslip.sweep_picture import sweep_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
 from microslip.wheelset_pictures import wheelset_pictures
 
+CREEP_TABLE = b"MSCREEP"  # how the files of creep-force tables begin
+
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
     "conicity": conicity_pictures,
@@ -58,7 +60,7 @@ def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, conver
     for one in (result, other):
         if one and one.attribute("kind") != "rolling_contact":
             raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': such pictures need rolling_contact")
-    cells = {theory: read_cells(result, theory) for theory in THEORIES if theory in result}
+    cells = {theory: read_cells(result, theory) for theory in THEORIES if f"{theory}/fields" in result}
     figures = {f"field_{name}.png": field_map(result, cells, name) for name in fields}
     figures.update({f"surface_{name}.png": field_surface(result, cells, name) for name in surfaces})
     if cut is not None:
@@ -96,6 +98,29 @@ def figures(path, **chosen):
         return chosen_pictures(result, **chosen) if chosen else pictures(result)
 
 
+def is_creep_table(path):
+    """Whether a file is a creep-force table."""
+    try:
+        with open(path, "rb") as file:
+            return file.read(len(CREEP_TABLE)) == CREEP_TABLE
+    except OSError:
+        return False
+
+
+def table_figures(path, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0.5, 1.0)):
+    """The picture of a creep-force table for an ellipse, by file name."""
+    with matplotlib.rc_context(SETTINGS):
+        try:
+            import microslip
+            from microslip.creep_table_picture import creep_table_picture
+            table = microslip.CreepForceTable(path, poisson_ratio=poisson_ratio)
+            return {"creep_table.png": creep_table_picture(table, axis_ratio, poisson_ratio, spins)}
+        except ImportError as error:
+            raise ResultError(f"creep_table.png needs the compiled module of microslip: {error}") from None
+        except ValueError as error:
+            raise ResultError(str(error)) from None
+
+
 def save(figure, path, metadata):
     """Writes a picture under another name first, so that a file with the final name is always whole."""
     unfinished = f"{path}.{os.getpid()}.unfinished"
@@ -110,10 +135,17 @@ def save(figure, path, metadata):
 
 def draw(path, folder, chosen):
     """Draws all pictures of a result file, or those that are asked for, into a folder and prints their paths."""
+    if is_creep_table(path):
+        save_all(table_figures(path, **chosen), folder, {"Title": "creep-force table", "Software": "microslip"})
+        return
     with ResultFile(path) as result:
         source = f"microslip {result.attribute('version', '')} ({result.attribute('commit', '')})"
         metadata = {"Title": result.attribute("title", ""), "Software": source}
-    drawn = figures(path, **chosen)
+    save_all(figures(path, **chosen), folder, metadata)
+
+
+def save_all(drawn, folder, metadata):
+    """Writes pictures into a folder and prints their paths."""
     os.makedirs(folder, exist_ok=True)
     with matplotlib.rc_context(SETTINGS):
         for name, figure in drawn.items():
@@ -141,6 +173,10 @@ def parse(arguments):
     parser.add_argument("--convergence", action="store_true", help="errors of the exact theory over the number of elements")
     parser.add_argument("--stresses", metavar="Y", type=float, help="stresses inside both bodies in the plane of y [mm]")
     parser.add_argument("--compare", metavar="OTHER.h5", help="this result beside another")
+    parser.add_argument("--axis-ratio", metavar="A/B", type=float, help="of a creep-force table: semi-axis along x over that along y")
+    parser.add_argument("--poisson-ratio", metavar="NU", type=float, help="of a creep-force table: Poisson's ratio")
+    parser.add_argument("--spins", metavar="SPINS", type=numbers,
+                        help="of a creep-force table: spins, scaled with G (a b)^(3/2)/(mu Fn), e.g. 0,0.5,1")
     return parser.parse_args(arguments)
 
 
@@ -148,6 +184,12 @@ def choice(options):
     """The pictures that the command line asks for, as arguments of chosen_pictures; none: all of the file's kind."""
     asked = {"fields": options.field, "surfaces": options.surface, "cut": options.cut, "spins": options.creep_curves,
              "convergence": options.convergence, "stresses": options.stresses, "other": options.compare}
+    of_table = {"axis_ratio": options.axis_ratio, "poisson_ratio": options.poisson_ratio, "spins": options.spins}
+    is_table = is_creep_table(options.result)
+    asked, others = (of_table, asked) if is_table else (asked, of_table)
+    if any(value is not None and value is not False and value != [] for value in others.values()):
+        what = "a creep-force table has only" if is_table else "no creep-force table, which alone has"
+        raise ResultError(f"{options.result}: {what} --axis-ratio, --poisson-ratio and --spins")
     return {name: value for name, value in asked.items() if value is not None and value is not False and value != []}
 
 

@@ -24,11 +24,10 @@ def rolling_contact_pictures(result):
     theories = [theory for theory in THEORIES if theory in result]
     if not theories:
         raise ResultError(f"{result.path}: no results of a theory ({', '.join(THEORIES)})")
-    cells = {theory: read_cells(result, theory) for theory in theories}
-    figures = {
-        "tractions.png": tractions_picture(result, cells),
-        "areas.png": areas_picture(result, cells),
-    }
+    cells = {theory: read_cells(result, theory) for theory in theories if f"{theory}/fields" in result}  # tables have none
+    figures = {}
+    if cells:
+        figures = {"tractions.png": tractions_picture(result, cells), "areas.png": areas_picture(result, cells)}
     if "creep_curve" in result:
         with_curve = [theory for theory in theories if f"creep_curve/{theory}" in result]
         figures["creep_curve.png"] = creep_curve_picture(result, with_curve)

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "microslip/contact/motion.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace microslip {
+
+class CreepForceTable;
+class TomlSection;
+
+/// Creep-force tables by the files they come from, each made once, for whoever reads many cases. It keeps the last few.
+/// From any thread.
+class CreepTables {
+public:
+  /// The table in a file for one Poisson's ratio, or for all that it has. Throws Error as read_creep_table. Cost some
+  /// tenths of a second, or nothing if it is there.
+  std::shared_ptr<const CreepForceTable> get(const std::filesystem::path& file, std::optional<double> poisson_ratio,
+                                             RollingDirection direction) const;
+
+  /// The same for the [solution] of a case: its `table`, from the case's folder on, or the table that microslip has.
+  /// Throws Error with the case's file and line.
+  std::shared_ptr<const CreepForceTable> get(const TomlSection& solution, std::optional<double> poisson_ratio,
+                                             RollingDirection direction) const;
+
+private:
+  struct Entry {
+    std::filesystem::path file;
+    std::optional<double> poisson_ratio;
+    RollingDirection direction;
+    std::shared_ptr<const CreepForceTable> table;
+  };
+
+  mutable std::mutex mutex_;
+  mutable std::vector<Entry> entries_; ///< the one that was asked for last stands last
+};
+
+} // namespace microslip
