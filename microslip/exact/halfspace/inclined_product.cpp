@@ -64,8 +64,7 @@ const ToeplitzTransform::Spectrum* InclinedProduct::entry(const Spectra& spectra
 
 /// q = R(r_J) p, times the terms of R(t_J).
 void InclinedProduct::load(const Fields& p) {
-  const auto& [ct, cr] = cosine_;
-  const auto& [st, sr] = sine_;
+  const auto &cr = cosine_[1], &sr = sine_[1]; // of the tractions' turn
   for (std::size_t m = 0; m < before_.size(); ++m) {
     const double* factor = factors(before_[m], false);
     Field *x = &loaded_[3 * m], *y = x + lateral, *z = x + normal;
