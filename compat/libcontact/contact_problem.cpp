@@ -243,7 +243,7 @@ void ContactProblem::solve(Calculation& calculation) {
   }
   calculation.code = code_of_solution();
   keep_what_was_found();
-  find_sensitivities(calculation);
+  find_sensitivities();
 }
 
 int ContactProblem::code_of_solution() const {
@@ -269,17 +269,13 @@ void ContactProblem::keep_what_was_found() {
     normal_force = outcome_->totals.fn;
 }
 
-void ContactProblem::find_sensitivities(Calculation& calculation) {
+void ContactProblem::find_sensitivities() {
   sensitivities_.resize(static_cast<std::size_t>(contacts()));
   if (sensitivity.of < 2) return;
-  if (is_wheel() && solved_.digits.has_history()) {
-    calculation.messages.emplace_back("sensitivities of a wheel with T = 1 or 2 are not supported");
-    return;
-  }
-  for (int k = 1; k <= contacts(); ++k) {
-    const Contact c = contact(k);
-    sensitivities_[static_cast<std::size_t>(k) - 1] =
-        contact_program::find_sensitivities(c.data, c.outcome, sensitivity, contact_.started_from());
+  for (std::size_t k = 0; k < sensitivities_.size(); ++k) {
+    const Contact c = contact(static_cast<int>(k) + 1);
+    const auto start = is_wheel() ? wheel_.started_from(k) : contact_.started_from();
+    sensitivities_[k] = contact_program::find_sensitivities(c.data, c.outcome, sensitivity, start);
   }
 }
 

@@ -88,7 +88,7 @@ private:
   Case completed() const;
   void solve(Calculation& calculation);
   void keep_what_was_found();
-  void find_sensitivities(Calculation& calculation);
+  void find_sensitivities();
   int code_of_refusal() const;
   int code_of_solution() const;
   std::size_t index(int patch) const;

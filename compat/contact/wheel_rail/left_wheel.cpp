@@ -24,9 +24,13 @@ template <class... Fields> void negate(Fields&... fields) {
   (one(fields), ...);
 }
 
+void mirror(ElementGrid& g) {
+  g.y0 = -(g.y0 + (g.my - 1) * g.dy);
+}
+
 void mirror(ContactStep& s) {
   ElementGrid& g = s.grid;
-  g.y0 = -(g.y0 + (g.my - 1) * g.dy);
+  mirror(g);
   reverse_all(g.mx, s.gap, s.excluded, s.extra_slip_x, s.extra_slip_y);
   negate(s.extra_slip_y);
   std::reverse(s.response.inclination.angle.begin(), s.response.inclination.angle.end());
@@ -37,11 +41,15 @@ void mirror(ContactStep& s) {
   s.motion.creepage.spin *= -1;
 }
 
+void mirror(TangentialState& s, int mx) {
+  reverse_all(mx, s.px, s.py, s.pressure, s.friction_drop, s.slip_velocity, s.plastic_deformation);
+  negate(s.py);
+}
+
 void mirror(TangentialSolution& t, int mx) {
-  reverse_all(mx, t.tractions.px, t.tractions.py, t.tractions.pressure, t.tractions.friction_drop,
-              t.tractions.slip_velocity, t.tractions.plastic_deformation, t.bound, t.ux, t.uy, t.sx, t.sy,
-              t.slip_direction, t.state);
-  negate(t.tractions.py, t.uy, t.sy, t.slip_direction);
+  mirror(t.tractions, mx);
+  reverse_all(mx, t.bound, t.ux, t.uy, t.sx, t.sy, t.slip_direction, t.state);
+  negate(t.uy, t.sy, t.slip_direction);
   t.forces.fy *= -1;
   t.forces.mz *= -1;
   t.creepage.lateral *= -1;
@@ -114,6 +122,17 @@ void mirror_back(WheelOutcome& wheel) {
     mirror(patch.wheelset);
     mirror(*patch.solution);
   }
+}
+
+void mirror_back(CarriedTractions& carried) {
+  auto& [grid, tractions] = carried.tractions;
+  mirror(tractions, grid.mx);
+  mirror(grid);
+  if (!carried.springs) return;
+  auto& [places, springs] = *carried.springs;
+  reverse_all(places.mx, springs.x, springs.y);
+  negate(springs.y);
+  mirror(places);
 }
 
 } // namespace microslip::contact_program

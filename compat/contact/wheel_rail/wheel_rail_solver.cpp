@@ -309,6 +309,7 @@ void WheelRailSolver::move_origins(GridOrigin origin) {
 /// What was found of a left wheel's mirror image for the wheel, and fields inside the bodies at the final height.
 void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress& progress) {
   wheel.effort = effort_;
+  is_left_ = c.wheel_rail->digits.is_left();
   if (c.wheel_rail->digits.is_left()) mirror_back(wheel);
   for (WheelPatch& patch : wheel.patches) {
     patch.contact.digits.stress = c.digits.stress;
@@ -316,6 +317,12 @@ void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress&
     InteriorSequence interior;
     o.interior = interior_blocks(patch.contact, o.step, o.solution, interior, progress);
   }
+}
+
+CarriedTractions WheelRailSolver::started_from(std::size_t patch) const {
+  CarriedTractions start = tracks_[patch].solver->started_from();
+  if (is_left_) mirror_back(start);
+  return start;
 }
 
 /// Of each patch, what it goes on from.

@@ -21,6 +21,9 @@ public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
+  /// What a patch of the last case, from 0, has gone on from, in shifts and transient rolling.
+  CarriedTractions started_from(std::size_t patch) const;
+
   /// A profile as it is used; files are read once. Throws Error as read_profile_shape does.
   ProfileShape profile(const ProfileRecord& record, ProfileRole role);
 
@@ -79,6 +82,7 @@ private:
   std::vector<Track> tracks_;  ///< of those of the last solution
   WheelEffort effort_;
   std::optional<double> last_z_;   ///< Z_WS of the case before
+  bool is_left_ = false;           ///< whether the last case was that of a left wheel
   std::vector<PatchFrame> frames_; ///< of the last solution
   int lost_ = 0;                   ///< number of the case that could not be run after the last one that was solved
 };

@@ -224,6 +224,39 @@ TEST_P(Wheels, HaveSensitivitiesOfTheirPatches) {
   EXPECT_NEAR(s[6] / s[9], 1, 0.5) << "nearly symmetric";
 }
 
+/// The second of two steps: its forces' slopes are those of a step from the same tractions with other creepages, which
+/// grow with the step as in adhesion, and of a left wheel they are the right one's.
+TEST_P(Wheels, HaveSensitivitiesOfTransientRolling) {
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_tang, 2), 0);
+  ASSERT_EQ(set_wheel_state(1, GetParam() ? 3 : -3), 0);
+  ASSERT_GE(calculate(1), 0) << library_.log();
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_pvtime, 0), 0);
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_sens, 3), 0);
+  ASSERT_GE(calculate(1), 0) << library_.log();
+  const Values before = scalars(cntc_getcontactforces, 1, 1);
+  int one = 1, four = 4;
+  Values s(16);
+  ASSERT_EQ(cntc_getsensitivities(&one, &one, &four, &four, s.data()), 0);
+  const double approach = scalars(cntc_getpenetration, 1, 1)[0];
+  EXPECT_NEAR(s[0] * approach / before[0], 1.5, 0.1);
+  EXPECT_LT(s[5], 0) << "FX against xi";
+  EXPECT_LT(s[10], 0) << "FY against eta";
+  // Another element, whose second step has a little more of xi.
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_sens, 0), 0);
+  ASSERT_EQ(initialize(2, 1), 0);
+  ASSERT_EQ(set_up_wheel(2, GetParam()), 0);
+  ASSERT_EQ(set_flag(2, whole, CNTC_ic_tang, 2), 0);
+  ASSERT_EQ(set_wheel_state(2, GetParam() ? 3 : -3), 0);
+  ASSERT_GE(calculate(2), 0);
+  ASSERT_EQ(set_flag(2, whole, CNTC_ic_pvtime, 0), 0);
+  ASSERT_EQ(set(cntc_setwheelsetvelocity, 2, 2, {30e3, 0, 0, 0, 0, -30e3 / 460.3 * (1 + 1e-6)}), 0);
+  ASSERT_GE(calculate(2), 0);
+  const Values after = scalars(cntc_getcontactforces, 2, 1), xi = scalars(cntc_getcreepages, 2, 1),
+               xi_before = scalars(cntc_getcreepages, 1, 1);
+  const double slope = (after[1] - before[1]) / (xi[0] - xi_before[0]) / (0.3 * before[0]);
+  EXPECT_NEAR(slope / s[5], 1, 0.1) << "eta and phi change a little, too";
+}
+
 TEST_P(Wheels, ReadAnInputFile) {
   std::ofstream(folder_.path() / "a.inp") << input_of(GetParam(), {3});
   ASSERT_EQ(initialize(3, 1), 0);
