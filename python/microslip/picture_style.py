@@ -41,7 +41,7 @@ THEORIES = {
 # What forces are smaller than, in parts of the largest one, is rounding.
 NOISE = 1e-9
 PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
-# Prefixes that engineers use with these units, and the least number that they write with one.
+# Prefixes that engineers use with these units, and the least number that they write with the first of them.
 PREFIXES_OF = {"Pa": ("Mk", 0.1), "m": ("mµn", 1.0), "N": ("Mkmµn", 1.0)}
 # Letters in a line of a title, in inches of the figure's width.
 LETTERS_PER_INCH = 9.5
@@ -85,7 +85,8 @@ def unit_for(largest, unit):
     if base not in ("Pa", "m", "N", "W", "J"):
         return 1.0, unit
     usable = [(size, letter) for size, letter in PREFIXES if letter in letters and (letter or base != "m")]
-    size, letter = next(((size, letter) for size, letter in usable if abs(largest) >= least * size * (1 - 1e-9)), usable[-1])
+    size, letter = next(((size, letter) for size, letter in usable
+                         if abs(largest) >= (least if letter == letters[0] else 1) * size * (1 - 1e-9)), usable[-1])
     if not largest or not np.isfinite(largest):
         size, letter = next(((size, letter) for size, letter in usable if size == {"Pa": 1e6, "m": 1e-3}.get(base, 1.0)))
     return 1 / size, letter + unit

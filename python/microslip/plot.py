@@ -45,6 +45,10 @@ PICTURES_OF_KIND = {
     "wheelset": wheelset_pictures,
 }
 
+# What is drawn beside result.h5 of one case or another.
+PICTURES_OF_SOLVE = {"tractions.png", "areas.png", "creep_curve.png", "history.png", "interior.png", "gap.png", "patches.png",
+                     "rail_head.png", "contact_points.png", "forces.png", "wheelset.png"}
+
 
 def pictures(result):
     """Figures of an open result file, by file name."""
@@ -133,8 +137,20 @@ def save(figure, path, metadata):
         raise
 
 
+def remove_older(folder, drawn):
+    """Removes the pictures that an earlier case of `solve` left in the folder and that this one does not have."""
+    for name in PICTURES_OF_SOLVE - set(drawn):
+        path = os.path.join(folder, name)
+        if os.path.isfile(path):
+            with open(path, "rb") as file:
+                is_ours = b"tEXtSoftware\0microslip " in file.read(1000)
+            if is_ours:
+                os.remove(path)
+
+
 def draw(path, folder, chosen):
-    """Draws all pictures of a result file, or those that are asked for, into a folder and prints their paths."""
+    """Draws all pictures of a result file, or those that are asked for, into a folder and prints their paths. Where all of
+    result.h5 are drawn beside it none of an earlier case stays."""
     if is_creep_table(path):
         save_all(table_figures(path, **chosen), folder, {"Title": "creep-force table", "Software": "microslip"})
         return
@@ -152,6 +168,8 @@ def save_all(drawn, folder, metadata):
             target = os.path.join(folder, name)
             save(figure, target, metadata)
             print(target, flush=True)
+    if not chosen and os.path.basename(path) == "result.h5" and os.path.samefile(folder, os.path.dirname(path) or "."):
+        remove_older(folder, drawn)
 
 
 def numbers(text):

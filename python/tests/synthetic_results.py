@@ -103,7 +103,7 @@ def write_contact_run(path):
         rows, columns = np.meshgrid(np.arange(1, 5), np.arange(1, 6), indexing="ij")
         file["/elements/index"] = np.tile((rows * mx + columns).ravel(), 2)
         file["/elements/state"] = np.tile(np.where(columns > 3, 1, 2).ravel(), 2)
-        for name, scale in (("pressure", 1e9), ("px", -2e8), ("py", 1e8)):
+        for name, scale in (("pressure", 1e9), ("bound", 3e8), ("px", -2e8), ("py", 1e8), ("sx", 1e-3), ("sy", 0.0)):
             file[f"/elements/{name}"] = scale * np.concatenate([np.ones(20), 2 * np.ones(20)])
 
 

@@ -129,6 +129,12 @@ class EveryFileTest(unittest.TestCase):
         self.assertEqual(names, ["sphere_on_plane.h5"])
         self.assertIn("forces.png", plot.figures(self.folder / "a" / names[0]))
 
+    def test_the_program_says_what_is_wrong_with_a_file(self):
+        self.text("w.toml", HERTZ)
+        done = subprocess.run([PROGRAM, "plot", "w.toml"], cwd=self.folder, text=True, capture_output=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertTrue(done.stderr.startswith("microslip: w.toml: not a result file"), done.stderr)
+
     def test_a_study(self):
         self.run_program("validate", "model-problem", "-o", "a", "--no-pictures")
         self.expect("a/model_problem.h5", "model_problem.png")

@@ -122,6 +122,19 @@ class CommandLineTest(FolderTest):
         self.run_plot(self.path)
         self.assertIn(b"microslip 0.1.0 (abc)", (self.folder / "model_problem.png").read_bytes())
 
+    def test_pictures_of_an_earlier_case_do_not_stay(self):
+        write_rolling_contact(self.path, theories=("exact",))
+        theirs = self.folder / "history.png"
+        theirs.write_bytes(b"a picture of somebody else")
+        self.run_plot(self.path)
+        self.assertTrue((self.folder / "creep_curve.png").is_file())
+        with h5py.File(self.path, "a") as file:
+            del file["creep_curve"]
+        code, out, _ = self.run_plot(self.path)
+        self.assertEqual((code, len(out)), (0, 2))
+        self.assertFalse((self.folder / "creep_curve.png").exists())
+        self.assertTrue(theirs.is_file())
+
     def expect_error(self, *words):
         code, out, err = self.run_plot(self.path)
         self.assertEqual((code, out, len(err)), (2, [], 1))
