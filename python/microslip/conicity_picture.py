@@ -21,7 +21,7 @@ def conicity_picture(result):
     """Conicity over the amplitude; rolling radius difference, contact angle difference and height over the displacement."""
     amplitude, gauges = 1e3 * result.array("/amplitude"), result.array("/gauges")
     figure = new_figure(9, 8.5)
-    put_title(figure, heading("equivalent conicity", result))
+    put_title(figure, heading("Equivalent conicity", result))
     conicity, *others = figure.subplots(4, 1, height_ratios=(2.2, 1, 1, 1))
     for k, gauge in enumerate(gauges):
         colour, group, label = COLOURS[k % len(COLOURS)], f"/gauge_{k}", f"gauge {1e3 * gauge:.2f} mm"
@@ -70,7 +70,7 @@ def contact_points_picture(result):
     gauge; lines at both ends of a jump are bold."""
     sides = [side for side in ("left", "right") if f"profiles/{side}_rail" in result]
     figure = new_figure(9, 4.6 * len(sides) + 0.4)
-    put_title(figure, heading("contact points of the left wheel" if len(sides) == 1 else "contact points of both wheels", result))
+    put_title(figure, heading("Contact points of the left wheel" if len(sides) == 1 else "Contact points of both wheels", result))
     y, radii = result.arrays([f"/gauge_0/curve/{name}" for name in ("lateral", "rolling_radius_difference")])
     jumps = jumps_of(y, radii)
     even = np.unique(np.searchsorted(y, np.arange(y[0], y[-1], APART)))

@@ -123,7 +123,7 @@ def field_surface(result, cells, name):
         axes.set_xlabel(f"x [mm], rolling {'against' if backward else 'along'} x", labelpad=8)
         axes.set_ylabel("y [mm]", labelpad=8)
         axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
-                            else (1, 1, 0.7))
+                            else (1, 1, 0.7), zoom=0.92)
         axes.tick_params(axis="x", labelrotation=0, pad=1)
         axes.locator_params(nbins=6)
         axes.view_init(elev=32, azim=-125)
