@@ -1,12 +1,12 @@
 """Draws the pictures of docs/images with what the programs make today.
 
     images.py --list               prints the pictures with their commands
-    images.py [WORD...]            draws those whose name or command has one of the words in it (none: all) into docs/images
-    images.py --check [WORD...]    draws them elsewhere and names those of docs/images that look otherwise; exit code 1 if there
-                                   are any, 77 if matplotlib is another one than theirs
+    images.py [WORD...]            draws into docs/images those with one of the words in name or command (none: all)
+    images.py --check [WORD...]    draws them elsewhere and names those of docs/images that look otherwise; exit code 1
+                                   if there are any, 77 if matplotlib is another one than theirs
     images.py --quick ...          leaves out what takes more than half a minute
 
-Pictures are compared by what is seen from afar: the root mean square of the differences of grey levels of blocks of pixels.
+Pictures are compared by what is seen from afar: the root mean square of differences of grey levels of blocks of pixels.
 """
 
 import argparse

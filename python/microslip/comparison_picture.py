@@ -2,15 +2,14 @@
 
 import textwrap
 
-import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 from microslip.contact_cells import EXTERIOR, read_cells
 from microslip.cut_picture import nearest_row
 from microslip.field_picture import SEQUENTIAL, field_values
-from microslip.picture_style import (BLACK, BLUE, THEORIES, VERMILION, bodies_of, new_figure, open_axes, put_title, quantity, shown, the,
-                                     unit_for)
+from microslip.picture_style import (BLACK, BLUE, THEORIES, VERMILION, bodies_of, new_figure, open_axes, put_title, quantity,
+                                     shown, the, unit_for)
 from microslip.result_file import ResultError
 
 TOTALS = (("fx", "$F_x$", "N"), ("fy", "$F_y$", "N"), ("mz", "$M_z$", "N m"), ("slip_area", "slip area", "mm²"),
@@ -80,7 +79,8 @@ def draw_totals(axes, results, theories):
             one, other = (float(shown(value, forces)) for value in (one, other))
         factor, printed = (1e6, unit) if unit == "mm²" else unit_for(max(abs(one), abs(other)), unit)
         rows.append([label] + [quantity(factor * value, printed) for value in (one, other, other - one)])
-    table = axes.table(cellText=rows, colLabels=[f"on {the(bodies_of(results['A'])[0])}", "A", "B", "B \N{MINUS SIGN} A"], loc="center", cellLoc="right")
+    heads = [f"on {the(bodies_of(results['A'])[0])}", "A", "B", "B \N{MINUS SIGN} A"]
+    table = axes.table(cellText=rows, colLabels=heads, loc="center", cellLoc="right")
     table.auto_set_font_size(False)
     table.set_fontsize(9)
     table.scale(1, 1.5)

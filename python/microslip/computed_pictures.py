@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 import microslip
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, NOISE, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading,
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading,
                                      new_figure, number, open_axes, put_title, shown, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 
@@ -64,7 +64,8 @@ def creep_curves_picture(result, spins=()):
         open_axes(axes)
         for row, (spin, colour) in enumerate(zip(spins, LINE_COLOURS * len(spins))):
             for theory, style in (("exact", "-"), (simplified, "--")):
-                axes.plot(1e3 * creepages, shown(getattr(forces[theory], name)[row], limit) / limit, style, color=colour, linewidth=2,
+                force = shown(getattr(forces[theory], name)[row], limit) / limit
+                axes.plot(1e3 * creepages, force, style, color=colour, linewidth=2,
                           label=f"{THEORIES[theory]}, spin {number(spin)} 1/m" if name == "fx" else None)
         axes.set_xlabel(r"longitudinal creepage $\xi$ [$10^{-3}$]")
         axes.set_ylabel(rf"{label} on {the(bodies_of(result)[0])} / ($\mu F_n$) [-]")
@@ -166,7 +167,8 @@ def stresses_picture(result, y=0.0):
         largest = [f"{who} {with_unit(peaks[body, measure].value, 'Pa')} at {with_unit(peaks[body, measure].depth, 'm')}"
                    for body, who in zip((1, 2), bodies)]
         axes.set_title("\n".join([text, "largest: " + largest[0], largest[1]]))
-        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}" + ("" if to_scale else "\n(not to the scale of z)"))
+        scale_text = "" if to_scale else "\n(not to the scale of z)"
+        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}{scale_text}")
         axes.locator_params(axis="x", nbins=7)
     figure.axes[0].set_ylabel(f"z [mm]: {bodies[0]} above, {bodies[1]} below")
     return figure

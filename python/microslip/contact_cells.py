@@ -230,7 +230,8 @@ def cells_of(fields, semi_axes=None):
     tell where the contact ends. For pictures of one's own: draw, draw_areas, draw_boundary, draw_outline, sample."""
     names = ("x", "y", "area", "bound", "px", "py", "sx", "sy")
     x, y, area, bound, px, py, sx, sy = (np.asarray(getattr(fields, name), dtype=float) for name in names)
-    axes, pressure = (None, 1e-6 * np.asarray(fields.pressure)) if semi_axes is None else ([1e3 * axis for axis in semi_axes], None)
+    axes = None if semi_axes is None else [1e3 * axis for axis in semi_axes]
+    pressure = 1e-6 * np.asarray(fields.pressure) if semi_axes is None else None
     return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy,
                         np.asarray(fields.state).astype(int), axes, pressure)
 

@@ -32,8 +32,10 @@ class Outline:
     def contain(self, x, y):
         """Which points lie inside."""
         points = np.column_stack([np.ravel(x), np.ravel(y)])
-        inside = sum(Path(part).contains_points(points) for part in self.parts) % 2 == 1 if self.parts else np.zeros(len(points), bool)
-        return inside.reshape(np.shape(x))
+        around = np.zeros(len(points), dtype=int)
+        for part in self.parts:
+            around += Path(part).contains_points(points)
+        return (around % 2 == 1).reshape(np.shape(x))
 
     def turned(self):
         """The path with x and y exchanged."""
@@ -94,7 +96,8 @@ def connected(rows):
         for mine in intervals:
             node = (number, mine)
             part_of[node], members[node] = node, [node]
-            for other in [(number - 1, one) for one in (rows[number - 1] if number else ()) if one[0] < mine[1] and one[1] > mine[0]]:
+            below = rows[number - 1] if number else ()
+            for other in [(number - 1, one) for one in below if one[0] < mine[1] and one[1] > mine[0]]:
                 here, there = part_of[node], part_of[other]
                 if here != there:
                     for moved in members.pop(there):
@@ -163,4 +166,5 @@ def between_rows(levels, at):
     index = np.minimum(at.astype(int), len(levels) - 4)
     t = (at - index)[:, None]
     before, here, there, after = (levels[index + k] for k in range(4))
-    return here + t / 2 * (there - before + t * (2 * before - 5 * here + 4 * there - after + t * (3 * (here - there) + after - before)))
+    curved = 2 * before - 5 * here + 4 * there - after
+    return here + t / 2 * (there - before + t * (curved + t * (3 * (here - there) + after - before)))

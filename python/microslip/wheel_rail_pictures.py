@@ -103,7 +103,8 @@ def patches_picture(result, patches):
     figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=pressure, label=f"pressure [{unit}]", shrink=0.8)
     areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right",
                  ncols=2, frameon=True, edgecolor="none")
-    for axes, title in ((pressure, "Pressure"), (areas, f"Adhesion, slip, and tractions on the wheel, at most {with_unit(1e6 * longest, 'Pa')}")):
+    tractions = f"Adhesion, slip, and tractions on the wheel, at most {with_unit(1e6 * longest, 'Pa')}"
+    for axes, title in ((pressure, "Pressure"), (areas, tractions)):
         axes.set_title(title)
         axes.set_xlim(u[1], u[0])
         axes.set_ylim(*x)
