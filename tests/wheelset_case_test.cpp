@@ -106,7 +106,7 @@ TEST(WheelsetResult, IsWhatTheLibraryFindsAndSaysSo) {
   EXPECT_EQ(input.varied, std::vector<std::string_view>{"lateral"});
   const WheelsetResult result = solve_case(input);
   ASSERT_EQ(result.status, Status::ok);
-  WheelsetOnTrack solver(bodies_of(input), input.method);
+  WheelsetOnTrack solver = solver_of(input, input.method);
   const WheelsetSolution expected = solver.solve(input.states[1].state, input.states[1].load);
   const Json document = case_document(input, result, {.kind = kind_of(input)});
   EXPECT_EQ(document["kind"], "wheelset");
