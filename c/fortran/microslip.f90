@@ -97,7 +97,7 @@ module microslip
     type(microslip_wheel_patch) :: patches(microslip_wheel_patches)
   end type
 
-  integer, parameter, public :: microslip_wheel_results = 7, microslip_wheel_variables = 29
+  integer, parameter, public :: microslip_wheel_results = 7, microslip_wheel_variables = 31
 
   !> Element (k, n) of C's jacobian, row n and column k counted from 1: members of the state come first here.
   type, bind(c), public :: microslip_wheel_derivatives

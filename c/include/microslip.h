@@ -509,7 +509,7 @@ typedef struct microslip_wheel_forces {
 } microslip_wheel_forces;
 
 #define MICROSLIP_WHEEL_RESULTS 7
-#define MICROSLIP_WHEEL_VARIABLES 29
+#define MICROSLIP_WHEEL_VARIABLES 31
 
 /* Forces and their derivatives: rows force[0] to [2], moment[0] to [2], vertical; columns the members of
  * microslip_wheel_state in their order, in SI units. Those by what was not given are zero: by `vertical` with a
