@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 struct MakeArguments {
   fs::path output;
   CreepTableMaking making = {
-      .axes = {.ratios = 21, .poisson_ratios = {0, 0.28, 0.5}, .levels = 28, .elevations = 15, .azimuths = 31}};
+      .axes = {.ratios = 19, .poisson_ratios = {0, 0.28, 0.5}, .levels = 30, .elevations = 29, .azimuths = 21}};
   std::vector<double> range;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool json = false;

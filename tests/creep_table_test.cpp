@@ -218,26 +218,32 @@ TEST(CreepTable, DerivativesAreContinuousAcrossBordersNodesAndThePole) {
   expect_smooth_across(0, 0, 1.1, 1, 0, 0);   // the pole
   expect_smooth_across(0, 0, 1.1, 0.6, 0.8, 0);
   expect_smooth_across(0, 0, 0, 0.3, -0.8, 0.5); // no creepage at all
-  expect_smooth_across(1.5, 0, 0, 1, 0, 0);      // a node of the level
-  const double tilt = std::numbers::pi / 12;     // a node of the elevation
-  expect_smooth_across(std::cos(tilt), 0, std::sin(tilt), 0, 0, 1);
+  const double t = 3.5 / 8;                      // midway between two nodes of the level
+  expect_smooth_across(1.5 * t / (1 - t), 0, 0, 1, 0, 0);
+  const double tilt = creep_coordinates::elevation(1.5 / 6); // midway between two nodes of the elevation
+  const auto [x, y, z] = creep_coordinates::direction(1.3, tilt, 0);
+  expect_smooth_across(x, y, z, 0, 0, 1);
 }
 
 TEST(CreepTable, NodesHaveTheLimitOfTheExactTheory) {
-  EllipticContactSolver coarse({.mx = 4, .my = 4}), fine({.mx = 8, .my = 8});
+  EllipticContactSolver coarse({.mx = 4, .my = 4}), fine({.mx = 8, .my = 8}), finest({.mx = 16, .my = 16});
   const CreepTableAxes& axes = small_nodes().axes;
   for (const auto& [level, elevation, azimuth] : {std::array{3, 2, 4}, {5, 1, 6}, {6, 5, 1}}) {
-    const double t = (level + 1.0) / axes.levels, r = creep_coordinates::half_way * t / (1 - t);
-    const double theta = elevation * axes.elevation_step(),
-                 alpha = azimuth * axes.azimuth_step() - std::numbers::pi / 2;
-    const auto k = contact_at(r * std::cos(theta) * std::cos(alpha), r * std::cos(theta) * std::sin(alpha),
-                              r * std::sin(theta), axes.ratio(2));
-    const auto from = coarse.solve(k).forces(), to = fine.solve(k).forces();
-    const Relative limit = relative({.fx = limit_of_second_order(from.fx, to.fx),
-                                     .fy = limit_of_second_order(from.fy, to.fy),
-                                     .mz = limit_of_second_order(from.mz, to.mz)},
-                                    k);
-    expect_near(relative(small_table().solve(k), k), limit, 1e-4); // of the units that numbers are kept in
+    const double t = axes.level(level), r = creep_coordinates::half_way * t / (1 - t);
+    const auto [x, y, z] =
+        creep_coordinates::direction(axes.ratio(2), axes.elevation(elevation), axes.azimuth(azimuth));
+    const auto k = contact_at(r * x, r * y, r * z, axes.ratio(2));
+    const auto from = relative(coarse.solve(k).forces(), k), to = relative(fine.solve(k).forces(), k),
+               last = relative(finest.solve(k).forces(), k);
+    const auto limit = [](const Relative& p, const Relative& q) {
+      return Relative{limit_of_second_order(p.fx, q.fx), limit_of_second_order(p.fy, q.fy),
+                      limit_of_second_order(p.mz, q.mz)};
+    };
+    const auto first = limit(from, to);
+    const bool doubtful =
+        std::max({std::abs(first.fx - to.fx), std::abs(first.fy - to.fy), std::abs(first.mz - to.mz)}) > 0.002;
+    // 1e-4 of the units that numbers are kept in
+    expect_near(relative(small_table().solve(k), k), doubtful ? limit(to, last) : first, 1e-4);
   }
 }
 
@@ -282,6 +288,38 @@ TEST(CreepTable, InputOutOfRangeIsRefusedOneByOne) {
   EXPECT_EQ(small_table().solve(contacts[0]).fx, 0);
   contacts[0].friction = FrictionLaw::coulomb(0);
   EXPECT_EQ(small_table().differentiate(contacts[0]).jacobian[0][0], 0);
+}
+
+void expect_same(const ContactDerivatives& found, const ContactDerivatives& expected) {
+  EXPECT_EQ(found.forces.fx, expected.forces.fx);
+  EXPECT_EQ(found.forces.fy, expected.forces.fy);
+  EXPECT_EQ(found.forces.mz, expected.forces.mz);
+  EXPECT_EQ(found.forces.adhesion_area, expected.forces.adhesion_area);
+  for (int m = 0; m < 3; ++m)
+    for (int n = 0; n < 4; ++n) EXPECT_EQ(found.jacobian[m][n], expected.jacobian[m][n]);
+}
+
+TEST(CreepTable, BatchesAndSingleContactsAreTheSameBitsWithEveryInstructionSet) {
+  const auto contacts = random_contacts(203); // the last batch is not full
+  std::vector<ContactDerivatives> batch(contacts.size());
+  std::vector<ContactForces> forces(contacts.size());
+  small_table().differentiate(contacts, batch);
+  small_table().solve(contacts, forces);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    expect_same(small_table().differentiate(contacts[i]), batch[i]);
+    EXPECT_EQ(small_table().solve(contacts[i]).mz, forces[i].mz);
+    EXPECT_NEAR(forces[i].fx, batch[i].forces.fx, 1e-12 * mu * load);
+  }
+  for (const auto set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!is_available(set)) {
+      EXPECT_THROW(CreepForceTable(small_nodes(), RollingDirection::forward, set), Error);
+      continue;
+    }
+    const CreepForceTable table(small_nodes(), RollingDirection::forward, set);
+    std::vector<ContactDerivatives> found(contacts.size());
+    table.differentiate(contacts, found);
+    for (std::size_t i = 0; i < contacts.size(); ++i) expect_same(found[i], batch[i]);
+  }
 }
 
 TEST(CreepTable, FallingFrictionIsThatOfTheRigidSlip) {
@@ -377,7 +415,9 @@ TEST(CreepTableBytes, AnotherByteOrderVersionOrFormatIsNamed) {
   EXPECT_NE(refusal(other).find("another byte order"), std::string::npos);
   other = bytes();
   other[12] = std::byte{9};
-  EXPECT_NE(refusal(other).find("is of version 9; this program reads version 1"), std::string::npos);
+  EXPECT_NE(refusal(other).find("is of version 9; this program reads version 2"), std::string::npos);
+  other[12] = std::byte{1};
+  EXPECT_NE(refusal(other).find("is of version 1; this program reads version 2: make it again"), std::string::npos);
   other[0] = std::byte{0};
   EXPECT_EQ(refusal(other), "is no creep-force table");
 }

@@ -2,39 +2,34 @@
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/kernel/dispatch.hpp"
+#include "microslip/numerics/vector_log.hpp"
 #include "microslip/table/creep_spline.hpp"
-#include "microslip/table/kernel/creep_sums.hpp"
+#include "microslip/table/kernel/creep_look_up.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 namespace microslip {
 namespace detail {
 
-MICROSLIP_DECLARE_KERNEL(CreepSums creep_sums())
+MICROSLIP_DECLARE_KERNEL(CreepKernels creep_kernels())
 
 namespace {
 
-using creep_coordinates::half_way;
-using creep_coordinates::LinearTheory;
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// Below 1 by this the length of the force over mu Fn begins to bend, so that it stays below 1.
-constexpr double bend = 3e-4;
 
 /// Linear theory of one Poisson's ratio by a/b: a spline, finer than that of the forces.
 class LinearSpline {
 public:
-  LinearSpline() = default;
-  LinearSpline(const CreepTableAxes& axes, double poisson_ratio) : intervals_(finer * (axes.ratios - 1)) {
-    const int n = intervals_ + 1;
+  LinearSpline(const CreepTableAxes& axes, double poisson_ratio) : last_(finer * (axes.ratios - 1)) {
+    const int n = last_ + 1;
     std::vector<double> values(std::size_t(n) * numbers);
     for (int i = 0; i < n; ++i) {
       const double a_over_b =
-          axes.least_ratio * std::pow(axes.largest_ratio / axes.least_ratio, static_cast<double>(i) / intervals_);
+          axes.least_ratio * std::pow(axes.largest_ratio / axes.least_ratio, static_cast<double>(i) / last_);
       const auto c = creepage_coefficients(a_over_b, poisson_ratio, CreepageTable::computed);
       const double row[] = {c.c11, c.c22, c.c23, c.c33};
       for (std::size_t k = 0; k < numbers; ++k) values[std::size_t(i) * numbers + k] = row[k];
@@ -44,58 +39,54 @@ public:
     for (std::size_t k = 0; k < numbers; ++k) filter.apply(&values[k], numbers, &coefficients_[k], numbers);
   }
 
-  /// At a place between nodes of a/b, counted in intervals of the table.
+  /// At a place among the table's nodes of a/b.
   CreepageCoefficients at(double place) const {
-    const double fine = place * finer;
-    const int i = std::min(static_cast<int>(fine), intervals_ - 1);
-    const auto weights = cubic_weights(fine - i).value;
-    const double* from = &coefficients_[std::size_t(i) * numbers];
+    const int nearest = std::min(static_cast<int>(place * finer + 0.5), last_);
+    const auto weights = quadratic_weights(place * finer - nearest).value;
+    const double* from = &coefficients_[std::size_t(nearest) * numbers];
     double c[numbers] = {};
-    for (std::size_t n = 0; n < 4; ++n)
+    for (std::size_t n = 0; n < weights.size(); ++n)
       for (std::size_t k = 0; k < numbers; ++k) c[k] += weights[n] * from[n * numbers + k];
     return {c[0], c[1], c[2], c[3]};
   }
 
 private:
-  static constexpr int finer = 4;
+  static constexpr int finer = 16;
   static constexpr std::size_t numbers = 4;
-  int intervals_ = 0;
+  int last_;
   std::vector<double> coefficients_;
-};
-
-/// A place on one axis of the table: the interval and the fraction of it.
-struct Place {
-  int interval;
-  double fraction;
-
-  Place(double position, int intervals)
-      : interval(std::clamp(static_cast<int>(position), 0, intervals - 1)), fraction(position - interval) {}
-};
-
-/// The ellipse whose forces are read: that of the contact, or at the end of the table's range.
-struct Shape {
-  double a_over_b, arm; ///< and sqrt(a b) [m]
-  bool in_range;
-};
-
-Shape shape_of(const CreepTableAxes& axes, double a, double b) {
-  const double ratio = a / b;
-  if (ratio > axes.largest_ratio) return {axes.largest_ratio, a / std::sqrt(axes.largest_ratio), false};
-  if (ratio < axes.least_ratio) return {axes.least_ratio, b * std::sqrt(axes.least_ratio), false};
-  return {ratio, std::sqrt(a * b), true};
-}
-
-/// X, Y, Z from xi, eta, phi, and linear theory's q from X, Y, Z.
-struct Scale {
-  double xi, eta, phi;
-  double y_y = 1, y_z = 0, m_y = 0, m_z = 0;
 };
 
 struct Material {
   double poisson_ratio;
-  std::vector<double> coefficients;
+  std::vector<float> coefficients;
   LinearSpline linear;
 };
+
+/// What of a contact is not in its block.
+struct Contact {
+  Status status;
+  double area, mu, mu_slope, slip; ///< mu_slope: d mu/d slip, of creepage
+  double force[3], creepage[3];    ///< units of the forces, and what (X, Y, Z) take of the creepages
+};
+
+/// Contacts that are looked up together, and what a loop along them turns into a block.
+template <int size> struct Batch {
+  using Numbers = double[size];
+  CreepBlock<size> block;
+  Contact contacts[size];
+  Numbers ratio, arm;               ///< a/b and c of the ellipse whose forces are read
+  Numbers c, g, c11, c22, c23, c33; ///< of the contact itself; g = G c^2/(mu Fn)
+  Numbers eta_over_xi;              ///< C22/C11 of the ellipse whose forces are read
+};
+
+/// Lagrange's weight of number `k` of some Poisson's ratios at another one.
+double lagrange_weight(std::span<const double> poisson_ratios, std::size_t k, double nu) {
+  double weight = 1;
+  for (std::size_t m = 0; m < poisson_ratios.size(); ++m)
+    if (m != k) weight *= (nu - poisson_ratios[m]) / (poisson_ratios[k] - poisson_ratios[m]);
+  return weight;
+}
 
 } // namespace
 } // namespace detail
@@ -106,251 +97,231 @@ struct CreepForceTable::Data {
   CreepTableAxes axes;
   double side; ///< 1, rolling backward -1: then all is seen in a mirror
   std::vector<Material> materials;
-  CreepStrides strides;
-  TrigonometricWeights azimuth_weights;
-  CreepSums sums;
+  CreepGrid grid;
+  CreepKernels kernels;
   double log_least, per_log_step;
 
-  Data(const CreepTableNodes& nodes, RollingDirection direction)
-      : axes(nodes.axes), side(direction == RollingDirection::forward ? 1 : -1), azimuth_weights(axes.azimuth_step()),
-        sums(MICROSLIP_CALL_KERNEL(best_instruction_set(), creep_sums())), log_least(std::log(axes.least_ratio)),
+  Data(const CreepTableNodes& nodes, RollingDirection direction, InstructionSet instruction_set)
+      : axes(nodes.axes), side(direction == RollingDirection::forward ? 1 : -1),
+        kernels(MICROSLIP_CALL_KERNEL(instruction_set, creep_kernels())), log_least(std::log(axes.least_ratio)),
         per_log_step((axes.ratios - 1) / std::log(axes.largest_ratio / axes.least_ratio)) {
+    if (!is_available(instruction_set)) throw Error("instruction_set is not available on this processor");
     const CreepSplineSize size(axes);
-    strides.elevation = std::ptrdiff_t{size.azimuths} * creep_channels;
-    strides.level = strides.elevation * size.elevations;
-    strides.ratio = strides.level * size.levels;
+    grid = {.ratios = axes.ratios,
+            .levels = axes.levels,
+            .elevations = axes.elevations,
+            .azimuths = axes.azimuths,
+            .ratio_stride = 0,
+            .level_stride = 0,
+            .elevation_stride = std::ptrdiff_t{size.azimuths} * creep_channels,
+            .azimuth_step = axes.azimuth_step(),
+            .azimuth_scale = TrigonometricSpline(axes.azimuth_step()).scale};
+    grid.level_stride = grid.elevation_stride * size.elevations;
+    grid.ratio_stride = grid.level_stride * size.levels;
   }
 
-  /// Lagrange's weight of a material at a Poisson's ratio.
-  double weight(std::size_t material, double nu) const {
-    double weight = 1;
-    for (std::size_t k = 0; k < materials.size(); ++k)
-      if (k != material)
-        weight *= (nu - materials[k].poisson_ratio) / (materials[material].poisson_ratio - materials[k].poisson_ratio);
-    return weight;
-  }
-
-  void add(const CreepTableNodes& nodes, std::size_t material) {
-    const double nu = nodes.axes.poisson_ratios[material];
-    materials.push_back({nu, CreepSpline(nodes, material).coefficients(), LinearSpline(nodes.axes, nu)});
-  }
-  /// The material between those of the nodes that this Poisson's ratio has.
   void add(const CreepTableNodes& nodes, double nu) {
-    Data all(nodes, RollingDirection::forward);
-    for (std::size_t m = 0; m < nodes.axes.poisson_ratios.size(); ++m)
-      all.materials.push_back({nodes.axes.poisson_ratios[m], {}, {}});
-    Material mixed = {nu, {}, LinearSpline(nodes.axes, nu)};
-    for (std::size_t m = 0; m < all.materials.size(); ++m) {
-      const double share = all.weight(m, nu);
-      if (share == 0) continue;
-      const CreepSpline spline(nodes, m);
-      mixed.coefficients.resize(spline.coefficients().size());
-      for (std::size_t k = 0; k < mixed.coefficients.size(); ++k)
-        mixed.coefficients[k] += share * spline.coefficients()[k];
-    }
-    materials.push_back(std::move(mixed));
+    std::vector<double> weights;
+    const auto& known = nodes.axes.poisson_ratios;
+    for (std::size_t m = 0; m < known.size(); ++m) weights.push_back(lagrange_weight(known, m, nu));
+    materials.push_back({nu, CreepSpline(nodes, weights).coefficients(), LinearSpline(nodes.axes, nu)});
   }
 
-  template <bool gradient> Status find(const EllipticContact& contact, ContactDerivatives& out) const noexcept;
-  template <bool gradient>
-  CreepSample read(const Place& ratio, const Place& level, const Place& elevation, const Place& azimuth,
-                   double nu) const noexcept;
-  Scale scale_of(const EllipticContact& contact, const Shape& shape, double capacity, const CreepageCoefficients& own,
-                 double read_nu) const noexcept;
-};
-
-namespace {
-
-/// f = F/(mu Fn) and its derivatives with respect to X, Y, Z.
-struct Unit {
-  double f[3], by[3][3];
-  double adhesion;
-};
-
-/// Lets the length of (fx, fy) end at 1: from 1 - bend on it follows a curve with the same slope and curvature there.
-template <bool gradient> void bound(Unit& u) {
-  const double length = std::sqrt(u.f[0] * u.f[0] + u.f[1] * u.f[1]);
-  const double excess = (length - (1 - bend)) / bend;
-  if (!(excess > 0)) return;
-  const double root = std::sqrt(1 + excess * excess);
-  const double ratio = (1 - bend + bend * excess / root) / length;
-  if constexpr (gradient)
-    for (int k = 0; k < 3; ++k) {
-      const double by_length = (u.f[0] * u.by[0][k] + u.f[1] * u.by[1][k]) / length;
-      const double change = (1 / (root * root * root) - ratio) / length * by_length;
-      for (int n = 0; n < 2; ++n) u.by[n][k] = ratio * u.by[n][k] + change * u.f[n];
+  template <class Result> void solve(std::span<const EllipticContact> contacts, std::span<Result> results) const {
+    Batch<creep_batch> batch;
+    for (std::size_t i = 0; i < contacts.size(); i += creep_batch) {
+      const std::size_t count = std::min(contacts.size() - i, std::size_t{creep_batch});
+      solve(contacts.subspan(i, count), results.subspan(i, count), batch, kernels.batch);
     }
-  u.f[0] *= ratio;
-  u.f[1] *= ratio;
+  }
+  template <class Result> Result solve(const EllipticContact& contact) const {
+    Batch<1> batch;
+    Result result;
+    solve({&contact, 1}, std::span<Result>(&result, 1), batch, kernels.single);
+    return result;
+  }
+
+private:
+  template <class Result, int size>
+  void solve(std::span<const EllipticContact> contacts, std::span<Result> results, Batch<size>& batch,
+             const CreepLookUp<size>& look_up) const;
+  template <int size> void read(const EllipticContact& contact, Batch<size>& batch, int i) const;
+  template <int size> void find_linear_theory(const EllipticContact& contact, Batch<size>& batch, int i) const;
+  template <int size> void scale(Batch<size>& batch) const;
+  template <int size> void write(const Batch<size>& batch, int i, ContactForces& forces) const;
+  template <int size>
+  void write(const EllipticContact& contact, const Batch<size>& batch, int i, ContactDerivatives& result) const;
+};
+
+template <class Result, int size>
+void CreepForceTable::Data::solve(std::span<const EllipticContact> contacts, std::span<Result> results,
+                                  Batch<size>& batch, const CreepLookUp<size>& look_up) const {
+  constexpr bool gradient = std::is_same_v<Result, ContactDerivatives>;
+  CreepBlock<size>& block = batch.block;
+  block.count = static_cast<int>(contacts.size());
+  block.materials = static_cast<int>(materials.size());
+  for (std::size_t m = 0; m < materials.size(); ++m) block.coefficients[m] = materials[m].coefficients.data();
+  // What is missing at the end of a batch is the last contact once more.
+  for (int i = 0; i < size; ++i) read(contacts[std::size_t(std::min(i, block.count - 1))], batch, i);
+  for (int i = 0; i < size; ++i) block.ratio[i] = (vector_log(batch.ratio[i]) - log_least) * per_log_step;
+  for (int i = 0; i < size; ++i) find_linear_theory(contacts[std::size_t(std::min(i, block.count - 1))], batch, i);
+  scale(batch);
+  (gradient ? look_up.derivatives : look_up.forces)(grid, block);
+  for (int i = 0; i < block.count; ++i)
+    if constexpr (gradient)
+      write(contacts[std::size_t(i)], batch, i, results[std::size_t(i)]);
+    else
+      write(batch, i, results[std::size_t(i)]);
 }
 
-} // namespace
-
-template <bool gradient>
-Status CreepForceTable::Data::find(const EllipticContact& contact, ContactDerivatives& out) const noexcept {
-  if (!is_valid_simplified(contact)) return Status::invalid_input;
+/// A contact's size, load and creepages. One that has no forces, or cannot have any, is looked up without creepage.
+template <int size> void CreepForceTable::Data::read(const EllipticContact& contact, Batch<size>& batch, int i) const {
+  Contact& own = batch.contacts[i];
   const Creepage& creepage = contact.creepage;
-  const double slip = std::sqrt(creepage.longitudinal * creepage.longitudinal + creepage.lateral * creepage.lateral);
-  const auto friction =
-      contact.friction.coefficient(Dual<double, 1>::variable(slip * contact.rolling_speed, 0)); // and its slope
-  const double mu = friction.value, capacity = mu * contact.normal_force;
-  const double area = std::numbers::pi * contact.a * contact.b;
-  out = {};
-  out.forces.slip_area = area;
-  if (!(capacity > 0)) return Status::ok;
+  own.status = is_valid_simplified(contact) ? Status::ok : Status::invalid_input;
+  own.area = std::numbers::pi * contact.a * contact.b;
+  own.slip = own.mu_slope = 0;
+  own.mu = contact.friction.kinetic_coefficient();
+  if (contact.friction.kind() != FrictionLaw::Kind::coulomb) {
+    own.slip = std::sqrt(creepage.longitudinal * creepage.longitudinal + creepage.lateral * creepage.lateral);
+    const auto mu = contact.friction.coefficient(Dual<double, 1>::variable(own.slip * contact.rolling_speed, 0));
+    own.mu = mu.value;
+    own.mu_slope = mu.partial[0] * contact.rolling_speed;
+  }
+  const double capacity = own.mu * contact.normal_force;
+  CreepBlock<size>& block = batch.block;
+  if (own.status != Status::ok || !(capacity > 0)) {
+    batch.ratio[i] = batch.arm[i] = batch.c[i] = batch.g[i] = 1;
+    block.x[i] = block.y[i] = block.z[i] = 0;
+    own.force[0] = own.force[1] = own.force[2] = 0;
+    return;
+  }
+  // Beyond the range forces are those of an ellipse with the longer semi-axis.
+  const double ratio = contact.a / contact.b;
+  batch.c[i] = std::sqrt(contact.a * contact.b);
+  batch.ratio[i] = std::clamp(ratio, axes.least_ratio, axes.largest_ratio);
+  batch.arm[i] = ratio > axes.largest_ratio ? contact.a / std::sqrt(axes.largest_ratio)
+                 : ratio < axes.least_ratio ? contact.b * std::sqrt(axes.least_ratio)
+                                            : batch.c[i];
+  if (batch.ratio[i] != ratio) own.status = Status::not_converged;
+  batch.g[i] = contact.shear_modulus * contact.a * contact.b / capacity;
+  block.x[i] = side * creepage.longitudinal, block.y[i] = creepage.lateral, block.z[i] = side * creepage.spin;
+  own.force[0] = own.force[1] = capacity;
+  own.force[2] = capacity * batch.arm[i];
+}
 
-  const Shape shape = shape_of(axes, contact.a, contact.b);
+/// Coefficients of linear theory, and the shares of the materials.
+template <int size>
+void CreepForceTable::Data::find_linear_theory(const EllipticContact& contact, Batch<size>& batch, int i) const {
+  CreepBlock<size>& block = batch.block;
+  Contact& own = batch.contacts[i];
   const double nu = contact.poisson_ratio;
-  const double read_nu = std::clamp(nu, materials.front().poisson_ratio, materials.back().poisson_ratio);
-  const Place ratio((std::log(shape.a_over_b) - log_least) * per_log_step, axes.ratios - 1);
-  const auto known =
-      std::find_if(materials.begin(), materials.end(), [nu](const Material& m) { return m.poisson_ratio == nu; });
-  const bool in_range = shape.in_range && read_nu == nu;
-  const CreepageCoefficients own = in_range && known != materials.end()
-                                       ? known->linear.at(ratio.interval + ratio.fraction)
-                                       : creepage_coefficients(contact.a / contact.b, nu, CreepageTable::computed);
-  const Scale scale = scale_of(contact, shape, capacity, own, read_nu);
-
-  // X, Y, Z on the quarter of the sphere.
-  double x = scale.xi * side * creepage.longitudinal, y = scale.eta * creepage.lateral,
-         z = scale.phi * side * creepage.spin;
-  const double turned = z < 0 ? -1 : 1;
-  x *= turned, y *= turned, z *= turned;
-  const double mirrored = x < 0 ? -1 : 1;
-  x *= mirrored;
-  const double across = std::sqrt(x * x + y * y), r = std::sqrt(across * across + z * z);
-  if (!std::isfinite(r)) return Status::invalid_input;
-  // At the pole alpha has no value: a point beside it has the same forces and derivatives.
-  const double cos_alpha = across > 0 ? x / across : 1, sin_alpha = across > 0 ? y / across : 0;
-  const double cos_theta = r > 0 ? std::max(across / r, 1e-6) : 1, sin_theta = r > 0 ? z / r : 0;
-  const double w = half_way / (r + half_way), t = r / (r + half_way);
-
-  const Place level(t * axes.levels, axes.levels);
-  const Place elevation(std::atan2(sin_theta, cos_theta) / axes.elevation_step(), axes.elevations - 1);
-  const Place azimuth((std::atan2(sin_alpha, cos_alpha) + std::numbers::pi / 2) / axes.azimuth_step(),
-                      axes.azimuths - 1);
-  const CreepSample sample = read<gradient>(ratio, level, elevation, azimuth, read_nu);
-
-  Unit u;
-  const double q[] = {x, scale.y_y * y + scale.y_z * z, scale.m_y * y + scale.m_z * z};
-  for (int n = 0; n < 3; ++n) u.f[n] = t * t * sample.value[n] - q[n] * w * w;
-  if constexpr (gradient) {
-    const double by_q[3][3] = {{1, 0, 0}, {0, scale.y_y, scale.y_z}, {0, scale.m_y, scale.m_z}};
-    const double along_r[] = {cos_theta * cos_alpha, cos_theta * sin_alpha, sin_theta};
-    const double along_theta[] = {-sin_theta * cos_alpha, -sin_theta * sin_alpha, cos_theta};
-    const double along_alpha[] = {-sin_alpha, cos_alpha, 0};
-    for (int n = 0; n < 3; ++n) {
-      const double by_r = (2 * q[n] * w + 2 * t * sample.value[n] + t * t * sample.by_level[n] * axes.levels) * w * w;
-      const double by_theta = t * w * sample.by_elevation[n] / axes.elevation_step();
-      const double by_alpha = t * w * sample.by_azimuth[n] / (axes.azimuth_step() * cos_theta);
-      for (int k = 0; k < 3; ++k)
-        u.by[n][k] =
-            (by_r * along_r[k] + by_theta * along_theta[k] + by_alpha * along_alpha[k]) / half_way - by_q[n][k] * w * w;
-    }
-  }
-  bound<gradient>(u);
-
-  // Back to the contact's own creepages and forces.
-  const double sign[] = {mirrored, 1, 1}, own_side[] = {side, 1, side};
-  const double force[] = {capacity, capacity, capacity * shape.arm};
-  double* const forces[] = {&out.forces.fx, &out.forces.fy, &out.forces.mz};
-  for (int n = 0; n < 3; ++n) *forces[n] = force[n] * u.f[n] * sign[n] * turned * own_side[n];
-  out.forces.adhesion_area = area * std::clamp(sample.value[3], 0.0, 1.0);
-  out.forces.slip_area = area - out.forces.adhesion_area;
-  if constexpr (gradient) {
-    const double by[] = {scale.xi, scale.eta, scale.phi}, place[] = {x, y, z};
-    for (int n = 0; n < 3; ++n) {
-      double by_capacity = u.f[n]; // of F at given creepages, over what F is a multiple of
-      for (int k = 0; k < 3; ++k) {
-        by_capacity -= place[k] * u.by[n][k];
-        out.jacobian[n][k] = force[n] * u.by[n][k] * by[k] * sign[n] * sign[k] * own_side[n] * own_side[k];
-      }
-      by_capacity *= force[n] * sign[n] * turned * own_side[n];
-      out.jacobian[n][3] = by_capacity / contact.normal_force;
-      if (slip > 0 && friction.partial[0] != 0) {
-        const double by_slip = by_capacity / mu * friction.partial[0] * contact.rolling_speed / slip;
-        out.jacobian[n][0] += by_slip * creepage.longitudinal;
-        out.jacobian[n][1] += by_slip * creepage.lateral;
-      }
-    }
-  }
-  return in_range ? Status::ok : Status::not_converged;
-}
-
-Scale CreepForceTable::Data::scale_of(const EllipticContact& contact, const Shape& shape, double capacity,
-                                      const CreepageCoefficients& own, double read_nu) const noexcept {
-  const double c = std::sqrt(contact.a * contact.b), g = contact.shear_modulus * c * c / capacity;
-  const double spin_scale = creep_coordinates::spin_scale(shape.a_over_b);
-  Scale scale = {.xi = g * own.c11, .eta = g * own.c22, .phi = g * own.c11 * spin_scale * shape.arm};
-  if (!shape.in_range) {
-    const auto there = creepage_coefficients(shape.a_over_b, read_nu, CreepageTable::computed);
-    scale.eta = scale.xi * there.c22 / there.c11;
-  }
-  scale.y_y = g * own.c22 / scale.eta;
-  scale.y_z = g * own.c23 * c / scale.phi;
-  scale.m_y = -g * own.c23 * c / (scale.eta * shape.arm);
-  scale.m_z = g * own.c33 * c * c / (scale.phi * shape.arm);
-  return scale;
-}
-
-template <bool gradient>
-CreepSample CreepForceTable::Data::read(const Place& ratio, const Place& level, const Place& elevation,
-                                        const Place& azimuth, double nu) const noexcept {
-  CreepStencil stencil;
-  const auto ratios = cubic_weights(ratio.fraction), levels = cubic_weights(level.fraction),
-             elevations = cubic_weights(elevation.fraction), azimuths = azimuth_weights(azimuth.fraction);
-  for (std::size_t k = 0; k < 4; ++k) {
-    stencil.ratio[k] = ratios.value[k];
-    stencil.level[k] = levels.value[k];
-    stencil.level_slope[k] = levels.slope[k];
-    stencil.elevation[k] = elevations.value[k];
-    stencil.elevation_slope[k] = elevations.slope[k];
-    stencil.azimuth[k] = azimuths.value[k];
-    stencil.azimuth_slope[k] = azimuths.slope[k];
-  }
-  const std::ptrdiff_t first = ratio.interval * strides.ratio + level.interval * strides.level +
-                               elevation.interval * strides.elevation +
-                               std::ptrdiff_t{azimuth.interval} * creep_channels;
-  const auto sum = gradient ? sums.gradients : sums.values;
-  CreepSample total = {};
+  const Material* known = nullptr;
   for (std::size_t m = 0; m < materials.size(); ++m) {
-    const double share = weight(m, nu);
-    if (share == 0) continue;
-    stencil.first = materials[m].coefficients.data() + first;
-    CreepSample sample;
-    sum(stencil, strides, sample);
-    if (share == 1) return sample;
-    for (int c = 0; c < creep_channels; ++c) {
-      total.value[c] += share * sample.value[c];
-      if constexpr (gradient) {
-        total.by_level[c] += share * sample.by_level[c];
-        total.by_elevation[c] += share * sample.by_elevation[c];
-        total.by_azimuth[c] += share * sample.by_azimuth[c];
-      }
+    block.weight[m][i] = materials[m].poisson_ratio == nu;
+    if (materials[m].poisson_ratio == nu) known = &materials[m];
+  }
+  CreepageCoefficients c;
+  if (known != nullptr && own.status == Status::ok) {
+    c = known->linear.at(block.ratio[i]);
+    batch.eta_over_xi[i] = c.c22 / c.c11;
+  } else if (own.status == Status::invalid_input) {
+    c = materials.front().linear.at(block.ratio[i]);
+    batch.eta_over_xi[i] = 1;
+  } else {
+    const double read_nu = std::clamp(nu, materials.front().poisson_ratio, materials.back().poisson_ratio);
+    if (read_nu != nu) own.status = Status::not_converged;
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      block.weight[m][i] = lagrange_weight(axes.poisson_ratios, m, read_nu);
+    c = creepage_coefficients(contact.a / contact.b, nu, CreepageTable::computed);
+    const auto there =
+        own.status == Status::ok ? c : creepage_coefficients(batch.ratio[i], read_nu, CreepageTable::computed);
+    batch.eta_over_xi[i] = there.c22 / there.c11;
+  }
+  batch.c11[i] = c.c11, batch.c22[i] = c.c22, batch.c23[i] = c.c23, batch.c33[i] = c.c33;
+}
+
+/// From creepages to X, Y, Z.
+template <int size> void CreepForceTable::Data::scale(Batch<size>& batch) const {
+  CreepBlock<size>& block = batch.block;
+  double by[3][size];
+  for (int i = 0; i < size; ++i) {
+    const double g = batch.g[i], c = batch.c[i], arm = batch.arm[i];
+    const double xi = g * batch.c11[i], eta = xi * batch.eta_over_xi[i],
+                 phi = xi * creep_coordinates::spin_scale(batch.ratio[i]) * arm;
+    block.stretch[i] = creep_coordinates::stretch(batch.ratio[i]);
+    block.y_y[i] = g * batch.c22[i] / eta;
+    block.y_z[i] = g * batch.c23[i] * c / phi;
+    block.m_y[i] = -g * batch.c23[i] * c / (eta * arm);
+    block.m_z[i] = g * batch.c33[i] * c * c / (phi * arm);
+    block.x[i] *= xi, block.y[i] *= eta, block.z[i] *= phi;
+    by[0][i] = xi, by[1][i] = eta, by[2][i] = phi;
+  }
+  for (int i = 0; i < size; ++i) {
+    for (int n = 0; n < 3; ++n) batch.contacts[i].creepage[n] = by[n][i];
+    const double square = block.x[i] * block.x[i] + block.y[i] * block.y[i] + block.z[i] * block.z[i];
+    if (!std::isfinite(square)) {
+      batch.contacts[i].status = Status::invalid_input;
+      block.x[i] = block.y[i] = block.z[i] = 0;
     }
   }
-  return total;
 }
 
-namespace {
-
-void set_invalid(ContactDerivatives& result) {
-  result.forces = {nan, nan, nan, nan, nan, Status::invalid_input};
-  for (auto& row : result.jacobian) std::fill(row, row + 4, nan);
+template <int size> void CreepForceTable::Data::write(const Batch<size>& batch, int i, ContactForces& forces) const {
+  const Contact& own = batch.contacts[i];
+  const CreepBlock<size>& block = batch.block;
+  if (own.status == Status::invalid_input) {
+    forces = {nan, nan, nan, nan, nan, own.status};
+    return;
+  }
+  const double adhesion = own.force[0] > 0 ? own.area * block.adhesion[i] : 0;
+  forces = {.fx = own.force[0] * block.force[0][i] * side,
+            .fy = own.force[1] * block.force[1][i],
+            .mz = own.force[2] * block.force[2][i] * side,
+            .adhesion_area = adhesion,
+            .slip_area = own.area - adhesion,
+            .status = own.status};
 }
 
-} // namespace
+template <int size>
+void CreepForceTable::Data::write(const EllipticContact& contact, const Batch<size>& batch, int i,
+                                  ContactDerivatives& result) const {
+  const Contact& own = batch.contacts[i];
+  const CreepBlock<size>& block = batch.block;
+  write(batch, i, result.forces);
+  if (own.status == Status::invalid_input) {
+    for (auto& row : result.jacobian) std::fill(row, row + 4, nan);
+    return;
+  }
+  const double place[] = {block.x[i], block.y[i], block.z[i]}, own_side[] = {side, 1, side};
+  for (int n = 0; n < 3; ++n) {
+    double by_capacity = block.force[n][i]; // of F at given creepages, over what F is a multiple of
+    for (int k = 0; k < 3; ++k) {
+      by_capacity -= place[k] * block.derivative[n][k][i];
+      result.jacobian[n][k] = own.force[n] * block.derivative[n][k][i] * own.creepage[k] * own_side[n] * own_side[k];
+    }
+    by_capacity *= own.force[n] * own_side[n];
+    result.jacobian[n][3] = by_capacity / contact.normal_force;
+    if (own.mu_slope != 0 && own.slip > 0) {
+      const double by_slip = by_capacity / own.mu * own.mu_slope / own.slip;
+      result.jacobian[n][0] += by_slip * contact.creepage.longitudinal;
+      result.jacobian[n][1] += by_slip * contact.creepage.lateral;
+    }
+  }
+}
 
-CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction) {
-  auto data = std::make_shared<Data>(nodes, direction);
-  for (std::size_t m = 0; m < nodes.axes.poisson_ratios.size(); ++m) data->add(nodes, m);
+CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction,
+                                 InstructionSet instruction_set) {
+  auto data = std::make_shared<Data>(nodes, direction, instruction_set);
+  for (const double nu : nodes.axes.poisson_ratios) data->add(nodes, nu);
   data_ = std::move(data);
 }
 
-CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, double poisson_ratio, RollingDirection direction) {
+CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, double poisson_ratio, RollingDirection direction,
+                                 InstructionSet instruction_set) {
   require_between("poisson_ratio", poisson_ratio, "-", nodes.axes.poisson_ratios.front(),
                   nodes.axes.poisson_ratios.back());
-  auto data = std::make_shared<Data>(nodes, direction);
+  auto data = std::make_shared<Data>(nodes, direction, instruction_set);
   data->add(nodes, poisson_ratio);
   data->axes.poisson_ratios = {poisson_ratio};
   data_ = std::move(data);
@@ -365,28 +336,20 @@ RollingDirection CreepForceTable::direction() const {
 }
 
 ContactForces CreepForceTable::solve(const EllipticContact& contact) const noexcept {
-  ContactDerivatives out;
-  const Status status = data_->find<false>(contact, out);
-  if (status == Status::invalid_input) set_invalid(out);
-  out.forces.status = status;
-  return out.forces;
+  return data_->solve<ContactForces>(contact);
 }
 
 void CreepForceTable::solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) const noexcept {
-  for (std::size_t i = 0; i < contacts.size(); ++i) forces[i] = solve(contacts[i]);
+  data_->solve(contacts, forces);
 }
 
 ContactDerivatives CreepForceTable::differentiate(const EllipticContact& contact) const noexcept {
-  ContactDerivatives out;
-  const Status status = data_->find<true>(contact, out);
-  if (status == Status::invalid_input) set_invalid(out);
-  out.forces.status = status;
-  return out;
+  return data_->solve<ContactDerivatives>(contact);
 }
 
 void CreepForceTable::differentiate(std::span<const EllipticContact> contacts,
                                     std::span<ContactDerivatives> derivatives) const noexcept {
-  for (std::size_t i = 0; i < contacts.size(); ++i) derivatives[i] = differentiate(contacts[i]);
+  data_->solve(contacts, derivatives);
 }
 
 } // namespace microslip

@@ -24,15 +24,19 @@ namespace microslip {
 class CreepForceTable {
 public:
   /// For all Poisson's ratios of the nodes; with `poisson_ratio` for that one alone, at a fraction of the memory.
-  /// Throws Error for a Poisson's ratio out of [0, .5]. Cost some tenths of a second and some 10 MB for each.
-  explicit CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction = RollingDirection::forward);
+  /// Throws Error for a Poisson's ratio out of the nodes' range, or an instruction set that this processor lacks; the
+  /// results are the same to the last bit with all of them. Cost some tenths of a second and 8 MB for each.
+  explicit CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction = RollingDirection::forward,
+                           InstructionSet instruction_set = best_instruction_set());
   CreepForceTable(const CreepTableNodes& nodes, double poisson_ratio,
-                  RollingDirection direction = RollingDirection::forward);
+                  RollingDirection direction = RollingDirection::forward,
+                  InstructionSet instruction_set = best_instruction_set());
 
   const CreepTableAxes& axes() const;
   RollingDirection direction() const;
 
-  /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. Cost about 1 us.
+  /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. A
+  /// batch costs about .1 us for each contact, one by one twice that, derivatives half as much again.
   ContactForces solve(const EllipticContact& contact) const noexcept;
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) const noexcept;
 

@@ -1,7 +1,7 @@
 #include "microslip/table/creep_spline.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace microslip::detail {
 namespace {
@@ -16,11 +16,11 @@ constexpr double mirrored_in_yz[creep_channels] = {1, -1, -1, 1}; ///< of (X, -Y
 class BlockSpline {
 public:
   BlockSpline(const CreepTableAxes& axes)
-      : axes_(axes), size_(axes), first_(TrigonometricWeights(axes.azimuth_step())(1).value[3]),
+      : axes_(axes), size_(axes),
         levels_(SplineFilter::without_first(axes.levels)), elevations_{SplineFilter::clamped(axes.elevations, false),
                                                                        SplineFilter::clamped(axes.elevations, true)},
-        azimuths_{SplineFilter::mirrored(axes.azimuths, false, first_),
-                  SplineFilter::mirrored(axes.azimuths, true, first_)} {}
+        azimuths_{SplineFilter::mirrored(axes.azimuths, false, outer(axes)),
+                  SplineFilter::mirrored(axes.azimuths, true, outer(axes))} {}
 
   std::size_t coefficients() const {
     return std::size_t(size_.levels) * std::size_t(size_.elevations) * std::size_t(size_.azimuths) * creep_channels;
@@ -37,6 +37,7 @@ public:
   }
 
 private:
+  static double outer(const CreepTableAxes& axes) { return TrigonometricSpline(axes.azimuth_step()).outer(); }
   std::size_t plane() const { return std::size_t(axes_.elevations) * std::size_t(axes_.azimuths) * creep_channels; }
   std::size_t at(int elevation, int azimuth) const {
     return (std::size_t(elevation) * std::size_t(axes_.azimuths) + std::size_t(azimuth)) * creep_channels;
@@ -50,13 +51,12 @@ private:
     const auto numbers = nodes.block(material, ratio);
     values_.resize(numbers.size());
     for (int level = 0; level < axes_.levels; ++level) {
-      const double t = static_cast<double>(level + 1) / axes_.levels;
+      const double t = axes_.level(level);
       const double share = creep_coordinates::half_way * (1 - t) / t; // q (1 - t)^2/t^2 for a direction of length 1
       for (int i = 0; i < axes_.elevations; ++i)
         for (int j = 0; j < axes_.azimuths; ++j) {
-          const double theta = i * axes_.elevation_step(), alpha = j * axes_.azimuth_step() - std::numbers::pi / 2;
-          const double x = std::cos(theta) * std::cos(alpha), y = std::cos(theta) * std::sin(alpha),
-                       z = std::sin(theta);
+          const double theta = axes_.elevation(i), alpha = axes_.azimuth(j);
+          const auto [x, y, z] = creep_coordinates::direction(a_over_b, theta, alpha);
           const double q[] = {x, y + linear.y_z * z, linear.m_y * y + linear.m_z * z};
           const std::size_t node = std::size_t(level) * plane() + at(i, j);
           for (std::size_t c = 0; c < 3; ++c)
@@ -105,7 +105,7 @@ private:
   }
 
   double harmonic(int channel, int azimuth) const {
-    const double alpha = azimuth * axes_.azimuth_step() - std::numbers::pi / 2;
+    const double alpha = axes_.azimuth(azimuth);
     return channel == 0 ? std::cos(alpha) : std::sin(alpha);
   }
 
@@ -146,28 +146,50 @@ private:
 
   const CreepTableAxes& axes_;
   CreepSplineSize size_;
-  double first_;                                      ///< a node's weight in the values of its neighbours in azimuth
   SplineFilter levels_, elevations_[2], azimuths_[2]; ///< of the latter odd and even ones
   std::vector<double> values_, by_level_, by_elevation_, side_, half_;
 };
 
 } // namespace
 
-CreepSpline::CreepSpline(const CreepTableNodes& nodes, std::size_t material) {
+CreepSpline::CreepSpline(const CreepTableNodes& nodes, std::span<const double> weights) {
   BlockSpline block(nodes.axes);
   const std::size_t size = block.coefficients();
   const auto ratios = static_cast<std::size_t>(nodes.axes.ratios);
-  std::vector<double> by_ratio(ratios * size);
-  for (std::size_t i = 0; i < ratios; ++i) block.find(nodes, material, i, std::span(by_ratio).subspan(i * size, size));
+  std::vector<double> by_ratio(ratios * size), found(size), sum(size);
+  for (std::size_t m = 0; m < weights.size(); ++m)
+    for (std::size_t i = 0; i < ratios && weights[m] != 0; ++i) {
+      block.find(nodes, m, i, found);
+      for (std::size_t k = 0; k < size; ++k) by_ratio[i * size + k] += weights[m] * found[k];
+    }
   const SplineFilter filter = SplineFilter::not_a_knot(nodes.axes.ratios);
-  coefficients_.resize((ratios + 2) * size);
-  for (int row = 0; row < filter.coefficients(); ++row)
+  coefficients_.reserve((ratios + 2) * size);
+  for (int row = 0; row < filter.coefficients(); ++row) {
+    std::fill(sum.begin(), sum.end(), 0.0);
     for (int i = 0; i < filter.values(); ++i) {
       const double weight = filter.weight(row, i);
       const double* from = &by_ratio[std::size_t(i) * size];
-      double* to = &coefficients_[std::size_t(row) * size];
-      for (std::size_t k = 0; k < size; ++k) to[k] += weight * from[k];
+      for (std::size_t k = 0; k < size; ++k) sum[k] += weight * from[k];
     }
+    add_rounded(nodes.axes, sum);
+  }
+}
+
+void CreepSpline::add_rounded(const CreepTableAxes& axes, std::span<double> coefficients) {
+  constexpr double unit = 0x1p-20;
+  for (double& c : coefficients) c = unit * std::nearbyint(c / unit);
+  // At the pole the spline is an eighth of before + 6 at + beyond, which has to be the same for all azimuths.
+  const CreepSplineSize size(axes);
+  const std::size_t row = std::size_t(size.azimuths) * creep_channels, plane = row * std::size_t(size.elevations);
+  for (std::size_t level = 0; level < coefficients.size(); level += plane) {
+    double* const beyond = &coefficients[level + plane - row];
+    const double *const at = beyond - row, *const before = at - row;
+    for (std::size_t c = 0; c < creep_channels; ++c) {
+      const double pole = c == 0 ? 0 : before[c] + 6 * at[c] + beyond[c];
+      for (std::size_t k = c; k < row; k += creep_channels) beyond[k] = pole - 6 * at[k] - before[k];
+    }
+  }
+  coefficients_.insert(coefficients_.end(), coefficients.begin(), coefficients.end());
 }
 
 } // namespace microslip::detail

@@ -4,24 +4,31 @@
 #include "microslip/table/creep_table_nodes.hpp"
 #include "microslip/table/uniform_spline.hpp"
 
+#include <span>
 #include <vector>
 
 namespace microslip::detail {
 
 /// The spline through the nodes of one Poisson's ratio: of forces (F + q (1 - t)^2)/t^2, where -q are those of linear
-/// theory, and of the share of adhesion. Cubic in ln(a/b), t and theta, trigonometric in alpha. Its derivative is
+/// theory, and of the share of adhesion. Quadratic in ln(a/b), t and e, trigonometric in alpha. Its derivative is
 /// continuous everywhere, also across the borders of the quarter of the sphere and at its pole, pure spin.
 class CreepSpline {
 public:
-  /// `material` is the number of the Poisson's ratio. Cost some tenths of a second for a table of usual size.
-  CreepSpline(const CreepTableNodes& nodes, std::size_t material);
+  /// Of the forces of all Poisson's ratios, times a weight for each. Cost some tenths of a second for a table of usual
+  /// size.
+  CreepSpline(const CreepTableNodes& nodes, std::span<const double> weights);
 
-  /// Coefficients by a/b, level, elevation, azimuth, channel, the last one fastest; the first node of an interval's
-  /// stencil has the interval's number.
-  const std::vector<double>& coefficients() const { return coefficients_; }
+  /// Coefficients by a/b, level, elevation, azimuth, channel, the last one fastest; those of three neighbours from a
+  /// node's number on make the spline around the node, of the level from number t `levels` on. They are multiples of
+  /// 2^-20, which single precision holds exactly, such that at the pole the spline is as independent of alpha as
+  /// without rounding.
+  const std::vector<float>& coefficients() const { return coefficients_; }
 
 private:
-  std::vector<double> coefficients_;
+  /// Rounds the coefficients of one a/b.
+  void add_rounded(const CreepTableAxes& axes, std::span<double> coefficients);
+
+  std::vector<float> coefficients_;
 };
 
 /// How many coefficients there are along the axes.

@@ -1,6 +1,7 @@
 #include "microslip/table/creep_table_axes.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/table/creep_coordinates.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,12 +12,16 @@ double CreepTableAxes::ratio(int i) const {
   return least_ratio * std::pow(largest_ratio / least_ratio, static_cast<double>(i) / (ratios - 1));
 }
 
-double CreepTableAxes::elevation_step() const {
-  return std::numbers::pi / 2 / (elevations - 1);
+double CreepTableAxes::elevation(int i) const {
+  return creep_coordinates::elevation(static_cast<double>(i) / (elevations - 1));
 }
 
 double CreepTableAxes::azimuth_step() const {
   return std::numbers::pi / (azimuths - 1);
+}
+
+double CreepTableAxes::azimuth(int i) const {
+  return i * azimuth_step() - std::numbers::pi / 2;
 }
 
 void check(const CreepTableAxes& axes) {

@@ -15,9 +15,11 @@ struct CreepTableAxes {
   int elevations = 0;                            ///< theta from 0, no spin, to pi/2, nothing but spin, 4 or more
   int azimuths = 0;                              ///< alpha from -pi/2, along -y, to pi/2, 4 or more
 
-  double ratio(int i) const;     ///< a/b of node i
-  double elevation_step() const; ///< [rad]
-  double azimuth_step() const;   ///< [rad]
+  double ratio(int i) const;                                                ///< a/b of node i
+  double level(int i) const { return static_cast<double>(i + 1) / levels; } ///< t of node i
+  double elevation(int i) const;                                            ///< theta of node i [rad]
+  double azimuth_step() const;                                              ///< [rad]
+  double azimuth(int i) const;                                              ///< alpha of node i [rad]
   /// Nodes of one a/b and one nu.
   std::size_t nodes() const { return std::size_t(levels) * std::size_t(elevations) * std::size_t(azimuths); }
   std::size_t blocks() const { return poisson_ratios.size() * std::size_t(ratios); }

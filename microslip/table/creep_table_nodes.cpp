@@ -13,7 +13,7 @@ namespace microslip {
 namespace {
 
 constexpr std::array<char, 8> magic = {'M', 'S', 'C', 'R', 'E', 'E', 'P', '\n'};
-constexpr std::uint32_t byte_order = 0x01020304, version = 1;
+constexpr std::uint32_t byte_order = 0x01020304, version = 2;
 constexpr std::size_t most_materials = 8;
 
 /// The head of a file, of numbers of fixed size at fixed places.

@@ -26,14 +26,11 @@ private:
   std::vector<double> matrix_;
 };
 
-/// The jump of the third derivative of a cubic spline, from two coefficients before the node on.
-constexpr std::initializer_list<double> jump = {1, -4, 6, -4, 1};
-constexpr std::initializer_list<double> value = {1.0 / 6, 2.0 / 3, 1.0 / 6};
+/// The jump of the second derivative of a quadratic spline between two nodes, from the coefficient before them on.
+constexpr std::initializer_list<double> jump = {-1, 3, -3, 1};
+constexpr std::initializer_list<double> value = {1.0 / 8, 3.0 / 4, 1.0 / 8};
 
 } // namespace
-
-TrigonometricWeights::TrigonometricWeights(double step)
-    : step_(step), scale_(1 / (2 * step * rise(step))), slope_scale_(scale_ * step) {}
 
 SplineFilter::SplineFilter(std::vector<double> conditions, int size, int values)
     : rows_(size), columns_(values), matrix_(std::size_t(size) * std::size_t(values)) {
@@ -49,21 +46,21 @@ SplineFilter::SplineFilter(std::vector<double> conditions, int size, int values)
 SplineFilter SplineFilter::not_a_knot(int n) {
   Conditions conditions(n + 2); // coefficient k at place k + 1
   for (int i = 0; i < n; ++i) conditions.add(i, value);
-  for (const int node : {1, n - 2}) conditions.add(node - 1, jump);
+  for (const int before : {0, n - 2}) conditions.add(before, jump);
   return {std::move(conditions).matrix(), n + 2, n};
 }
 
 SplineFilter SplineFilter::without_first(int n) {
   Conditions conditions(n + 3);
   for (int i = 1; i <= n; ++i) conditions.add(i, value);
-  for (const int node : {1, 2, n - 1}) conditions.add(node - 1, jump);
+  for (const int before : {0, 1, n - 1}) conditions.add(before, jump);
   return {std::move(conditions).matrix(), n + 3, n};
 }
 
 SplineFilter SplineFilter::clamped(int n, bool even) {
   Conditions conditions(n + 1); // coefficient k at place k
   if (even)
-    conditions.add(0, {2.0 / 3, 1.0 / 3});
+    conditions.add(0, {3.0 / 4, 1.0 / 4});
   else
     conditions.add(0, {1});
   for (int i = 1; i < n; ++i) conditions.add(i - 1, value);

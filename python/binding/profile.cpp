@@ -328,9 +328,9 @@ void bind_profile(py::module_& module) {
                                             .z_axis = z_axis,
                                             .section = section,
                                             .treatment = treatment_of(smoothing_length, trim)};
-        PlacedProfile profile = read_placed_profile(readable_path(path), options);
-        ProfileValue value = shared(profile);
-        value.surface = profile.surface;
+        PlacedProfile placed = read_placed_profile(readable_path(path), options);
+        ProfileValue value = shared(placed);
+        value.surface = placed.surface;
         return value;
       },
       "path"_a, py::kw_only(), "kind"_a = py::none(), "format"_a = py::none(), "unit"_a = py::none(), "scale"_a = 1.0,

@@ -38,20 +38,18 @@ Creepage creepage_of(double a_over_b, double poisson_ratio, double elevation, do
   const creep_coordinates::LinearTheory linear(creepage_coefficients(a_over_b, poisson_ratio, CreepageTable::computed),
                                                creep_coordinates::spin_scale(a_over_b));
   const double g = shear_modulus / capacity;
-  return {.longitudinal = std::cos(elevation) * std::cos(azimuth) / (g * linear.x),
-          .lateral = std::cos(elevation) * std::sin(azimuth) / (g * linear.y),
-          .spin = std::sin(elevation) / (g * linear.z)};
+  const auto [x, y, z] = creep_coordinates::direction(a_over_b, elevation, azimuth);
+  return {.longitudinal = x / (g * linear.x), .lateral = y / (g * linear.y), .spin = z / (g * linear.z)};
 }
 
 /// The contact of a node.
 EllipticContact contact_at(const CreepTableAxes& axes, std::size_t material, int ratio, int level, int elevation,
                            int azimuth) {
   const double nu = axes.poisson_ratios[material], a_over_b = axes.ratio(ratio);
-  const double t = static_cast<double>(level + 1) / axes.levels;
+  const double t = axes.level(level);
   const double r =
       t < 1 ? creep_coordinates::half_way * t / (1 - t) : 1; // at the last level the direction alone counts
-  const Creepage unit = creepage_of(a_over_b, nu, elevation * axes.elevation_step(),
-                                    azimuth * axes.azimuth_step() - std::numbers::pi / 2);
+  const Creepage unit = creepage_of(a_over_b, nu, axes.elevation(elevation), axes.azimuth(azimuth));
   EllipticContact contact = contact_of(a_over_b, nu);
   contact.creepage = {unit.longitudinal * r, unit.lateral * r, unit.spin * r};
   return contact;
@@ -88,7 +86,7 @@ Node node_of(const ContactForces& forces, const EllipticContact& contact) {
 /// Squares and extremes of the estimated errors of some nodes.
 struct Errors {
   std::array<double, 3> squares = {}, worst = {};
-  long count = 0, not_converged = 0;
+  long nodes = 0, solved = 0, not_converged = 0;
 
   void add(std::size_t channel, double error) {
     squares[channel] += error * error;
@@ -98,19 +96,21 @@ struct Errors {
 
 CreepTableOrigin origin_of(const std::vector<Errors>& errors, int elements) {
   CreepTableOrigin origin = {.elements = elements};
+  long nodes = 0;
   for (const Errors& e : errors) {
-    origin.solved += e.count;
+    nodes += e.nodes;
+    origin.solved += e.solved;
     origin.not_converged += e.not_converged;
     for (std::size_t c = 0; c < 3; ++c) {
       origin.error_rms[c] += e.squares[c];
       origin.error_worst[c] = std::max(origin.error_worst[c], e.worst[c]);
     }
   }
-  for (double& square : origin.error_rms) square = std::sqrt(square / (static_cast<double>(origin.solved) / 2));
+  for (double& square : origin.error_rms) square = std::sqrt(square / static_cast<double>(nodes));
   return origin;
 }
 
-/// Which nodes of the axes are solved: all, or every second one along each axis.
+/// Which nodes of the axes are solved: all, or every second one of a/b, of the level and of the azimuth.
 struct Nodes {
   std::size_t material;
   int step; ///< 1 or 2
@@ -136,16 +136,19 @@ private:
   std::vector<double> numbers_;
 };
 
+/// Beyond this estimated error of Fx, Fy or Mz a node is solved on a third grid.
+constexpr double doubtful = 0.002;
+
 /// Solves nodes of one a/b and nu.
 class BlockMaker {
 public:
   BlockMaker(int elements, Numbers& numbers)
-      : axes_(numbers.axes()), numbers_(numbers), coarse_({.mx = elements / 2, .my = elements / 2}),
-        fine_({.mx = elements, .my = elements}) {}
+      : axes_(numbers.axes()), numbers_(numbers), coarse_(grid(elements / 2)), fine_(grid(elements)),
+        finest_(grid(2 * elements)) {}
 
   void make(const Nodes& nodes, int ratio, Errors& errors, const Progress& progress) {
     const int pole = axes_.elevations - 1;
-    for (int i = 0; i <= pole; i += nodes.step)
+    for (int i = 0; i <= pole; ++i)
       for (int j = 0; j < axes_.azimuths; j += nodes.step) {
         if (!progress((i + static_cast<double>(j) / axes_.azimuths) / axes_.elevations)) return;
         if (i < pole || j == 0)
@@ -158,6 +161,8 @@ public:
   }
 
 private:
+  static ExactOptions grid(int elements) { return {.mx = elements, .my = elements}; }
+
   void make_direction(const Nodes& nodes, int ratio, int elevation, int azimuth, Errors& errors) {
     for (int level = nodes.step - 1; level < axes_.levels; level += nodes.step) {
       const EllipticContact contact = contact_at(axes_, nodes.material, ratio, level, elevation, azimuth);
@@ -167,26 +172,43 @@ private:
   }
 
   Node limit(const EllipticContact& contact, Errors& errors) {
-    const ContactForces from = coarse_.solve(contact).forces(), to = fine_.solve(contact).forces();
-    errors.not_converged += (from.status != Status::ok) + (to.status != Status::ok);
-    const Node coarse = node_of(from, contact), fine = node_of(to, contact);
+    const Node coarse = solve(coarse_, contact, errors);
+    Node fine = solve(fine_, contact, errors), node = limit(coarse, fine);
+    if (error_of(node, fine) > doubtful) {
+      const Node finest = solve(finest_, contact, errors);
+      node = limit(fine, finest);
+      fine = finest;
+    }
+    for (std::size_t c = 0; c < 3; ++c) errors.add(c, std::abs(node[c] - fine[c]));
+    ++errors.nodes;
+    node[3] = std::clamp(node[3], 0.0, 1.0);
+    return node;
+  }
+  static Node solve(EllipticContactSolver& solver, const EllipticContact& contact, Errors& errors) {
+    const ContactForces forces = solver.solve(contact).forces();
+    ++errors.solved;
+    errors.not_converged += forces.status != Status::ok;
+    return node_of(forces, contact);
+  }
+  static Node limit(const Node& coarse, const Node& fine) {
     Node node;
     for (std::size_t c = 0; c < creep_channels; ++c) node[c] = limit_of_second_order(coarse[c], fine[c]);
-    for (std::size_t c = 0; c < 3; ++c) errors.add(c, std::abs(node[c] - fine[c]));
-    node[3] = std::clamp(node[3], 0.0, 1.0);
-    errors.count += 2;
     return node;
+  }
+  static double error_of(const Node& node, const Node& fine) {
+    double error = 0;
+    for (std::size_t c = 0; c < 3; ++c) error = std::max(error, std::abs(node[c] - fine[c]));
+    return error;
   }
 
   const CreepTableAxes& axes_;
   Numbers& numbers_;
-  EllipticContactSolver coarse_, fine_;
+  EllipticContactSolver coarse_, fine_, finest_;
 };
 
 CreepTableAxes every_second(CreepTableAxes axes) {
   axes.ratios = (axes.ratios + 1) / 2;
   axes.levels /= 2;
-  axes.elevations = (axes.elevations + 1) / 2;
   axes.azimuths = (axes.azimuths + 1) / 2;
   return axes;
 }
@@ -212,11 +234,11 @@ void fill_in(Numbers& numbers, std::size_t main) {
             for (int j = 0; j < of.azimuths; ++j) work(m, ratio, level, i, j);
   };
   for_all(half.axes(), [&](std::size_t m, int ratio, int level, int i, int j) {
-    std::copy_n(numbers.at(m, 2 * ratio, 2 * level + 1, 2 * i, 2 * j), creep_channels, half.at(m, ratio, level, i, j));
+    std::copy_n(numbers.at(m, 2 * ratio, 2 * level + 1, i, 2 * j), creep_channels, half.at(m, ratio, level, i, j));
   });
   const CreepForceTable table(quantised(half.axes(), {}, half.all()));
   for_all(axes, [&](std::size_t m, int ratio, int level, int i, int j) {
-    if (m == main || (ratio % 2 == 0 && level % 2 == 1 && i % 2 == 0 && j % 2 == 0)) return;
+    if (m == main || (ratio % 2 == 0 && level % 2 == 1 && j % 2 == 0)) return;
     double* const to = numbers.at(m, ratio, level, i, j);
     const EllipticContact own = contact_at(axes, m, ratio, level, i, j);
     Node node;
@@ -240,9 +262,9 @@ void check(const CreepTableMaking& making) {
   if (making.axes.poisson_ratios.size() == 1) return;
   check(every_second(making.axes));
   const CreepTableAxes& axes = making.axes;
-  if (axes.ratios % 2 == 0 || axes.levels % 2 != 0 || axes.elevations % 2 == 0 || axes.azimuths % 2 == 0)
+  if (axes.ratios % 2 == 0 || axes.levels % 2 != 0 || axes.azimuths % 2 == 0)
     throw Error("with several Poisson's ratios every second node must be one of a coarser table: an even number of "
-                "levels and odd numbers of ratios, elevations and azimuths");
+                "levels and odd numbers of ratios and azimuths");
 }
 
 } // namespace
