@@ -131,11 +131,11 @@ void add_options(CLI::App& command, HertzArguments& arguments) {
 } // namespace
 
 void add_hertz(QuantityTable& table, const HertzContact& contact) {
-  table.add("semi-axis a, along x", contact.a * 1e3, "mm");
-  table.add("semi-axis b, along y", contact.b * 1e3, "mm");
-  table.add("peak pressure", contact.peak_pressure * 1e-6, "MPa");
-  table.add("approach", contact.approach * 1e3, "mm");
-  table.add("stiffness", contact.stiffness * 1e-6, "kN/mm");
+  table.add("semi-axis a, along x", contact.a, "m");
+  table.add("semi-axis b, along y", contact.b, "m");
+  table.add("peak pressure", contact.peak_pressure, "Pa");
+  table.add("approach", contact.approach, "m");
+  table.add("stiffness", contact.stiffness, "N/m");
 }
 
 void print_warnings(const std::string& of, const std::vector<std::string>& warnings) {
@@ -146,11 +146,11 @@ void add_hertz_command(CLI::App& program) {
   auto* command = program.add_subcommand("hertz", "Contact ellipse, peak pressure, approach and stiffness");
   const auto arguments = std::make_shared<HertzArguments>();
   add_options(*command, *arguments);
-  command->footer(
-      "Prints semi-axes and approach [mm], peak pressure [MPa], stiffness [kN/mm], curvatures of the gap [1/m]; with\n"
-      "--json the same in SI units, by the names that they have in result files.\n\n"
-      "Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
-      "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
+  command->footer("Prints semi-axes, peak pressure, approach, stiffness and curvatures of the gap, in units that fit; "
+                  "with --json in\n"
+                  "SI units, by the names that they have in result files.\n\n"
+                  "Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
+                  "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
   command->callback([arguments] { hertz(*arguments); });
 }
 

@@ -271,6 +271,7 @@ void write_result(const ProfileArguments& arguments, const ProfileFindings& find
 
 void convert(const ProfileArguments& arguments, const PreparedProfile& prepared) {
   const auto format = format_of_ending(arguments.converted, prepared.profile.role());
+  require_other_file(arguments.converted, arguments.file);
   OutputFile file(arguments.converted);
   file.write(profile_text(prepared, format));
   file.commit();

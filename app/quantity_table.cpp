@@ -1,21 +1,37 @@
 #include "app/quantity_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 namespace microslip {
 namespace {
 
-struct PrintedUnit {
-  std::string_view name;
-  double factor;
+/// From which magnitude on a number is printed in a unit.
+struct Step {
+  double from;
+  PrintedUnit unit;
 };
 
-PrintedUnit printed_unit(std::string_view unit) {
-  if (unit == "m^2") return {"mm^2", 1e6};
-  if (unit == "Pa") return {"MPa", 1e-6};
-  return {unit, 1};
+/// Units of a quantity, the smallest first.
+struct Steps {
+  std::string_view unit;
+  std::vector<Step> steps;
+};
+
+const std::vector<Steps>& all_steps() {
+  static const std::vector<Steps> all = {
+      {"N", {{0, {"mN", 1e3}}, {0.1, {"N", 1}}, {1e4, {"kN", 1e-3}}, {1e7, {"MN", 1e-6}}}},
+      {"N m", {{0, {"mN m", 1e3}}, {1e-2, {"N m", 1}}, {1e4, {"kN m", 1e-3}}}},
+      {"W", {{0, {"mW", 1e3}}, {1e-2, {"W", 1}}, {1e4, {"kW", 1e-3}}, {1e7, {"MW", 1e-6}}}},
+      {"J", {{0, {"mJ", 1e3}}, {1e-2, {"J", 1}}, {1e4, {"kJ", 1e-3}}}},
+      {"m", {{0, {"um", 1e6}}, {1e-5, {"mm", 1e3}}, {10, {"m", 1}}}},
+      {"m^2", {{0, {"um^2", 1e12}}, {1e-8, {"mm^2", 1e6}}, {1, {"m^2", 1}}}},
+      {"Pa", {{0, {"kPa", 1e-3}}, {1e4, {"MPa", 1e-6}}, {1e10, {"GPa", 1e-9}}}},
+      {"N/m", {{0, {"N/mm", 1e-3}}, {1e5, {"kN/mm", 1e-6}}}},
+  };
+  return all;
 }
 
 void replace(std::string& text, std::string_view word, std::string_view other) {
@@ -32,19 +48,42 @@ std::string label_of(const Quantity& quantity, const ContactSolution& solution) 
   return label;
 }
 
+PrintedUnit readable_unit(std::string_view unit, const std::vector<double>& values) {
+  const auto& all = all_steps();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Steps& steps) { return steps.unit == unit; });
+  if (found == all.end()) return {unit};
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  PrintedUnit best = found->steps[largest > 0 ? 0 : 1].unit;
+  for (const auto& [from, candidate] : found->steps)
+    if (from > 0 && largest >= from) best = candidate;
+  return best;
+}
+
 QuantityTable::QuantityTable(std::string title, std::vector<std::string> heads) : title_(std::move(title)) {
   if (!heads.empty()) lines_.push_back({"", std::move(heads), ""});
 }
 
+void QuantityTable::round_to_zero(std::string_view unit, double scale) {
+  constexpr double rounding = 1e-13;
+  noise_.push_back({unit, rounding * std::abs(scale)});
+}
+
 void QuantityTable::add(const std::string& name, double value, const std::string& unit, const std::string& remark) {
-  lines_.push_back(
-      {name, {fmt::format("{:.6g}", value)}, remark.empty() ? unit : fmt::format("{:<5} {}", unit, remark)});
+  add(name, std::vector<double>{value}, unit);
+  if (!remark.empty()) lines_.back().unit = fmt::format("{:<5} {}", lines_.back().unit, remark);
 }
 
 void QuantityTable::add(const std::string& name, const std::vector<double>& values, const std::string& unit) {
+  auto printed = values;
+  for (const auto& [of, largest] : noise_)
+    for (double& value : printed)
+      if (of == unit && std::abs(value) < largest) value = 0;
+  const auto [readable, factor] = readable_unit(unit, printed);
   std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(fmt::format("{:.6g}", value));
-  lines_.push_back({name, texts, unit});
+  for (const double value : printed) texts.push_back(fmt::format("{:.6g}", factor * value));
+  lines_.push_back({name, texts, std::string(readable)});
 }
 
 void QuantityTable::add(const std::string& name, const std::vector<std::string>& values, const std::string& unit) {
@@ -53,17 +92,15 @@ void QuantityTable::add(const std::string& name, const std::vector<std::string>&
 
 void QuantityTable::add_quantity(std::string_view name, const ContactSolution& solution, const std::string& remark) {
   const Quantity& q = quantity(name);
-  const auto [unit, factor] = printed_unit(q.unit_of(solution));
-  add(label_of(q, solution), factor * q.value(solution), std::string(unit), remark);
+  add(label_of(q, solution), q.value(solution), std::string(q.unit_of(solution)), remark);
 }
 
 void QuantityTable::add_quantity(std::string_view name, const std::vector<const ContactSolution*>& solutions) {
   const Quantity& q = quantity(name);
   const ContactSolution& first = *solutions.front();
-  const auto [unit, factor] = printed_unit(q.unit_of(first));
   std::vector<double> values;
-  for (const ContactSolution* solution : solutions) values.push_back(factor * q.value(*solution));
-  add(label_of(q, first), values, std::string(unit));
+  for (const ContactSolution* solution : solutions) values.push_back(q.value(*solution));
+  add(label_of(q, first), values, std::string(q.unit_of(first)));
 }
 
 void QuantityTable::print() const {

@@ -11,18 +11,32 @@ namespace microslip {
 /// What a printed table calls a quantity: a shift has shifts and work where rolling has creepages and power.
 std::string label_of(const Quantity& quantity, const ContactSolution& solution);
 
-/// A table of quantities with their units for people to read: one value each, or several side by side.
+/// A unit and what a number in SI units is multiplied by for it.
+struct PrintedUnit {
+  std::string_view name;
+  double factor = 1;
+};
+
+/// The unit in which the largest of some numbers is easily read: kN for 80000 N, mm for .0067 m, MPa for 1.1e9 Pa.
+/// Units that are not known, mm among them, stay as they are.
+PrintedUnit readable_unit(std::string_view unit, const std::vector<double>& values);
+
+/// A table of quantities with their units for people to read: one value each, or several side by side. Numbers in SI
+/// units are printed in readable ones.
 class QuantityTable {
 public:
   /// `heads` name the columns of values; none: a single column without a head.
   explicit QuantityTable(std::string title, std::vector<std::string> heads = {});
+
+  /// Numbers of this unit, in SI, that are smaller than the rounding errors of numbers as large as `scale` are zeros.
+  void round_to_zero(std::string_view unit, double scale);
 
   /// `remark` follows the unit, e.g. the value in other terms.
   void add(const std::string& name, double value, const std::string& unit, const std::string& remark = "");
   void add(const std::string& name, const std::vector<double>& values, const std::string& unit);
   void add(const std::string& name, const std::vector<std::string>& values, const std::string& unit = "");
 
-  /// A quantity of the library's table, by its name: label and unit from there, with mm^2 and MPa for m^2 and Pa.
+  /// A quantity of the library's table, by its name: label and unit from there.
   void add_quantity(std::string_view name, const ContactSolution& solution, const std::string& remark = "");
   void add_quantity(std::string_view name, const std::vector<const ContactSolution*>& solutions);
 
@@ -36,8 +50,14 @@ private:
     std::string unit;
   };
 
+  struct Noise {
+    std::string_view unit;
+    double largest;
+  };
+
   std::string title_;
   std::vector<Line> lines_;
+  std::vector<Noise> noise_;
 };
 
 } // namespace microslip

@@ -15,6 +15,7 @@
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -22,9 +23,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace microslip {
 namespace {
@@ -53,6 +56,17 @@ void print_hertz(const RollingCase& input, const RollingContactResult& result) {
   table.print();
 }
 
+/// Forces, moments and areas that are rounding errors are zeros.
+void round_to_zero(QuantityTable& table, const RollingContactResult& result) {
+  const EllipticContact& contact = result.contact;
+  const double length = std::sqrt(contact.a * contact.b);
+  const double limit = contact.friction.static_coefficient() * contact.normal_force;
+  table.round_to_zero("N", limit);
+  table.round_to_zero("N m", limit * length);
+  table.round_to_zero("m^2", 4 * length * length);
+  for (const auto* unit : {"mu Fn", "mu Fn sqrt(a b)"}) table.round_to_zero(unit, 1);
+}
+
 std::string describe_simplified(const RollingCase& input) {
   const auto& options = input.options;
   return fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", simplified_name(input), options.mx, options.my,
@@ -76,6 +90,7 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   const auto area = t.adhesion_area + t.slip_area;
   QuantityTable table(describe_simplified(input));
+  round_to_zero(table, result);
   table.add_quantity("fx", solution, in_units_of(t.fx, limit, "mu Fn"));
   table.add_quantity("fy", solution, in_units_of(t.fy, limit, "mu Fn"));
   table.add_quantity("mz", solution, in_units_of(t.mz, moment, "mu Fn sqrt(a b)"));
@@ -147,7 +162,10 @@ public:
   }
 
 private:
-  static std::string error_text(double error) { return std::isnan(error) ? "none" : fmt::format("{:.6g}", error); }
+  static std::string error_text(double error) {
+    constexpr double rounding = 1e-13;
+    return std::isnan(error) ? "none" : fmt::format("{:.6g}", error < rounding ? 0 : error);
+  }
 
   QuantityTable& table_;
   const std::vector<TheoryColumn>& columns_;
@@ -190,6 +208,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   const auto [mx, my] =
       limit ? std::pair(limit->elements, limit->elements) : std::pair(input.options.mx, input.options.my);
   QuantityTable table(describe_exact(input, mx, my), names_of(columns));
+  round_to_zero(table, result);
   SideBySide rows(table, columns);
   add_totals(rows, result.contact);
   if (limit) add_limit(table, *limit, input);
@@ -217,6 +236,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
 void print_table(const RollingCase& input, const RollingContactResult& result) {
   const auto columns = theory_columns(input, result);
   QuantityTable table("creep-force table, steady rolling", names_of(columns));
+  round_to_zero(table, result);
   SideBySide rows(table, columns);
   add_totals(rows, result.contact);
   rows.add_status();
@@ -291,7 +311,22 @@ std::vector<std::string> draw(const fs::path& result_file, const fs::path& folde
   return pictures.files;
 }
 
+/// Pictures that lie in the folder and were not drawn now show another case.
+void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>& drawn) {
+  std::vector<std::string> old;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = (folder / entry.path().filename()).string();
+    if (entry.path().extension() == ".png" && std::find(drawn.begin(), drawn.end(), name) == drawn.end())
+      old.push_back(entry.path().filename().string());
+  }
+  if (old.empty()) return;
+  std::sort(old.begin(), old.end());
+  fmt::print(stderr, "microslip: warning: {}: older than result.h5: {}\n", folder.string(), fmt::join(old, ", "));
+}
+
 template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
+  require_writable_folder(arguments.folder);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
   if (!arguments.json) print_tables(input, result);
   const auto file = arguments.folder / "result.h5";
@@ -303,6 +338,7 @@ template <class Input> int solve(const SolveArguments& arguments, const Input& i
     print_document(input, result, provenance, file, pictures);
   else
     for (const auto& picture : pictures) print_file(picture);
+  warn_of_old_pictures(arguments.folder, pictures);
   print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), result.reason);
@@ -338,11 +374,9 @@ void add_solve_command(CLI::App& program, int& exit_code) {
       "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
       "[sweep]; with side = \"both\" those of a wheelset with its height, roll and rolling speed. Of two bodies with\n"
       "radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
-      "asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1 [N], the "
-      "moment [N m], "
-      "areas\n"
-      "[mm^2] and the frictional power [W]. Writes result.h5 (SI) and pictures. With --json the numbers of result.h5\n"
-      "but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
+      "asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1, the moment,\n"
+      "areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures. With --json the numbers of\n"
+      "result.h5 but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
       "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

@@ -40,6 +40,7 @@ public:
   SweepRun(const SweepArguments& arguments, Ranks& ranks) : arguments_(arguments), ranks_(ranks) {}
 
   int run() {
+    ranks_.agree([&] { require_other_file(arguments_.output, arguments_.spec); });
     ranks_.agree([&] { sweep_.emplace(read_case_text(arguments_.spec), arguments_.spec.string()); });
     const CampaignPlan plan = sweep_->plan();
     Campaign campaign(checkpoint_of(arguments_.output), plan, ranks_);

@@ -26,6 +26,14 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+/// CLI11's words, but for a value that is none of its option's: all but texts are numbers.
+std::string described(const CLI::ParseError& error) {
+  constexpr std::string_view not_converted = "Could not convert: ";
+  const std::string text = error.what();
+  if (!text.starts_with(not_converted)) return text;
+  return text.substr(not_converted.size()) + ": must be a number";
+}
+
 } // namespace
 
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
@@ -33,7 +41,7 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   const auto& command = chosen.empty() ? program : *chosen.front();
   const auto help = "; see microslip " + (chosen.empty() ? "" : command.get_name() + " ") + "--help";
   const auto unexpected = program.remaining(true);
-  if (unexpected.empty()) return error.what() + help;
+  if (unexpected.empty()) return described(error) + help;
   const auto& word = unexpected.front();
   const bool is_option = word.starts_with("-");
   if (!is_option && !chosen.empty()) return "unexpected argument " + printable(word) + help;

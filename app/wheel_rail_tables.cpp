@@ -32,7 +32,7 @@ constexpr PrintedQuantity printed_of_wheel[] = {
     {"moment_x", "moment about x", "N m"},
     {"moment_y", "moment about the axle", "N m"},
     {"moment_z", "moment about z", "N m"},
-    {"vertical", "height above the nominal radius", "mm", 1e3},
+    {"vertical", "height above the nominal radius", "m"},
     {"frictional_power", "frictional power", "W"},
     {"t_gamma", "T-gamma", "N"},
     {"t_gamma_with_spin", "T-gamma with spin", "N"},
@@ -50,7 +50,7 @@ constexpr PrintedQuantity printed_of_wheelset[] = {
     {"moment_x", "roll moment about the centre", "N m"},
     {"moment_y", "moment about y", "N m"},
     {"moment_z", "yaw moment, to the left", "N m"},
-    {"vertical", "height above the nominal radius", "mm", 1e3},
+    {"vertical", "height above the nominal radius", "m"},
     {"roll", "roll, raises the left wheel", "mrad", 1e3},
     {"pitch_velocity", "pitch velocity, rolls forward", "rad/s"},
     {"frictional_power", "frictional power", "W"},
@@ -58,13 +58,13 @@ constexpr PrintedQuantity printed_of_wheelset[] = {
 };
 
 constexpr PrintedQuantity printed_of_patch[] = {
-    {"rail_y", "y on the rail", "mm", 1e3},
-    {"wheel_y", "y on the wheel", "mm", 1e3},
-    {"place_x", "x along the track", "mm", 1e3},
-    {"rolling_radius", "rolling radius", "mm", 1e3},
+    {"rail_y", "y on the rail", "m"},
+    {"wheel_y", "y on the wheel", "m"},
+    {"place_x", "x along the track", "m"},
+    {"rolling_radius", "rolling radius", "m"},
     {"angle", "contact angle", "deg", degrees},
     {"turn", "turn of the rail's surface", "deg", degrees},
-    {"approach", "approach", "mm", 1e3},
+    {"approach", "approach", "m"},
     {"creepage_longitudinal", "longitudinal creepage", "-"},
     {"creepage_lateral", "lateral creepage", "-"},
     {"spin", "spin", "1/m"},
@@ -72,9 +72,9 @@ constexpr PrintedQuantity printed_of_patch[] = {
     {"fx", "force fx", "N"},
     {"fy", "force fy", "N"},
     {"mz", "moment mz", "N m"},
-    {"contact_area", "contact area", "mm^2", 1e6},
-    {"slip_area", "slip area", "mm^2", 1e6},
-    {"peak_pressure", "peak pressure", "MPa", 1e-6},
+    {"contact_area", "contact area", "m^2"},
+    {"slip_area", "slip area", "m^2"},
+    {"peak_pressure", "peak pressure", "Pa"},
     {"frictional_power", "frictional power", "W"},
     {"t_gamma", "T-gamma", "N"},
     {"t_gamma_with_spin", "T-gamma with spin", "N"},
@@ -106,8 +106,15 @@ std::string description_of(const WheelsetCase& input) {
   return description_of(input, "wheelset");
 }
 
+/// Forces and moments that are rounding errors beside the load are zeros.
+void round_to_zero(QuantityTable& table, const WheelRailSetting& input, double load) {
+  table.round_to_zero("N", load);
+  table.round_to_zero("N m", load * input.wheelset.nominal_radius);
+}
+
 void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) {
   QuantityTable table(description_of(input));
+  round_to_zero(table, input, solution.force.z);
   for (const auto& [name, label, unit, factor] : printed_of_wheel) {
     const double value = find(wheel_quantities(), name).value(solution);
     if (!std::isnan(value)) table.add(std::string(label), factor * value, std::string(unit));
@@ -118,6 +125,7 @@ void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) 
 
 void print_wheelset(const WheelsetCase& input, const WheelsetSolution& solution) {
   QuantityTable table(description_of(input));
+  round_to_zero(table, input, solution.force.z);
   for (const auto& [name, label, unit, factor] : printed_of_wheelset)
     table.add(std::string(label), factor * find(wheelset_quantities(), name).value(solution), std::string(unit));
   table.add("status", {std::string(to_string(solution.status))});

@@ -53,18 +53,27 @@ void add_profile_warnings(const PlacedProfile& profile, std::vector<std::string>
 /// About results that are not to be trusted; `which` wheel, if there are two.
 void add_warnings(const WheelRailSetting& input, const Solutions& solutions, const std::string& which,
                   std::vector<std::string>& warnings) {
-  std::size_t at_end = 0, turned = 0;
+  constexpr double largest_approach = 0.01; // of the rolling radius
+  std::size_t at_end = 0, turned = 0, deep = 0;
   double largest = 0;
   for (const WheelRailSolution* solution : solutions) {
     at_end += solution->at_profile_end;
     double turn = 0;
     for (const WheelRailPatch& patch : solution->patches) turn = std::max(turn, std::abs(patch.turn));
+    deep += std::any_of(solution->patches.begin(), solution->patches.end(), [](const WheelRailPatch& patch) {
+      return patch.approach > largest_approach * std::abs(patch.rolling_radius);
+    });
     turned += turn > largest_flat_turn;
     largest = std::max(largest, turn);
   }
   if (at_end > 0)
     warnings.push_back(which + "a patch reaches the end of a profile: its forces are too small" +
                        of_states(at_end, solutions.size()));
+  if (deep > 0)
+    warnings.push_back(which +
+                       "an approach of more than a hundredth of the rolling radius is too large for a "
+                       "half-space: check units, moduli in Pa, forces in N" +
+                       of_states(deep, solutions.size()));
   if (turned > 0 && input.method.patch_shape() == PatchShape::flat)
     warnings.push_back(which + "the rail's surface turns by " +
                        std::to_string(std::lround(largest * 180 / std::numbers::pi)) +

@@ -78,7 +78,7 @@ double csv_number(std::string_view label, std::string_view field, bool decimal_c
 }
 
 std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos && trimmed(text) == text) return std::string(text);
+  if (text.find_first_of(",;\t\"\n\r") == std::string_view::npos && trimmed(text) == text) return std::string(text);
   std::string quoted = "\"";
   for (const char letter : text) quoted.append(letter == '"' ? 2 : 1, letter);
   return quoted + "\"";

@@ -35,7 +35,7 @@ char csv_separator(std::string_view header);
 /// is none.
 double csv_number(std::string_view label, std::string_view field, bool decimal_comma = false);
 
-/// A field as CSV with commas has it: in quotes where it needs them.
+/// A field as CSV with commas has it: in quotes where it has what separates fields in any table.
 std::string csv_field(std::string_view text);
 
 } // namespace microslip

@@ -178,6 +178,17 @@ void require_other_file(const std::filesystem::path& output, const std::filesyst
     throw Error(output.string() + ": is the input, which the output would replace; name another file");
 }
 
+void require_writable_folder(const std::filesystem::path& path) {
+  std::filesystem::path there = path.empty() ? "." : path;
+  std::error_code error;
+  while (!std::filesystem::exists(there, error) && there.has_relative_path())
+    there = there.has_parent_path() ? there.parent_path() : ".";
+  error.clear();
+  if (!std::filesystem::is_directory(there, error) && !error) error = std::make_error_code(std::errc::not_a_directory);
+  if (!error && ::access(there.c_str(), W_OK | X_OK) != 0) error = {errno, std::generic_category()};
+  if (error) throw Error(path.string() + ": cannot be made a folder: " + error.message());
+}
+
 void create_folder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

@@ -41,5 +41,7 @@ void require_other_file(const std::filesystem::path& output, const std::filesyst
 
 /// Creates a folder and those above it; Error if that is impossible.
 void create_folder(const std::filesystem::path& path);
+/// Error if that could not be done, or nothing be written there: for saying so before long work.
+void require_writable_folder(const std::filesystem::path& path);
 
 } // namespace microslip

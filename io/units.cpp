@@ -109,17 +109,64 @@ std::string in_ascii(std::string_view unit) {
   return text;
 }
 
-/// Of all that UDUNITS understands: products of powers of units. Not a number before them, as in "1 435 mm", nor
-/// dates, logarithms and other origins.
-bool is_plain(std::string_view unit) {
-  constexpr std::size_t longest = 40;
-  const auto is_allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view(" */.^-()%").find(c) != std::string_view::npos;
-  };
-  const bool has_factor = unit.front() >= '0' && unit.front() <= '9' && !unit.starts_with("1/");
-  return unit.size() <= longest && !has_factor && std::all_of(unit.begin(), unit.end(), is_allowed);
-}
+/// Of all that UDUNITS understands: products and quotients of units with exponents, in parentheses where it matters.
+/// Not a number before them, as in "1 435 mm", nor dates, logarithms and other origins.
+class PlainUnit {
+public:
+  explicit PlainUnit(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("1/") || rest_.starts_with("1 ")) rest_.remove_prefix(1), wants_operand_ = false;
+    bool is_good = text.size() <= longest;
+    while (is_good && !(rest_ = trimmed(rest_)).empty()) is_good = wants_operand_ ? take_operand() : take_operator();
+    is_plain_ = is_good && !wants_operand_ && depth_ == 0;
+  }
+
+  bool is_plain() const { return is_plain_; }
+  const std::vector<std::string>& symbols() const { return symbols_; }
+
+private:
+  static constexpr std::size_t longest = 40;
+
+  bool take_operand() {
+    if (rest_.front() == '(') {
+      rest_.remove_prefix(1);
+      return ++depth_ <= 5;
+    }
+    const auto end = std::min(rest_.size(), rest_.find_first_not_of(letters));
+    if (end == 0) return false;
+    symbols_.emplace_back(rest_.substr(0, end));
+    rest_.remove_prefix(end);
+    wants_operand_ = false;
+    return take_exponent();
+  }
+
+  /// None, or one digit, with a sign and a circumflex before it.
+  bool take_exponent() {
+    const bool is_marked = rest_.starts_with('^');
+    if (is_marked) rest_.remove_prefix(1);
+    const bool is_negative = rest_.starts_with('-');
+    if (is_negative) rest_.remove_prefix(1);
+    const bool has_digit = !rest_.empty() && digits.find(rest_.front()) != std::string_view::npos;
+    if (has_digit) rest_.remove_prefix(1);
+    const bool has_more = !rest_.empty() && digits.find(rest_.front()) != std::string_view::npos;
+    return !has_more && (has_digit || (!is_marked && !is_negative));
+  }
+
+  /// Between units a blank is enough.
+  bool take_operator() {
+    wants_operand_ = rest_.front() != ')';
+    if (!wants_operand_) --depth_;
+    if (std::string_view(")*/.").find(rest_.front()) != std::string_view::npos) rest_.remove_prefix(1);
+    return depth_ >= 0;
+  }
+
+  static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ%",
+                                    digits = "0123456789";
+
+  std::string_view rest_;
+  std::vector<std::string> symbols_;
+  int depth_ = 0;
+  bool wants_operand_ = true, is_plain_ = false;
+};
 
 /// UDUNITS for one thread, and silent.
 class Silence {
@@ -200,10 +247,17 @@ private:
     return Owned<ut_unit>(ut_parse(system_.get(), unit.c_str(), UT_ASCII));
   }
 
+  /// None for what is not plain, or a symbol that is not known: UDUNITS would lose memory on the way.
+  Owned<ut_unit> parse_plain(const std::string& unit) const {
+    const PlainUnit plain(unit);
+    const auto& symbols = plain.symbols();
+    const auto is_known = [&](const std::string& symbol) { return parse(symbol) != nullptr; };
+    return plain.is_plain() && std::all_of(symbols.begin(), symbols.end(), is_known) ? parse(unit) : nullptr;
+  }
+
   /// Only temperatures may differ by their zero.
   Owned<cv_converter> converter_of(std::string_view name, const Choice& choice) const {
-    const std::string ascii = in_ascii(name);
-    const auto given = is_plain(ascii) ? parse(ascii) : nullptr;
+    const auto given = parse_plain(in_ascii(name));
     if (!given) {
       const auto near = suggestion(name, choice.known());
       throw Error("unknown unit " + printable(name) + (near.empty() ? "; " + choice.sentence() : near));

@@ -174,6 +174,8 @@ TEST(ContactTable, PassesFurtherColumnsOn) {
                                 semicolons(row));
   EXPECT_EQ(table.columns.at(0), "name");
   EXPECT_EQ(table.columns.at(1), "time");
+  const auto named = read_table("\";;;;;;;;;;;;\"," + header + "x," + row);
+  EXPECT_EQ(read_table(result_header(named.columns) + named.text).text, named.text);
   const std::string fields = row.substr(0, row.size() - 1) + ",0,0,0,0,0,ok\n";
   EXPECT_EQ(table.text, "\"a;b, \"\"c\"\"\",\"0,5\"," + fields + ",," + fields);
 }

@@ -161,6 +161,29 @@ TEST(OutputFile, LeavesNothingOnAFullDisk) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+TEST(OutputFile, SaysBeforehandWhereNoFolderCanBe) {
+  const TemporaryFolder folder;
+  require_writable_folder(folder / "new/below");
+  require_writable_folder(folder.path());
+  require_writable_folder("");
+  require_writable_folder("new");
+  EXPECT_EQ(folder.entries(), std::vector<std::string>());
+  std::ofstream(folder / "file") << "x";
+  for (const auto* place : {"file", "file/out"}) EXPECT_THROW(require_writable_folder(folder / place), Error) << place;
+  if (::geteuid() == 0) return; // may write everywhere
+  EXPECT_THROW(require_writable_folder("/proc/out"), Error);
+}
+
+TEST(OutputFile, RefusesToReplaceAnInput) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "in") << "x";
+  std::filesystem::create_symlink("in", folder / "link");
+  EXPECT_THROW(require_other_file(folder / "in", folder / "link"), Error);
+  EXPECT_THROW(require_other_file(folder / "link", folder / "in"), Error);
+  require_other_file(folder / "out", folder / "in");
+  require_other_file("/dev/null", "/dev/null");
+}
+
 TEST(OutputFile, CreatesFolders) {
   const TemporaryFolder folder;
   create_folder(folder / "a/b");

@@ -95,6 +95,29 @@ TEST(ProgramJson, OneElementHasNoErrorEstimate) {
 }
 
 /// Moduli in MPa: the ellipse is larger than the wheel, and the reader is told what to check.
+/// What is printed for people has no rounding errors; the numbers for programs are as they are.
+TEST(ProgramJson, PrintedTablesHaveZerosForRoundingErrors) {
+  const TemporaryFolder folder;
+  auto text = contents(example);
+  text.replace(text.find("[40, 40]"), 8, "[8, 8]").replace(text.find("0.0006"), 6, "0.0000");
+  text.replace(text.find("\"0.4 1/m\""), 9, "0.0");
+  save(folder / "c.toml", text);
+  const auto table = run_program(folder, "solve c.toml -o out --no-pictures").output;
+  EXPECT_EQ(table.find("e-1"), std::string::npos) << table;
+  EXPECT_EQ(table.find("e-2"), std::string::npos) << table;
+  EXPECT_NE(table.find("normal force                 80 kN\n"), std::string::npos) << table;
+}
+
+TEST(ProgramJson, WarnsOfOldPictures) {
+  const TemporaryFolder folder;
+  auto text = contents(example);
+  save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[8, 8]"));
+  std::filesystem::create_directory(folder / "out");
+  save(folder / "out/history.png", "old");
+  EXPECT_EQ(run_program(folder, "solve c.toml -o out --no-pictures").errors,
+            "microslip: warning: out: older than result.h5: history.png\n");
+}
+
 TEST(ProgramJson, WarnsOfImplausibleContacts) {
   const TemporaryFolder folder;
   auto text = contents(example);

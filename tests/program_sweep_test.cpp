@@ -109,6 +109,9 @@ TEST(ProgramSweep, BadInputLeavesNothing) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors, "microslip: s.toml: needs one of [grid], [list] and [sample]\n");
   save(folder / "s.toml", grid(3));
+  outcome = run_program(folder, "sweep s.toml -o s.toml");
+  EXPECT_EQ(outcome.errors, "microslip: s.toml: is the input, which the output would replace; name another file\n");
+  EXPECT_EQ(contents(folder / "s.toml"), grid(3));
   outcome = run_program(folder, "sweep s.toml -o nowhere/there/");
   EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5 --threads 0").exit_code, 2);
   outcome = run_program(folder, "sweep s.toml -o /proc/r.h5");

@@ -77,7 +77,7 @@ TEST(Program, SolvesTheExample) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   for (const auto* text : {"normal force ",
-                           " 80000 N\n",
+                           " 80 kN\n",
                            "semi-axis a",
                            " mm\n",
                            "peak pressure",
@@ -649,7 +649,7 @@ TEST(Program, BatchRefusesBadOptions) {
   refused("--bound parabolik", "did you mean parabolic?");
   refused("--flexibility two", "must be three, one or blended");
   refused("--threads 0", "--threads = 0 [-]: must be in [1, 1024]");
-  refused("--threads many", "--threads");
+  refused("--threads many", "microslip: --threads = many: must be a number; see microslip batch --help");
   refused("--gird 10x10", "unknown option \"--gird\"; did you mean --grid?");
 }
 

@@ -21,10 +21,19 @@ TEST(ProgramWheelRail, PrintsForcesAndAColumnForEachPatch) {
   const auto outcome = solve(folder, wheel_rail_text);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (const auto* text : {"left wheel, fastsim2, curved patches\n", "vertical force, upwards", " 80000 N\n", "patch 1",
+  for (const auto* text : {"left wheel, fastsim2, curved patches\n", "vertical force, upwards", " 80 kN\n", "patch 1",
                            "patch 2\n", "y on the rail", "y on the wheel", "contact angle", " deg\n", "spin", " 1/m\n",
                            "peak pressure", " MPa\n", "T-gamma", "status", "out/result.h5\n"})
     EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
+}
+
+TEST(ProgramWheelRail, WarnsOfContactsThatAreNoHalfSpaces) {
+  const TemporaryFolder folder;
+  const auto outcome = solve(folder, with_part(wheel_rail_text, "210e9", "210e6"), "--json --no-pictures");
+  const std::string warning =
+      "an approach of more than a hundredth of the rolling radius is too large for a half-space";
+  EXPECT_NE(outcome.errors.find(warning), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.output.find(warning), std::string::npos);
 }
 
 TEST(ProgramWheelRail, PrintsARowForEachStateOfASweep) {

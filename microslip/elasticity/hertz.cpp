@@ -93,13 +93,21 @@ const LineContact& require_representable(const LineContact& contact) {
   return contact;
 }
 
+/// Of the gap along one axis.
+double require_curved(std::string_view field, double curvature) {
+  if (curvature == 0)
+    throw Error(field, curvature, "1/m",
+                "positive; both bodies are straight there and touch along a line, not at a point");
+  return require_positive(field, curvature, "1/m");
+}
+
 } // namespace
 
 GapCurvatures gap_curvatures(const PrincipalRadii& radii) {
   const double x = curvature_of_pair("rolling1", radii.rolling1, "rolling2", radii.rolling2);
   const double y = curvature_of_pair("transverse1", radii.transverse1, "transverse2", radii.transverse2);
-  return {.x = require_positive("(1/rolling1 + 1/rolling2)/2", x / 2, "1/m"),
-          .y = require_positive("(1/transverse1 + 1/transverse2)/2", y / 2, "1/m")};
+  return {.x = require_curved("(1/rolling1 + 1/rolling2)/2", x / 2),
+          .y = require_curved("(1/transverse1 + 1/transverse2)/2", y / 2)};
 }
 
 std::vector<std::string> implausibilities(const HertzContact& contact, const PrincipalRadii& radii) {
