@@ -47,4 +47,7 @@ def carry_libraries(binaries, folder):
     for file in [*binaries, *copies]:
         renamed = [part for name in _needed(file) for part in ("--replace-needed", name, names[name])]
         up = Path(*[".."] * len(file.relative_to(folder.parent).parts[:-1]))
-        subprocess.run(["patchelf", *renamed, "--set-rpath", f"$ORIGIN/{up / folder.name}", file], check=True)
+        # One after the other: patchelf 0.14 loses new names when it sets the path in the same call.
+        for changes in (renamed, ["--set-rpath", f"$ORIGIN/{up / folder.name}"]):
+            if changes:
+                subprocess.run(["patchelf", *changes, file], check=True)
