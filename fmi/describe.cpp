@@ -1,16 +1,27 @@
-// Writes the unit's modelDescription.xml: describe FILE
+// Writes the unit's description and documentation: describe modelDescription.xml index.html
 
 #include "fmi/description.hpp"
 
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <string>
+
+namespace {
+
+bool write(const char* name, const std::string& text) {
+  std::ofstream file(name, std::ios::binary);
+  file << text << std::flush;
+  return file.good();
+}
+
+} // namespace
 
 int main(int count, char** arguments) try {
-  if (count != 2) return 2;
-  std::ofstream file(arguments[1], std::ios::binary);
-  file << microslip::fmi::model_description(microslip::fmi::model_info()) << std::flush;
-  return file ? 0 : 1;
+  using namespace microslip::fmi;
+  if (count != 3) return 2;
+  const ModelInfo info = model_info();
+  return write(arguments[1], model_description(info)) && write(arguments[2], documentation(info)) ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <utility>
 
 namespace microslip::fmi {
 namespace {
@@ -190,6 +191,47 @@ std::string guid(const ModelInfo& info) {
 
 std::string model_description(const ModelInfo& info) {
   return description_with(info, guid(info));
+}
+
+namespace {
+
+std::string range_of(const Variable& v) {
+  if (!std::isfinite(v.min) && !std::isfinite(v.max)) return "";
+  return (std::isfinite(v.min) ? number(v.min) : "") + " to " + (std::isfinite(v.max) ? number(v.max) : "");
+}
+
+std::string row_of(const Variable& v) {
+  const std::string start = v.kind == Kind::text ? escaped(v.start_text) : has_start(v) ? number(v.start) : "";
+  return "<tr><td>" + escaped(v.name) + "</td><td>" + (v.kind == Kind::real ? escaped(v.unit) : "") + "</td><td>" +
+         start + "</td><td>" + range_of(v) + "</td><td>" + escaped(v.description) + "</td></tr>\n";
+}
+
+} // namespace
+
+std::string documentation(const ModelInfo& info) {
+  std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(info.name) +
+                     "</title>\n<style>body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
+                     "td,th{text-align:left;padding:.2em .6em;border-bottom:1px solid #ccc;vertical-align:top}</style>"
+                     "</head><body>\n<h1>" +
+                     escaped(info.name) + "</h1>\n<p>" + escaped(info.description) +
+                     "</p>\n<p>The unit has no states: outputs follow from inputs and parameters at once, and a step "
+                     "of any length gives the same. Parameters are set before initialization ends. Directional "
+                     "derivatives are exact. A call that fails says through the importer's logger which variable is "
+                     "wrong, with its range.</p>\n";
+  constexpr std::pair<Causality, const char*> groups[] = {{Causality::parameter, "Parameters"},
+                                                          {Causality::input, "Inputs"},
+                                                          {Causality::output, "Outputs"},
+                                                          {Causality::local, "Local variables"}};
+  for (const auto& [causality, title] : groups) {
+    std::string rows;
+    for (const Variable& v : info.variables)
+      if (v.causality == causality) rows += row_of(v);
+    if (!rows.empty())
+      text += std::string("<h2>") + title +
+              "</h2>\n<table><tr><th>name</th><th>unit</th><th>start</th><th>range</th><th></th></tr>\n" + rows +
+              "</table>\n";
+  }
+  return text + "<p>microslip " + std::string(build_info().version) + "</p>\n</body></html>\n";
 }
 
 } // namespace microslip::fmi

@@ -10,6 +10,9 @@ namespace microslip::fmi {
 /// is no product of powers of those known.
 std::string model_description(const ModelInfo& info);
 
+/// documentation/index.html of a unit: what it computes, and its variables with units, starts and ranges.
+std::string documentation(const ModelInfo& info);
+
 /// What ties description and binary together: it changes when the description does.
 std::string guid(const ModelInfo& info);
 

@@ -164,6 +164,23 @@ def check_description(text, report):
     return root.find("CoSimulation").get("modelIdentifier")
 
 
+# Ends of the names of binaries (section 2.3).
+BINARIES = {"linux64": ".so", "win64": ".dll", "darwin64": ".dylib"}
+
+
+def check_binaries(names, identifier):
+    """Each platform's folder must have the binary of the model identifier, and one of this platform must be there."""
+    broken = []
+    platforms = {name.split("/")[1] for name in names if name.startswith("binaries/") and name != "binaries/"}
+    for platform in sorted(platforms | {"linux64"}):
+        binary = f"binaries/{platform}/{identifier}{BINARIES.get(platform, '')}"
+        if platform not in BINARIES:
+            broken.append(f"binaries/{platform} is no platform")
+        elif binary not in names:
+            broken.append(f"{binary} is missing")
+    return broken
+
+
 def check_fmu(path):
     """The broken rules, in words."""
     broken = []
@@ -175,8 +192,9 @@ def check_fmu(path):
         identifier = check_description(archive.read("modelDescription.xml"), broken.append)
         if not (identifier or "").isidentifier():
             broken.append("modelIdentifier must be a name of C")
-        if f"binaries/linux64/{identifier}.so" not in archive.namelist():
-            broken.append(f"binaries/linux64/{identifier}.so is missing")
+        broken += check_binaries(archive.namelist(), identifier)
+        if "documentation/index.html" not in archive.namelist():
+            broken.append("documentation/index.html is missing")
         for name in archive.namelist():
             if name.split("/")[0] not in ("modelDescription.xml", "binaries", "sources", "resources", "documentation"):
                 broken.append(f"{name} has no place in the archive")

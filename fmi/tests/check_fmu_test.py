@@ -46,6 +46,16 @@ class CheckFmuTest(unittest.TestCase):
                 self.assertIn(old, self.good)
                 self.assertIn(words, self.faults(self.good.replace(old, new)))
 
+    def test_binaries_have_the_names_of_their_platforms(self):
+        def faults(*names):
+            return check_fmu.check_binaries(names, "unit")
+
+        both = ["binaries/linux64/unit.so", "binaries/win64/unit.dll", "modelDescription.xml"]
+        self.assertEqual(faults(*both), [])
+        self.assertEqual(faults(both[1]), ["binaries/linux64/unit.so is missing"])
+        self.assertEqual(faults(both[0], "binaries/win64/unit.so"), ["binaries/win64/unit.dll is missing"])
+        self.assertEqual(faults(both[0], "binaries/win32s/unit.dll"), ["binaries/win32s is no platform"])
+
     def test_structured_names_have_their_syntax(self):
         structured = self.good.replace('variableNamingConvention="flat"', 'variableNamingConvention="structured"')
         self.assertEqual(self.faults(structured.replace('name="spin"', 'name="patch[1].spin"')), "")
