@@ -1133,6 +1133,10 @@ class Profile:
     def length(self) -> float:
         """Of the polygon through the points [m], the largest s."""
     @property
+    def extent(self) -> tuple[float, float] | None:
+        """Of a profile that varies: where its first and its last slice are, along the track [m] or around the
+        wheel [rad]; else None. Its points are those of the first one."""
+    @property
     def y(self) -> NDArray[numpy.float64]:
         """y of the points that the spline is laid through [m], shape (n)."""
     @property
@@ -1623,10 +1627,14 @@ class ThermalBody:
 
 class Track:
     """A track in its nominal place, both rails alike."""
-    def __init__(self, *, gauge: float = 1.435, gauge_height: float = 0.014, cant: float = 0.0, rail_origin: tuple[float, float] | None = None) -> None:
+    def __init__(self, *, gauge: float = 1.435, gauge_height: float = 0.014, cant: float = 0.0, rail_origin: tuple[float, float] | None = None, roller_radius: float = 0.0) -> None:
         """gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the
         rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's
-        profile in track axes, in place of the gauge. Values are checked where they are used."""
+        profile in track axes, in place of the gauge; roller_radius [m], nominal one of rollers in place of rails,
+        negative of raceways, or 0. Values are checked where they are used."""
+    @property
+    def roller_radius(self) -> float:
+        """Of rollers in place of rails [m], or 0."""
     @property
     def gauge(self) -> float:
         """Between the gauge points of both rails [m]."""
@@ -1733,6 +1741,8 @@ class WheelRail:
             deviation_lateral_velocity [m/s]: velocity of that deviation to the left
             deviation_vertical_velocity [m/s]: the same upwards
             deviation_roll_velocity [rad/s]: angular velocity of that rotation
+            longitudinal [m]: position of the wheelset's centre along the track, or from a roller's top
+            pitch [rad]: angle by which the wheelset has turned; positive rolls forward
             vertical_force [N]: on the wheel, > 0; either this or vertical must be given
         pitch_velocity is forward_velocity over the nominal radius unless given. No contact and not converging are
         statuses; NaN gives invalid_input. Error for unknown names."""
@@ -1914,7 +1924,7 @@ class WheelRailDerivativeArrays:
     """Forces on a wheel in many states and their derivatives."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """All derivatives of [N], [N m] and [m] by SI units, shape (..., 7, 29),
+        """All derivatives of [N], [N m] and [m] by SI units, shape (..., 7, 31),
         as `results` and `variables` say; zero by what was not given, vertical or vertical_force."""
     @property
     def results(self) -> tuple[str, ...]:
@@ -1934,7 +1944,7 @@ class WheelRailDerivatives:
     """Forces on a wheel and their derivatives."""
     @property
     def jacobian(self) -> NDArray[numpy.float64]:
-        """All derivatives of [N], [N m] and [m] by SI units, shape (7, 29),
+        """All derivatives of [N], [N m] and [m] by SI units, shape (7, 31),
         as `results` and `variables` say; zero by what was not given, vertical or vertical_force."""
     @property
     def results(self) -> tuple[str, ...]:
@@ -2280,6 +2290,8 @@ class WheelsetOnTrack:
             pitch_velocity [rad/s]: angular velocity of the wheelset about its axle; positive rolls forward
             yaw_velocity [rad/s]: angular velocity of the wheelset about its z
             curvature [1/m]: curvature of the track; positive in a curve to the left
+            longitudinal [m]: position of the wheelset's centre along the track, or from a roller's top
+            pitch [rad]: angle by which the wheelset has turned; positive rolls forward
             left_deflection_longitudinal [m]: motion of the wheel's centre against the axle, forward
             left_deflection_lateral [m]: the same to the left
             left_deflection_vertical [m]: the same upwards
@@ -2438,7 +2450,8 @@ def read_case(path: str | os.PathLike[str]) -> RollingCase:
     ones [-]."""
 
 def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"] | None = None, format: Literal["simpack", "miniprof", "columns"] | None = None, unit: float | None = None, scale: float = 1.0, y_axis: Literal["field", "gauge"] | None = None, z_axis: Literal["up", "down"] | None = None, section: int = 1, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> Profile:
-    """The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, or columns of y and z. What the file does not
+    """The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw of
+    a rail that varies along the track and of a wheel that is not round. What the file does not
     say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z is
     positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses one
     of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile."""
