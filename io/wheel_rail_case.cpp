@@ -170,7 +170,8 @@ WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, co
   WheelRailMethod method;
   method.level = section.option("theory", method.level);
   if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
-  section.at("shape", [&] { require_shape(method, "solution.shape"); });
+  section.at("shape",
+             [&] { require_shape(method, "solution.shape = \"" + std::string(to_word(method.patch_shape())) + '"'); });
   if (method.level == WheelRailLevel::table)
     method.table = tables.get(section, poisson_ratio, RollingDirection::forward);
   else if (section.has("table"))
