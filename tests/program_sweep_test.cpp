@@ -317,7 +317,7 @@ TEST(ProgramSweep, AllRanksEndWithOneMessage) {
 TEST(ProgramSweep, ARankThatDiesWhileItWritesCostsItsChunkAlone) {
   if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun";
   const TemporaryFolder folder;
-  save(folder / "s.toml", grid(2000));
+  save(folder / "s.toml", grid(1000));
   run_program(folder, "sweep s.toml -o one.h5 --threads 2");
   // Once rank 1 has some chunks the system ends it within the next write but one, at the latest.
   const std::string limited = "if [ $OMPI_COMM_WORLD_RANK = 1 ]; then '" MICROSLIP_PROGRAM
