@@ -374,8 +374,10 @@ void add_solve_command(CLI::App& program, int& exit_code) {
       "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
       "[sweep]; with side = \"both\" those of a wheelset with its height, roll and rolling speed. Of two bodies with\n"
       "radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
-      "asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1, the moment,\n"
-      "areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures. With --json the numbers of\n"
+      "asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1, the "
+      "moment,\n"
+      "areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures. With --json the numbers "
+      "of\n"
       "result.h5 but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
       "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });

@@ -11,8 +11,8 @@ namespace microslip {
 /// or byte order, cut short or corrupted.
 CreepTableNodes read_creep_table(const std::filesystem::path& path);
 
-/// Where the table that microslip has is: beside the Python module that asks, or in the Python package that was installed
-/// with the program.
+/// Where the table that microslip has is: beside the Python module that asks, or in the Python package that was
+/// installed with the program.
 std::filesystem::path shipped_creep_table();
 
 /// Writes a table; the file appears whole or not at all. Throws Error if it cannot be written.

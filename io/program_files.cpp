@@ -28,7 +28,8 @@ fs::path library_folder() {
   return program_file().parent_path(); // there is no Python module
 #else
   Dl_info here = {};
-  const bool is_known = ::dladdr(reinterpret_cast<const void*>(&library_folder), &here) != 0; // NOLINT: as dladdr wants it
+  const bool is_known =
+      ::dladdr(reinterpret_cast<const void*>(&library_folder), &here) != 0; // NOLINT: as dladdr wants it
   return is_known && here.dli_fname != nullptr ? fs::path(here.dli_fname).parent_path() : fs::path();
 #endif
 }

@@ -7,8 +7,8 @@ namespace microslip {
 /// The file of the program that runs; empty if the system does not tell.
 std::filesystem::path program_file();
 
-/// The folder of the file that this code was loaded from: the program, or a shared object such as the Python module; empty
-/// if the system does not tell.
+/// The folder of the file that this code was loaded from: the program, or a shared object such as the Python module;
+/// empty if the system does not tell.
 std::filesystem::path library_folder();
 
 /// The folder that holds the Python package `microslip`, as the program that runs was installed: share/microslip/python

@@ -65,7 +65,8 @@ TEST(ProgramJson, SolveNamesItsPicturesAndTheExtremesInside) {
   const TemporaryFolder folder;
   save(folder / "c.toml", contents(example) + "\n[interior]\nx = [0.0]\ny = [0.0]\nz = [0.001, 0.003]\n");
   const auto json = document(folder, "solve c.toml -o out");
-  EXPECT_EQ(json.at("files"), (Names{"out/result.h5", "out/tractions.png", "out/areas.png", "out/creep_curve.png"}));
+  EXPECT_EQ(json.at("files"),
+            (Names{"out/result.h5", "out/tractions.png", "out/areas.png", "out/creep_curve.png", "out/interior.png"}));
   const auto& extreme = json.at("interior_extremes").at("von_mises");
   const auto stresses = Hdf5Reader(folder / "out/result.h5").values<double>("interior/von_mises", H5T_NATIVE_DOUBLE);
   EXPECT_EQ(extreme.at("value"), std::max(stresses.at(0), stresses.at(1)));

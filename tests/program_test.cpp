@@ -760,7 +760,7 @@ TEST(Program, SolvesExtremeCases) {
   for (const auto* creepage : {"0", "1e-12", "1e3"}) solves("0.0018", creepage);
   for (const auto* lateral : {"0", "1e-3"})
     solves("creepage_longitudinal = 0.0018", std::string("creepage_longitudinal = 0 # ") + lateral);
-  solves("normal_force = 80e3", "normal_force = 1e-6");
+  solves("normal_force = \"80 kN\"", "normal_force = 1e-6");
 }
 
 TEST(Program, ExplainsItself) {
@@ -788,7 +788,7 @@ TEST(Program, HelpNamesUnitsAndDefaults) {
     const auto output = help(command);
     for (const auto& text : texts) EXPECT_NE(output.find(text), std::string::npos) << text << "\n" << output;
   };
-  expect_text("solve", {"[N]", "[N m]", "[mm^2]", "[W]", "default: results/NAME"});
+  expect_text("solve", {"in units that fit", "(SI)", "default: results/NAME"});
   expect_text("hertz", {"R1 R2", "[m]", "[Pa]", "[-]", "[N]"});
   expect_text("batch", {"fastsim|fastsim_half_step|fastsim2|exact|fastrip", "default: fastsim2", "default: 10x10",
                         "default: kalker", "default: second_order", "normal_force [N]", "spin [1/m]", "; required"});

@@ -20,7 +20,7 @@ CHANGES = [
     ('start="0.28"', 'start="0.6"', "starts outside its range"),
     ('<Unknown index="18" dependencies="1 2 3 4 5"/>', "", "must list all outputs"),
     ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="6" dependencies="11"/>', "is no input"),
-    ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="6" dependencies="19"/>', "no variable 19"),
+    ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="6" dependencies="99"/>', "no variable 99"),
     ('<Unknown index="6" dependencies="1 2 3 4 5"/>', '<Unknown index="9"/>', "ascending"),
     ("CoSimulation", "ModelExchange", "CoSimulation is missing"),
     ("UnitDefinitions", "TypeDefinitions", "undefined unit"),

@@ -15,9 +15,9 @@ PyObject* status_class = nullptr;
 py::object make_class(py::module_& module, const char* name, const py::list& members, const char* text) {
   auto made = py::module_::import("enum").attr("IntEnum")(name, members, py::arg("module") = "microslip");
   made.attr("__doc__") = text;
-  const auto name_of = [](const py::object& self) { return self.attr("name"); };
+  const auto name_of = [](const py::object& self) -> py::object { return self.attr("name"); };
   made.attr("__str__") = py::cpp_function(name_of, py::name("__str__"), py::is_method(made));
-  const auto format = [](const py::object& self, const py::object& how) {
+  const auto format = [](const py::object& self, const py::object& how) -> py::object {
     return self.attr("name").attr("__format__")(how);
   };
   made.attr("__format__") = py::cpp_function(format, py::name("__format__"), py::is_method(made));

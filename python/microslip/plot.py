@@ -157,7 +157,10 @@ def draw(path, folder, chosen):
     with ResultFile(path) as result:
         source = f"microslip {result.attribute('version', '')} ({result.attribute('commit', '')})"
         metadata = {"Title": result.attribute("title", ""), "Software": source}
-    save_all(figures(path, **chosen), folder, metadata)
+    drawn = figures(path, **chosen)
+    save_all(drawn, folder, metadata)
+    if not chosen and os.path.basename(path) == "result.h5" and os.path.samefile(folder, os.path.dirname(path) or "."):
+        remove_older(folder, drawn)
 
 
 def save_all(drawn, folder, metadata):
@@ -168,8 +171,6 @@ def save_all(drawn, folder, metadata):
             target = os.path.join(folder, name)
             save(figure, target, metadata)
             print(target, flush=True)
-    if not chosen and os.path.basename(path) == "result.h5" and os.path.samefile(folder, os.path.dirname(path) or "."):
-        remove_older(folder, drawn)
 
 
 def numbers(text):

@@ -39,20 +39,20 @@ class SweepPictureTest(unittest.TestCase):
         (axes,) = self.picture((2, 4))
         self.assertEqual([line.get_label() for line in axes.lines], ["a.word = one", "a.word = two"])
         np.testing.assert_array_equal(axes.lines[1].get_xdata(), [0, 1, 2, 3])
-        np.testing.assert_array_equal(axes.lines[1].get_ydata(), [1, 1001, 2001, np.nan])
-        self.assertEqual(axes.get_ylabel(), "contact/fx [N]")
+        np.testing.assert_allclose(axes.lines[1].get_ydata(), [0.001, 1.001, 2.001, np.nan])
+        self.assertEqual(axes.get_ylabel(), "contact/fx [kN]")
 
     def test_a_list_has_points_over_its_first_number(self):
         (axes,) = self.picture(None)
-        np.testing.assert_array_equal(axes.lines[0].get_ydata()[:3], [0, 1000, 2000])
+        np.testing.assert_allclose(axes.lines[0].get_ydata()[:3], [0, 1, 2])
         self.assertEqual(axes.get_xlabel(), "a.x [SI]")
 
-    def test_without_a_force_there_is_an_error(self):
+    def test_without_a_quantity_there_is_an_error(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "s.h5"
             with h5py.File(path, "w") as file:
                 file.attrs.update({"kind": "sweep", "parameters": "a.x"})
-            with ResultFile(path) as result, self.assertRaisesRegex(ResultError, "has none of contact/fx"):
+            with ResultFile(path) as result, self.assertRaisesRegex(ResultError, "has no quantities"):
                 plot.pictures(result)
 
 
