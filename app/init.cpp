@@ -34,8 +34,10 @@ void add_init_command(CLI::App& program) {
   const auto arguments = std::make_shared<InitArguments>();
   command->add_option("CASE.toml", arguments->file, "name of the case file")->type_name("")->capture_default_str();
   command->add_flag("--force", arguments->force, "replace a file of that name");
-  command->footer("The case file is a wheel on a rail, with every key, its unit, range and default in a comment.\n\n"
-                  "Example:\n  microslip init wheel.toml && microslip solve wheel.toml");
+  command->footer(
+      "The case file is one of two bodies by their radii, with every key, its unit, range and default in a comment;\n"
+      "examples/wheel_on_rail.toml is such a file of a wheel on a rail by their profiles.\n\n"
+      "Example:\n  microslip init wheel.toml && microslip solve wheel.toml");
   command->callback([arguments] { init(*arguments); });
 }
 

@@ -115,9 +115,13 @@ int make(MakeArguments arguments) {
 void add_show(CLI::App& table) {
   auto* command = table.add_subcommand("show", "Print what a creep-force table covers and how it was computed");
   const auto arguments = std::make_shared<ShowArguments>();
-  command->add_option("FILE", arguments->file, "a creep-force table")->required()->type_name("");
+  command->add_option("FILE", arguments->file, "a creep-force table; default: the one that comes with microslip")
+      ->type_name("");
   add_json_flag(*command, arguments->json);
-  command->callback([arguments] { print(read_creep_table(arguments->file), arguments->file, arguments->json); });
+  command->callback([arguments] {
+    const fs::path file = arguments->file.empty() ? shipped_creep_table() : arguments->file;
+    print(read_creep_table(file), file, arguments->json);
+  });
 }
 
 int draw(const DrawArguments& arguments) {

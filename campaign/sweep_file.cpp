@@ -2,6 +2,7 @@
 
 #include "io/result_attribute.hpp"
 #include "io/result_file.hpp"
+#include "microslip/error.hpp"
 #include "microslip/status.hpp"
 
 #include <algorithm>
@@ -159,8 +160,11 @@ SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Prove
 }
 
 std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
   const auto identity = result_attribute(path, identity_name), failed = result_attribute(path, failed_name);
-  if (identity != std::to_string(sweep.spec().identity()) || !failed) return std::nullopt;
+  if (identity != std::to_string(sweep.spec().identity()) || !failed)
+    throw Error(path.string() + ": is there already, and is no result of this sweep: its specification, files or build "
+                                "are others; remove it, or name another file");
   return SweepCount{sweep.spec().count(), static_cast<std::size_t>(std::stoull(*failed))};
 }
 

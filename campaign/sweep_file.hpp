@@ -21,7 +21,8 @@ struct SweepCount {
 /// Where a sweep that writes to `output` keeps its checkpoint: OUT.h5.checkpoint.
 std::filesystem::path checkpoint_of(const std::filesystem::path& output);
 
-/// How the cases ended in the file at `path`, if it is the complete result of this very sweep; none for any other file.
+/// How the cases ended in the file at `path`, if it is there: the complete result of this very sweep. Throws Error if
+/// it is another file, which took as long to compute, perhaps.
 std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::path& path);
 
 /// Writes the rows of a campaign in which nothing is missing as HDF5, in constant memory: `parameters/KEY`, the columns

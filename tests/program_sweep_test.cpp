@@ -215,12 +215,25 @@ TEST(ProgramSweep, ACompleteResultIsNotComputedAgain) {
   // What is left of a checkpoint whose run was killed while it was removed.
   ASSERT_TRUE(std::filesystem::create_directory(folder / "r.h5.checkpoint"));
   expect_as_it_is();
-  // Another sweep's result, and a damaged one.
+}
+
+TEST(ProgramSweep, AnotherResultIsNotReplaced) {
+  const TemporaryFolder folder;
+  save(folder / "s.toml", grid(5));
+  ASSERT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "15 cases\nr.h5\n");
+  const std::string whole = contents(folder / "r.h5");
+  const auto expect_refused = [&] {
+    const std::string before = contents(folder / "r.h5");
+    const auto again = run_program(folder, "sweep s.toml -o r.h5");
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.errors.find("r.h5: is there already, and is no result of this sweep"), std::string::npos);
+    EXPECT_EQ(contents(folder / "r.h5"), before);
+  };
   save(folder / "s.toml", grid(6));
-  EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "18 cases\nr.h5\n");
-  save(folder / "r.h5", contents(folder / "r.h5").substr(0, 3000));
-  EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "18 cases\nr.h5\n");
-  expect_grid(folder / "r.h5", 6);
+  expect_refused();
+  save(folder / "s.toml", grid(5));
+  save(folder / "r.h5", whole.substr(0, 3000));
+  expect_refused();
 }
 
 TEST(ProgramSweep, RefusesASecondRunAndAnotherSweep) {

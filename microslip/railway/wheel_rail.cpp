@@ -26,6 +26,10 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   require_between("poisson_ratio", bodies.material.poisson_ratio, "-", 0, 0.5);
   if (bodies.material.dissimilarity != 0)
     throw Error("dissimilarity", bodies.material.dissimilarity, "-", "0: wheel and rail are elastically similar");
+  const double roller = bodies.track.roller_radius, nominal = bodies.wheelset.nominal_radius;
+  if (roller < 0 && !(-roller > nominal))
+    throw Error("roller_radius", roller, "m",
+                "a raceway's larger than the wheel's, less than " + std::to_string(-nominal));
   if (bodies.friction.empty()) throw Error("friction: no coefficient is given");
   for (std::size_t k = 0; k < bodies.friction.size(); ++k) {
     require_between("friction", bodies.friction[k].coefficient, "-", 0, FrictionLaw::largest_coefficient);

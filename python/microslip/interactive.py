@@ -16,7 +16,7 @@ def view(path, field="traction", theory=None):
         raise ResultError("interactive views need plotly: install python3-plotly") from None
     with ResultFile(path) as result:
         if result.attribute("kind") != "rolling_contact":
-            raise ResultError(f"{path}: kind '{result.attribute('kind')}': interactive views need rolling_contact")
+            raise ResultError(f"{path}: kind '{result.attribute('kind')}': interactive views are of two bodies, what solve makes of a case with [body1] and [body2]")
         if theory is not None and theory not in result:
             raise ResultError(f"{path}: no theory '{theory}', there are: {', '.join(one for one in THEORIES if one in result)}")
         cells = {one: read_cells(result, one) for one in THEORIES if one in result and theory in (None, one)}

@@ -63,7 +63,7 @@ def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, conver
     spins [1/m] (empty: chosen from the contact), a comparison with another open result file."""
     for one in (result, other):
         if one and one.attribute("kind") != "rolling_contact":
-            raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': such pictures need rolling_contact")
+            raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': such pictures are of two bodies, what solve makes of a case with [body1] and [body2]")
     cells = {theory: read_cells(result, theory) for theory in THEORIES if f"{theory}/fields" in result}
     figures = {f"field_{name}.png": field_map(result, cells, name) for name in fields}
     figures.update({f"surface_{name}.png": field_surface(result, cells, name) for name in surfaces})

@@ -126,7 +126,7 @@ def draw_tractions(axes, cells, longest):
         chosen[row % rows::rows, column % columns::columns] = True
     chosen &= cells.shown
     axes.quiver(cells.y[chosen], cells.x[chosen], cells.py[chosen], cells.px[chosen], angles="xy", scale_units="xy",
-                scale=longest / 2.0, width=0.003, color=BLACK)
+                scale=longest / 2.0, width=0.003, color=BLACK, zorder=3)
 
 
 def patch_text(result, k):

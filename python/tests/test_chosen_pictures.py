@@ -121,7 +121,7 @@ class ChosenPicturesTest(FolderTest):
     def test_other_kinds_are_refused(self):
         with h5py.File(self.path, "a") as file:
             file.attrs["kind"] = "subsurface"
-        with self.assertRaisesRegex(ResultError, "need rolling_contact"):
+        with self.assertRaisesRegex(ResultError, "of two bodies"):
             self.chosen(cut=0.0)
 
 

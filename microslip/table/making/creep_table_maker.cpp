@@ -110,12 +110,6 @@ CreepTableOrigin origin_of(const std::vector<Errors>& errors, int elements) {
   return origin;
 }
 
-/// Which nodes of the axes are solved: all, or every second one of a/b, of the level and of the azimuth.
-struct Nodes {
-  std::size_t material;
-  int step; ///< 1 or 2
-};
-
 /// Numbers of all nodes of a table, by their places on the axes.
 class Numbers {
 public:
@@ -146,28 +140,28 @@ public:
       : axes_(numbers.axes()), numbers_(numbers), coarse_(grid(elements / 2)), fine_(grid(elements)),
         finest_(grid(2 * elements)) {}
 
-  void make(const Nodes& nodes, int ratio, Errors& errors, const Progress& progress) {
+  void make(std::size_t material, int ratio, Errors& errors, const Progress& progress) {
     const int pole = axes_.elevations - 1;
     for (int i = 0; i <= pole; ++i)
-      for (int j = 0; j < axes_.azimuths; j += nodes.step) {
+      for (int j = 0; j < axes_.azimuths; ++j) {
         if (!progress((i + static_cast<double>(j) / axes_.azimuths) / axes_.elevations)) return;
         if (i < pole || j == 0)
-          make_direction(nodes, ratio, i, j, errors);
+          make_direction(material, ratio, i, j, errors);
         else
-          for (int level = nodes.step - 1; level < axes_.levels; level += nodes.step)
-            std::copy_n(numbers_.at(nodes.material, ratio, level, i, 0), creep_channels,
-                        numbers_.at(nodes.material, ratio, level, i, j));
+          for (int level = 0; level < axes_.levels; ++level)
+            std::copy_n(numbers_.at(material, ratio, level, i, 0), creep_channels,
+                        numbers_.at(material, ratio, level, i, j));
       }
   }
 
 private:
   static ExactOptions grid(int elements) { return {.mx = elements, .my = elements}; }
 
-  void make_direction(const Nodes& nodes, int ratio, int elevation, int azimuth, Errors& errors) {
-    for (int level = nodes.step - 1; level < axes_.levels; level += nodes.step) {
-      const EllipticContact contact = contact_at(axes_, nodes.material, ratio, level, elevation, azimuth);
+  void make_direction(std::size_t material, int ratio, int elevation, int azimuth, Errors& errors) {
+    for (int level = 0; level < axes_.levels; ++level) {
+      const EllipticContact contact = contact_at(axes_, material, ratio, level, elevation, azimuth);
       const Node node = level + 1 == axes_.levels ? full_sliding(contact) : limit(contact, errors);
-      std::copy(node.begin(), node.end(), numbers_.at(nodes.material, ratio, level, elevation, azimuth));
+      std::copy(node.begin(), node.end(), numbers_.at(material, ratio, level, elevation, azimuth));
     }
   }
 
@@ -206,65 +200,10 @@ private:
   EllipticContactSolver coarse_, fine_, finest_;
 };
 
-CreepTableAxes every_second(CreepTableAxes axes) {
-  axes.ratios = (axes.ratios + 1) / 2;
-  axes.levels /= 2;
-  axes.azimuths = (axes.azimuths + 1) / 2;
-  return axes;
-}
-
-/// The Poisson's ratio that all nodes are solved for: that of steel, or the nearest to it.
-std::size_t main_material(const std::vector<double>& poisson_ratios) {
-  const auto distance = [](double nu) { return std::abs(nu - 0.28); };
-  const auto nearest = std::min_element(poisson_ratios.begin(), poisson_ratios.end(),
-                                        [&](double p, double q) { return distance(p) < distance(q); });
-  return static_cast<std::size_t>(nearest - poisson_ratios.begin());
-}
-
-/// Fills in the nodes that were left out of the other materials: the main one's number, and what the material adds to
-/// it by a table of every second node. What it adds is small and smooth, so that this costs next to no accuracy.
-void fill_in(Numbers& numbers, std::size_t main) {
-  const CreepTableAxes& axes = numbers.axes();
-  Numbers half(every_second(axes));
-  const auto for_all = [](const CreepTableAxes& of, const auto& work) {
-    for (std::size_t m = 0; m < of.poisson_ratios.size(); ++m)
-      for (int ratio = 0; ratio < of.ratios; ++ratio)
-        for (int level = 0; level < of.levels; ++level)
-          for (int i = 0; i < of.elevations; ++i)
-            for (int j = 0; j < of.azimuths; ++j) work(m, ratio, level, i, j);
-  };
-  for_all(half.axes(), [&](std::size_t m, int ratio, int level, int i, int j) {
-    std::copy_n(numbers.at(m, 2 * ratio, 2 * level + 1, i, 2 * j), creep_channels, half.at(m, ratio, level, i, j));
-  });
-  const CreepForceTable table(quantised(half.axes(), {}, half.all()));
-  for_all(axes, [&](std::size_t m, int ratio, int level, int i, int j) {
-    if (m == main || (ratio % 2 == 0 && level % 2 == 1 && j % 2 == 0)) return;
-    double* const to = numbers.at(m, ratio, level, i, j);
-    const EllipticContact own = contact_at(axes, m, ratio, level, i, j);
-    Node node;
-    if (level + 1 == axes.levels) {
-      node = full_sliding(own);
-    } else {
-      const EllipticContact steel = contact_at(axes, main, ratio, level, i, j);
-      const Node with = node_of(table.solve(own), own), without = node_of(table.solve(steel), steel);
-      const double* const from = numbers.at(main, ratio, level, i, j);
-      for (std::size_t c = 0; c < creep_channels; ++c) node[c] = from[c] + with[c] - without[c];
-      node[3] = std::clamp(node[3], 0.0, 1.0);
-    }
-    std::copy(node.begin(), node.end(), to);
-  });
-}
-
 void check(const CreepTableMaking& making) {
   check(making.axes);
   require_count("elements", making.elements, 8, 256);
   if (making.elements % 2 != 0) throw Error("elements", making.elements, "-", "even");
-  if (making.axes.poisson_ratios.size() == 1) return;
-  check(every_second(making.axes));
-  const CreepTableAxes& axes = making.axes;
-  if (axes.ratios % 2 == 0 || axes.levels % 2 != 0 || axes.azimuths % 2 == 0)
-    throw Error("with several Poisson's ratios every second node must be one of a coarser table: an even number of "
-                "levels and odd numbers of ratios and azimuths");
 }
 
 } // namespace
@@ -273,25 +212,22 @@ CreepTableNodes make_creep_table(const CreepTableMaking& making) {
   check(making);
   const CreepTableAxes& axes = making.axes;
   Numbers numbers(axes);
-  const std::size_t main = main_material(axes.poisson_ratios);
   struct Block {
-    Nodes nodes;
+    std::size_t material;
     int ratio;
   };
   std::vector<Block> blocks;
-  for (int ratio = 0; ratio < axes.ratios; ++ratio) blocks.push_back({{main, 1}, ratio});
   for (std::size_t m = 0; m < axes.poisson_ratios.size(); ++m)
-    for (int ratio = 0; m != main && ratio < axes.ratios; ratio += 2) blocks.push_back({{m, 2}, ratio});
+    for (int ratio = 0; ratio < axes.ratios; ++ratio) blocks.push_back({m, ratio});
   std::vector<Errors> errors(blocks.size());
   const auto report =
       run_batch(blocks.size(), {.threads = making.threads, .progress = making.progress}, [&]() -> BatchWorker {
         return [&, own = std::make_shared<BlockMaker>(making.elements, numbers)](std::size_t i, std::size_t,
                                                                                  const Progress& progress) {
-          own->make(blocks[i].nodes, blocks[i].ratio, errors[i], progress);
+          own->make(blocks[i].material, blocks[i].ratio, errors[i], progress);
         };
       });
   if (!report.complete) throw Stopped();
-  if (axes.poisson_ratios.size() > 1) fill_in(numbers, main);
   return quantised(axes, origin_of(errors, making.elements), numbers.all());
 }
 
