@@ -14,8 +14,8 @@ struct CreepTableMaking {
 };
 
 /// Computes a table: at every node the limit of the exact theory at second order (limit_of_second_order), with full
-/// sliding by quadrature. Throws Error for numbers out of range. Cost a millisecond for a node with 24 elements; the same
-/// numbers for every number of threads.
+/// sliding by quadrature. Throws Error for numbers out of range. Cost a millisecond for a node with 24 elements; the
+/// same numbers for every number of threads.
 CreepTableNodes make_creep_table(const CreepTableMaking& making);
 
 } // namespace microslip
