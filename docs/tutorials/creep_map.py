@@ -66,6 +66,6 @@ except ImportError as error:
     print(error)
 
 # %% [markdown]
-# Derivatives of all these forces cost about four times as much and come from `differentiate_batch`; the same map by the
-# exact theory from `EllipticContactSolver(24, 24).solve_batch` takes some ten seconds, and from a table,
-# `CreepForceTable().solve_batch`, a few hundredths of one ([which theory](../which-theory.md)).
+# Derivatives of all these forces come from `differentiate_batch`; the same map by the exact theory from
+# `EllipticContactSolver(24, 24).solve_batch`, and from a table of the exact theory from `CreepForceTable().solve_batch`
+# ([which theory, at which price](../which-theory.md)).
