@@ -317,7 +317,7 @@ std::unique_ptr<TableSolver> make_table_solver(const BatchArguments& arguments) 
           {"--tolerance", arguments.tolerance.has_value()}},
          reason);
   const auto direction = from_word<RollingDirection>("--direction", arguments.direction);
-  const fs::path file = arguments.table.empty() ? shipped_creep_table() : arguments.table;
+  const fs::path file = creep_table_or_shipped(arguments.table);
   return std::make_unique<SimplifiedTableSolver<CreepForceTable>>(arguments.threads,
                                                                   CreepForceTable(read_creep_table(file), direction));
 }

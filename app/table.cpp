@@ -115,17 +115,17 @@ int make(MakeArguments arguments) {
 void add_show(CLI::App& table) {
   auto* command = table.add_subcommand("show", "Print what a creep-force table covers and how it was computed");
   const auto arguments = std::make_shared<ShowArguments>();
-  command->add_option("FILE", arguments->file, "a creep-force table; default: the one that comes with microslip")
+  command->add_option("FILE", arguments->file, "a creep-force table; default: the one that microslip has")
       ->type_name("");
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
-    const fs::path file = arguments->file.empty() ? shipped_creep_table() : arguments->file;
+    const fs::path file = creep_table_or_shipped(arguments->file);
     print(read_creep_table(file), file, arguments->json);
   });
 }
 
 int draw(const DrawArguments& arguments) {
-  const fs::path file = arguments.file.empty() ? shipped_creep_table() : arguments.file;
+  const fs::path file = creep_table_or_shipped(arguments.file);
   const CreepTableAxes axes = read_creep_table(file).axes;
   require_between("--axis-ratio", arguments.axis_ratio, "-", 1e-3, 1e3);
   require_between("--poisson-ratio", arguments.poisson_ratio, "-", 0, 0.5);

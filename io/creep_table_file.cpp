@@ -70,6 +70,10 @@ fs::path shipped_creep_table() {
   return fs::exists(beside, error) ? beside : python_folder() / "microslip" / name;
 }
 
+fs::path creep_table_or_shipped(const fs::path& asked) {
+  return asked.empty() ? shipped_creep_table() : asked;
+}
+
 void write_creep_table(const CreepTableNodes& nodes, const fs::path& path) {
   const auto bytes = encode(nodes);
   OutputFile file(path);

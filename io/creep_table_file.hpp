@@ -15,6 +15,9 @@ CreepTableNodes read_creep_table(const std::filesystem::path& path);
 /// installed with the program.
 std::filesystem::path shipped_creep_table();
 
+/// The file that was asked for, or the table that microslip has if none was.
+std::filesystem::path creep_table_or_shipped(const std::filesystem::path& asked);
+
 /// Writes a table; the file appears whole or not at all. Throws Error if it cannot be written.
 void write_creep_table(const CreepTableNodes& nodes, const std::filesystem::path& path);
 

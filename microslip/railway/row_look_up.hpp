@@ -19,12 +19,12 @@ struct HertzianEllipse {
 };
 
 /// Tangential forces of rows from a creep-force table: those of an ellipse that stands for their patch, and what the
-/// patch's shape changes in them by RowStrips. The ellipse has b = sqrt(5) times the radius of inertia of the load
-/// across, a such that the squared half-lengths have the ellipse's integral, 4/3 a^2 b (on an ellipse its own, to third
-/// order in the rows' width), and the slant that a straight line has through the middles of the rows, weighted by their
-/// loads. Where a contact is Hertzian it is Hertz's, and nothing is changed in its forces. Load and friction are those
-/// of the patch, creepages the means over its load. A row has the force of its strip, and in proportion to its load
-/// what the ellipse has beyond its own strips. Forces of a patch stay below what its friction bears.
+/// patch's shape changes in them by RowStrips, (C4). The ellipse has b = sqrt(5) times the radius of inertia of the
+/// load across, a such that the squared half-lengths have the ellipse's integral, 4/3 a^2 b (on an ellipse its own, to
+/// third order in the rows' width), and the slant that a straight line has through the middles of the rows, weighted by
+/// their loads. Where a contact is Hertzian it is Hertz's, and nothing is changed in its forces. Load and friction are
+/// those of the patch, creepages the means over its load. A row has the force of its strip, and in proportion to its
+/// load what the ellipse has beyond its own strips. Forces of a patch stay below what its friction bears.
 ///
 /// What a row sees of other rows is as of LoadedRowSolver, so that forces are continuous where patches merge: one
 /// look-up for a single hump, at most one for each row.

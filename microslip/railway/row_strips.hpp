@@ -19,7 +19,8 @@ struct PatchEllipse {
 };
 
 /// Rows of a patch as strips that do not feel each other: what the strips of a patch bear, less what those of its
-/// ellipse do, is what the patch's shape and the creepages of its rows change in the forces of the ellipse.
+/// ellipse do, is what the patch's shape and the creepages of its rows change in the forces of the ellipse,
+/// (C4) of docs/creep-force-tables.md.
 ///
 /// A strip of half-length l and width s, whose friction bears at most Q, has at x the scaled slip
 ///
