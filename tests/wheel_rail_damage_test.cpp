@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace microslip {
 namespace {
@@ -104,7 +105,9 @@ TEST(WheelRailDamage, WearIsTheWorkOfFriction) {
       ASSERT_EQ(s.fields.size(), s.patches.size());
       for (std::size_t i = 0; i < s.patches.size(); ++i) {
         const WheelRailPatch& patch = s.patches[i];
-        const double expected = k / (friction * hardness) * patch.frictional_power / patch.rolling_speed;
+        const auto work = friction_work(s.fields[i]);
+        const double expected = k / (friction * hardness) *
+                                std::inner_product(work.begin(), work.end(), s.fields[i].elements.area.begin(), 0.0);
         EXPECT_NEAR(*patch.damage.worn_area / expected, 1, level == WheelRailLevel::exact ? 1e-4 : 0.15) << lateral;
         double sum = 0;
         for (const DamageField& field : damage_fields())

@@ -19,7 +19,7 @@ struct Totals {
   double my = 0;
   double adhesion_area = 0;     ///< [m^2]
   double slip_area = 0;         ///< [m^2]
-  double frictional_power = 0;  ///< -V integral of p.s (E22) [W], >= 0; for a shift the work, without V [J]
+  double frictional_power = 0;  ///< -V integral of p.s (E22), (S22) [W], >= 0; for a shift the work, without V [J]
   double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) (E22) [W]; for a shift the work, without V [J]
   double elastic_energy = 0;    ///< of the tangential tractions, half the integral of p.u [J]
   double peak_pressure = 0;     ///< largest pressure of an element [Pa]

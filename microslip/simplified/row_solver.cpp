@@ -268,6 +268,7 @@ struct RowSolver::Workspace {
     ContactForces forces;
     collect<double>(contact, 0, forces);
     set_totals(out, forces, contact.rolling_speed);
+    out.totals.frictional_power = contact.rolling_speed * work_on_rigid_slip(out, l);
     return out;
   }
 };

@@ -25,6 +25,20 @@ void find_rigid_slip(const FittedContact& contact, const Creepage& creepage, con
   }
 }
 
+double work_on_rigid_slip(const FittedContact& contact, const Creepage& creepage, const RowVariation& variation,
+                          std::span<const double> px, std::span<const double> py) {
+  std::vector<double> cx(px.size()), cy(cx);
+  find_rigid_slip(contact, creepage, variation, cx, cy);
+  double work = 0;
+  for (std::size_t k = 0; k < px.size(); ++k) {
+    const FittedElement& e = contact.elements[k];
+    const double from_middle = e.centre() - (e.point + e.end) / 2;
+    cy[k] += (creepage.spin + variation.creepage_at(contact.grid.y(e.row)).spin) * from_middle;
+    work -= (px[k] * cx[k] + py[k] * cy[k]) * e.width() * contact.grid.dy;
+  }
+  return work;
+}
+
 std::optional<FrictionSolution> full_sliding(const FittedContact& contact, std::span<const double> bound,
                                              std::optional<double> force_x, std::optional<double> force_y) {
   const double fx = force_x.value_or(0), fy = force_y.value_or(0), wanted = std::hypot(fx, fy);

@@ -18,6 +18,11 @@ std::vector<double> area_shares(const FittedContact& contact);
 void find_rigid_slip(const FittedContact& contact, const Creepage& creepage, const RowVariation& variation,
                      std::vector<double>& cx, std::vector<double>& cy);
 
+/// Work of the tractions per metre rolled, on the slip that there is without them [N]: that on the slip, since elastic
+/// bodies give back what they store, without the error of slip between the centres of elements (E23).
+double work_on_rigid_slip(const FittedContact& contact, const Creepage& creepage, const RowVariation& variation,
+                          std::span<const double> px, std::span<const double> py);
+
 /// If no creepage gives the forces that are prescribed [N], as they are beyond friction's: everything slides in their
 /// direction, status no_solution.
 std::optional<FrictionSolution> full_sliding(const FittedContact& contact, std::span<const double> bound,

@@ -34,6 +34,7 @@ ContactSolution contact_solution(const FittedContact& fitted, const SecondOrderS
   out.creepage = {side * found.creepage.longitudinal, found.creepage.lateral, side * found.creepage.spin};
   out.approach = load.approach;
   out.totals = find_totals(e, f, out.creepage, load.rolling_speed);
+  out.totals.frictional_power = load.rolling_speed * found.frictional_work;
   out.report = {.status = friction.status,
                 .residual = friction.residual,
                 .newton_steps = friction.newton_steps,

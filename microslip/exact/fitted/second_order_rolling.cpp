@@ -91,6 +91,7 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   const FrictionSolution& s = out.friction;
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
+  out.frictional_work = work_on_rigid_slip(contact_, out.creepage, input.variation, s.px, s.py);
   Field sx(bound.size()), sy(sx);
   operator_.apply(s.px, s.py, sx, sy);
   out.ux = operator_.ux();

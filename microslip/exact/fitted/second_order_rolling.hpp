@@ -29,6 +29,7 @@ struct SecondOrderSolution {
   std::vector<char> centred;  ///< 1: the element's slip is that at its centre, as CentredSlip has it
   std::vector<double> ux, uy; ///< displacement difference [m]
   Creepage creepage;
+  double frictional_work = 0; ///< per metre rolled [N]
 };
 
 /// Steady rolling along +x with forces of second order in the elements' size. Three measures make it so: leading

@@ -52,6 +52,19 @@ private:
   std::vector<double> px_, py_, slip_x_, slip_y_, sliding_;
 };
 
+/// Work of the tractions per metre rolled, on the rigid slip that drives them [N], (S22): that on the slip, without the
+/// error of slip which has its place between two centres.
+inline double work_on_rigid_slip(const ContactSolution& s, const Flexibilities& l) {
+  const auto& [xi, eta, phi] = s.creepage;
+  double work = 0;
+  for (std::size_t k = 0; k < s.elements.size(); ++k) {
+    const double wx = xi - phi * s.elements.y[k] * l.longitudinal / l.spin;
+    const double wy = eta + phi * s.elements.x[k] * l.lateral / l.spin;
+    work -= s.elements.area[k] * (s.fields.traction.x[k] * wx + s.fields.traction.y[k] * wy);
+  }
+  return work;
+}
+
 /// The totals of a solution whose fields are there: forces and areas are those of the march, which knows the positions
 /// within a cell where slip begins and ends.
 inline void set_totals(ContactSolution& solution, const ContactForces& forces, double rolling_speed) {
