@@ -98,7 +98,7 @@ protected:
     return outcome.wheel.value_or(WheelOutcome{});
   }
 
-  /// So many numbers by our own geometry, those of one patch among them, are within 3 %.
+  /// So many numbers by our own geometry, those of one patch among them, are within 3 %, the frictional power within 5 %.
   void expect_own_alike(const std::string& text, std::size_t numbers) const {
     Case c;
     const WheelOutcome wheel = solve_one(text, c);
@@ -112,7 +112,8 @@ protected:
       if (pulls && (n.name == "FRIC.POWER" || n.name == "SLIP AREA")) continue;
       const bool is_force = n.unit == "N" || n.unit == "N mm";
       const double scale = is_force ? limit : std::max(std::abs(n.program), n.unit == "mm" ? 0.5 : 1e-5);
-      EXPECT_NEAR(n.own, n.program, 0.03 * scale) << n.name;
+      // The program sums p.s over the centres of 20 elements across, ours follows from the forces (E23).
+      EXPECT_NEAR(n.own, n.program, (n.name == "FRIC.POWER" ? 0.05 : 0.03) * scale) << n.name;
     }
   }
 
