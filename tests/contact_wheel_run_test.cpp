@@ -98,7 +98,8 @@ protected:
     return outcome.wheel.value_or(WheelOutcome{});
   }
 
-  /// So many numbers by our own geometry, those of one patch among them, are within 3 %, the frictional power within 5 %.
+  /// So many numbers by our own geometry, those of one patch among them, are within 3 %, the frictional power within 5
+  /// %.
   void expect_own_alike(const std::string& text, std::size_t numbers) const {
     Case c;
     const WheelOutcome wheel = solve_one(text, c);

@@ -425,7 +425,8 @@ void discretised_derivatives(Report& report, const std::vector<Pair>& all, int s
 }
 
 void energy(Report& report, const std::vector<Pair>& all) {
-  report.heading("Work of friction at the elements' centres beside the frictional power, exact level: 12 states of each pair");
+  report.heading(
+      "Work of friction at the elements' centres beside the frictional power, exact level: 12 states of each pair");
   std::mt19937_64 random(22);
   std::uniform_real_distribution<double> any(-1, 1);
   double worst = 0;
