@@ -1,26 +1,23 @@
 #include "io/profile_writer.hpp"
 
 #include "io/profile_formats.hpp"
+#include "microslip/decimal.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <string_view>
 
 namespace microslip {
 namespace {
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 /// Rows of y and z [mm], with these signs.
 std::string rows(const PreparedProfile& prepared, double y_sign, double z_sign, std::string_view separator) {
   std::string text;
   for (const auto& p : prepared.points)
-    text.append(shortest(y_sign * p.y * 1e3)).append(separator).append(shortest(z_sign * p.z * 1e3)).append("\n");
+    text.append(shortest_text(y_sign * p.y * 1e3))
+        .append(separator)
+        .append(shortest_text(z_sign * p.z * 1e3))
+        .append("\n");
   return text;
 }
 

@@ -1,8 +1,9 @@
 #include "io/text_line.hpp"
 
+#include "microslip/decimal.hpp"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace microslip {
@@ -29,7 +30,7 @@ std::optional<double> parse_number(std::string_view text) {
   std::array<char, longest> digits{};
   std::transform(text.begin(), text.end(), digits.begin(), [](char c) { return c == 'd' || c == 'D' ? 'e' : c; });
   double value = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + text.size(), value);
+  const auto [stop, error] = read_number(digits.data(), digits.data() + text.size(), value);
   if (error != std::errc() || stop != digits.data() + text.size() || !std::isfinite(value)) return {};
   return value;
 }

@@ -1,27 +1,20 @@
 #include "microslip/error.hpp"
 
-#include <array>
-#include <charconv>
+#include "microslip/decimal.hpp"
+
 #include <cmath>
 
 namespace microslip {
 namespace {
 
-/// Shortest text that reads back as the same number, in every locale.
-std::string number(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 std::string interval(double low, double high) {
-  return "in [" + number(low) + ", " + number(high) + "]";
+  return "in [" + shortest_text(low) + ", " + shortest_text(high) + "]";
 }
 
 } // namespace
 
 Error::Error(std::string_view field, double value, std::string_view unit, std::string_view range)
-    : Error(std::string(field) + " = " + number(value) + " [" + std::string(unit) + "]: must be " +
+    : Error(std::string(field) + " = " + shortest_text(value) + " [" + std::string(unit) + "]: must be " +
             std::string(range)) {}
 
 double require_finite(std::string_view field, double value, std::string_view unit) {

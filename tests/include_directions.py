@@ -4,7 +4,7 @@ import pathlib
 import re
 import sys
 
-EVERYWHERE = "microslip"  # error, progress, status, vec2, version: every folder may include them
+EVERYWHERE = "microslip"  # decimal, error, progress, status, vec2, version: every folder may include them
 EXACT = "microslip/exact/"
 
 # A folder and what it may include, besides itself.

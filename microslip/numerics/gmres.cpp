@@ -1,11 +1,11 @@
 #include "microslip/numerics/gmres.hpp"
 
 #include "microslip/numerics/precision.hpp"
+#include "microslip/numerics/simd.hpp"
 #include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 #include <limits>
 #include <numeric>
 #include <type_traits>
@@ -14,7 +14,6 @@
 namespace microslip {
 namespace {
 
-namespace simd = std::experimental;
 using Weights = std::vector<double>;
 template <class Real> using Basis = std::vector<std::vector<Real>>;
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "microslip/numerics/inlined.hpp"
-
-#include <experimental/simd>
+#include "microslip/numerics/simd.hpp"
 
 namespace microslip {
 
@@ -18,8 +17,8 @@ template <class Register> struct Lanes {
   MICROSLIP_INLINE Lanes(double value) : r(static_cast<typename Register::value_type>(value)) {}
   MICROSLIP_INLINE Lanes(const Register& values) : r(values) {}
 
-  MICROSLIP_INLINE static Lanes load(const double* from) { return Register(from, std::experimental::element_aligned); }
-  MICROSLIP_INLINE void store(double* to) const { r.copy_to(to, std::experimental::element_aligned); }
+  MICROSLIP_INLINE static Lanes load(const double* from) { return Register(from, simd::element_aligned); }
+  MICROSLIP_INLINE void store(double* to) const { r.copy_to(to, simd::element_aligned); }
 
   MICROSLIP_INLINE Lanes& operator+=(const Lanes& o) { return *this = *this + o; }
 
@@ -63,10 +62,10 @@ template <class R> MICROSLIP_INLINE Lanes<R> select(const LaneMask<R>& m, const 
 }
 
 template <class R> MICROSLIP_INLINE Lanes<R> sqrt(const Lanes<R>& a) {
-  return std::experimental::sqrt(a.r);
+  return sqrt(a.r); // of the register's library
 }
 template <class R> MICROSLIP_INLINE Lanes<R> abs(const Lanes<R>& a) {
-  return std::experimental::abs(a.r);
+  return abs(a.r);
 }
 
 /// The plain value of a number that may be a dual one, as in dual.hpp.

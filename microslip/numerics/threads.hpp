@@ -2,9 +2,20 @@
 
 #include <cstddef>
 
+#ifdef _OPENMP
 #include <omp.h>
+#endif
 
 namespace microslip {
+
+#ifndef _OPENMP // as in WebAssembly
+inline int omp_get_max_threads() {
+  return 1;
+}
+inline int omp_get_thread_num() {
+  return 0;
+}
+#endif
 
 /// OpenMP's threads for work on so many numbers; a single one below `least`.
 inline int threads_for(std::size_t numbers, std::size_t least) {

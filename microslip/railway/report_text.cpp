@@ -1,14 +1,11 @@
 #include "microslip/railway/report_text.hpp"
 
-#include <array>
-#include <charconv>
+#include "microslip/decimal.hpp"
 
 namespace microslip {
 
 std::string digits(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 5).ptr;
-  return {text.data(), end};
+  return rounded_text(value, 5);
 }
 
 std::string in_mm(double length) {

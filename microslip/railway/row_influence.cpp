@@ -39,10 +39,10 @@ double RowInfluence::line(double delta) {
 }
 
 RowInfluence::RowInfluence() {
-  const std::uint64_t last = std::bit_cast<std::uint64_t>(largest) >> bits_dropped;
+  const std::uint64_t last = bit_cast<std::uint64_t>(largest) >> bits_dropped;
   Values here = near(smallest);
   for (std::uint64_t k = first_segment; k < last; ++k) {
-    const double start = std::bit_cast<double>(k << bits_dropped), end = std::bit_cast<double>((k + 1) << bits_dropped);
+    const double start = bit_cast<double>(k << bits_dropped), end = bit_cast<double>((k + 1) << bits_dropped);
     Values after{};
     after.phi = here.phi + integrate(line, start, end);
     after.psi = here.psi + integrate(curvature_at, start, end);

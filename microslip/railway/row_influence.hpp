@@ -1,7 +1,8 @@
 #pragma once
 
+#include "microslip/numerics/bits.hpp"
+
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,7 @@ public:
     if (!(size >= smallest)) return near(delta);
     if (!(size < largest)) return far(delta);
     // The first bits of a number's mantissa and its exponent count the segments, some of each octave.
-    const auto segment = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(size) >> bits_dropped) - first_segment);
+    const auto segment = static_cast<std::size_t>((bit_cast<std::uint64_t>(size) >> bits_dropped) - first_segment);
     const Segment& s = segments_[segment];
     const double t = size - s.start;
     const double phi = s.phi[0] + t * (s.phi[1] + t * (s.phi[2] + t * s.phi[3]));
@@ -44,7 +45,7 @@ public:
 private:
   static constexpr int bits_dropped = 48; ///< leaves 16 segments in each octave
   static constexpr double smallest = 0x1p-10, largest = 0x1p8;
-  static constexpr std::uint64_t first_segment = std::bit_cast<std::uint64_t>(smallest) >> bits_dropped;
+  static constexpr std::uint64_t first_segment = bit_cast<std::uint64_t>(smallest) >> bits_dropped;
 
   /// Cubics in delta - start.
   struct Segment {

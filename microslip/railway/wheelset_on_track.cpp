@@ -119,7 +119,8 @@ Vec3<double> turning_axis(const WheelState<double>& s, std::size_t variable) {
 }
 
 bool is_finite(const WheelState<double>& state) {
-  return std::ranges::all_of(state_quantities(), [&](const StateQuantity& q) { return std::isfinite(q.value(state)); });
+  const auto all = state_quantities();
+  return std::all_of(all.begin(), all.end(), [&](const StateQuantity& q) { return std::isfinite(q.value(state)); });
 }
 bool is_load(double force) {
   return force > 0 && force < 1e12;
@@ -442,7 +443,7 @@ struct WheelsetOnTrack::Workspace {
       }
     };
     for (std::size_t k = 0; k < state_variables; ++k) {
-      const auto at = std::ranges::find(unknown_columns, k) - unknown_columns.begin();
+      const auto at = std::find(unknown_columns.begin(), unknown_columns.end(), k) - unknown_columns.begin();
       if (at < 3 && target.finds(static_cast<std::size_t>(at))) continue;
       d.force[k] = slopes.force[k], d.moment[k] = slopes.moment[k];
       add(k, residual_slope(target, state, out, k));

@@ -84,9 +84,9 @@ std::vector<double> from_leading_edge(const PatchRows& patch, int j, double trav
 /// The regular grid over all rows, as if they were evenly spaced.
 ElementGrid covering_grid(const PatchRows& patch) {
   if (patch.y.empty()) return {.mx = patch.mx};
-  const auto [low, high] = std::ranges::minmax(patch.trailing);
-  const auto [other_low, other_high] = std::ranges::minmax(patch.leading);
-  const double left = std::min(low, other_low), right = std::max(high, other_high), dx = (right - left) / patch.mx;
+  const auto [low, high] = std::minmax_element(patch.trailing.begin(), patch.trailing.end());
+  const auto [other_low, other_high] = std::minmax_element(patch.leading.begin(), patch.leading.end());
+  const double left = std::min(*low, *other_low), right = std::max(*high, *other_high), dx = (right - left) / patch.mx;
   return {patch.mx, static_cast<int>(patch.y.size()), left + dx / 2, patch.y[0], dx, patch.row_width};
 }
 

@@ -135,8 +135,8 @@ CreepTableNodes decode(std::span<const std::byte> bytes, std::shared_ptr<const v
   const auto data = bytes.subspan(sizeof head);
   CreepTableNodes nodes = {.axes = axes_of(head),
                            .origin = {.elements = static_cast<int>(head.elements),
-                                      .solved = head.solved,
-                                      .not_converged = head.not_converged,
+                                      .solved = static_cast<long>(head.solved),
+                                      .not_converged = static_cast<long>(head.not_converged),
                                       .error_rms = head.error_rms,
                                       .error_worst = head.error_worst},
                            .unit = head.unit,

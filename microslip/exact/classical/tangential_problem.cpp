@@ -197,7 +197,7 @@ TangentialProblem::CoarseStart TangentialProblem::start_from_coarser(std::span<c
   on_coarse.step = ratio * std::abs(step);
   on_coarse.spin_offset = input.spin_offset / ratio;
   on_coarse.extra_x = extra_x, on_coarse.extra_y = extra_y;
-  if (input.leading_edge) on_coarse.leading_edge = {.where_possible = true};
+  if (input.leading_edge) on_coarse.leading_edge = LeadingEdge{.where_possible = true};
   on_coarse.tolerance = std::max(tolerance_of_coarser, input.tolerance);
   CoarseStart start;
   on_coarse.progress = [&](double done) {

@@ -1,10 +1,10 @@
 #include "microslip/exact/fitted/fitted_corrections.hpp"
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
+#include "microslip/numerics/simd.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -13,7 +13,6 @@
 namespace microslip {
 namespace {
 
-namespace simd = std::experimental;
 using Product = FittedProduct<double>;
 using Lanes = simd::fixed_size_simd<double, Product::lanes>;
 constexpr auto unaligned = simd::element_aligned;

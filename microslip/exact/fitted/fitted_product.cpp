@@ -1,15 +1,14 @@
 #include "microslip/exact/fitted/fitted_product.hpp"
 
 #include "microslip/numerics/precision.hpp"
+#include "microslip/numerics/simd.hpp"
 
 #include <algorithm>
-#include <experimental/simd>
 #include <utility>
 
 namespace microslip {
 namespace {
 
-namespace simd = std::experimental;
 constexpr auto unaligned = simd::element_aligned;
 
 template <class Real>

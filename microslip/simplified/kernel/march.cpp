@@ -9,8 +9,8 @@
 namespace microslip::detail {
 namespace {
 
-using Doubles = Lanes<std::experimental::native_simd<double>>;
-using Floats = Lanes<std::experimental::native_simd<float>>;
+using Doubles = Lanes<simd::native_simd<double>>;
+using Floats = Lanes<simd::native_simd<float>>;
 
 /// A number for each lane, or with its derivatives; `Plain` are the lanes below it.
 template <class Real> struct Numbers;
