@@ -2,28 +2,21 @@
 
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
+#include "io/unit_system.hpp"
+#include "microslip/decimal.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include <udunits2.h>
-
 namespace microslip {
 namespace {
 
-/// A unit by what stands before it in the table.
-struct Definition {
-  const char *symbol, *value; ///< base units have no value
-};
-
-constexpr Definition definitions[] = {
+constexpr UnitDefinition definitions[] = {
     {"m", nullptr},
     {"kg", nullptr},
     {"s", nullptr},
@@ -55,8 +48,8 @@ constexpr Definition definitions[] = {
     {"%", "0.01"},
 };
 
-constexpr std::pair<const char*, double> prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"c", 1e-2},
-                                                       {"d", 1e-1}, {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
+constexpr UnitPrefix prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"c", 1e-2},
+                                   {"d", 1e-1}, {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
 
 /// What messages say of a unit that a value is wanted in: those to choose from, and an example.
 struct Choice {
@@ -168,37 +161,6 @@ private:
   bool wants_operand_ = true, is_plain_ = false;
 };
 
-/// UDUNITS for one thread, and silent.
-class Silence {
-public:
-  Silence() : lock_(one_at_a_time()), before_(ut_set_error_message_handler(ut_ignore)) {}
-  ~Silence() { ut_set_error_message_handler(before_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  static std::mutex& one_at_a_time() {
-    static std::mutex mutex;
-    return mutex;
-  }
-
-  std::scoped_lock<std::mutex> lock_;
-  ut_error_message_handler before_;
-};
-
-struct Free {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-  void operator()(cv_converter* converter) const { cv_free(converter); }
-};
-template <class Object> using Owned = std::unique_ptr<Object, Free>;
-
-/// Of the same dimensions: UDUNITS itself converts to the reciprocal, too.
-bool are_alike(const ut_unit* given, const ut_unit* wanted) {
-  const Owned<ut_unit> ratio(ut_divide(given, wanted));
-  return ratio && ut_is_dimensionless(ratio.get()) != 0;
-}
-
 UnitScale scale_of(double factor) {
   const double inverse = std::round(1 / factor);
   return std::abs(inverse * factor - 1) < 1e-15 ? UnitScale{.over = inverse} : UnitScale{.times = factor};
@@ -209,7 +171,7 @@ std::pair<double, std::string_view> split(std::string_view text, const Choice& c
   auto rest = trimmed(text);
   if (rest.starts_with('+')) rest.remove_prefix(1);
   double value = 0;
-  const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto [stop, error] = read_number(rest.data(), rest.data() + rest.size(), value);
   if (error != std::errc())
     throw Error("must be a number, or one with its unit such as \"" + std::string(choice.example) + "\"");
   rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
@@ -217,79 +179,44 @@ std::pair<double, std::string_view> split(std::string_view text, const Choice& c
   return {value, trimmed(rest)};
 }
 
-} // namespace
-
-/// UDUNITS' system of units with those above: its own database would be a file to be found at run time.
-class Units::System {
-public:
-  System() : system_(ut_new_system()) {
-    for (const auto& [symbol, factor] : prefixes) ut_add_symbol_prefix(system_.get(), symbol, factor);
-    for (const auto& [symbol, value] : definitions) {
-      const Owned<ut_unit> unit = value == nullptr ? Owned<ut_unit>(ut_new_base_unit(system_.get())) : parse(value);
-      ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get());
-    }
+/// Only temperatures may differ by their zero. Of all that the system knows only what is plain: with other texts
+/// UDUNITS would lose memory.
+UnitSystem::Conversion conversion(const UnitSystem& system, std::string_view name, const Choice& choice) {
+  const std::string given = in_ascii(name);
+  const PlainUnit plain(given);
+  const auto& symbols = plain.symbols();
+  const auto is_known = [&](const std::string& symbol) { return system.knows(symbol); };
+  if (!plain.is_plain() || !std::all_of(symbols.begin(), symbols.end(), is_known)) {
+    const auto near = suggestion(name, choice.known());
+    throw Error("unknown unit " + printable(name) + (near.empty() ? "; " + choice.sentence() : near));
   }
-
-  double number(double value, std::string_view name, const Choice& choice) const {
-    const auto converter = converter_of(name, choice);
-    if (cv_convert_double(converter.get(), 0) != 0) return cv_convert_double(converter.get(), value);
-    return scale_of(cv_convert_double(converter.get(), 1))(value);
-  }
-
-  UnitScale scale(std::string_view name, const Choice& choice) const {
-    const auto converter = converter_of(name, choice);
-    if (cv_convert_double(converter.get(), 0) != 0) throw Error("differs by its zero, too");
-    return scale_of(cv_convert_double(converter.get(), 1));
-  }
-
-private:
-  Owned<ut_unit> parse(const std::string& unit) const {
-    return Owned<ut_unit>(ut_parse(system_.get(), unit.c_str(), UT_ASCII));
-  }
-
-  /// None for what is not plain, or a symbol that is not known: UDUNITS would lose memory on the way.
-  Owned<ut_unit> parse_plain(const std::string& unit) const {
-    const PlainUnit plain(unit);
-    const auto& symbols = plain.symbols();
-    const auto is_known = [&](const std::string& symbol) { return parse(symbol) != nullptr; };
-    return plain.is_plain() && std::all_of(symbols.begin(), symbols.end(), is_known) ? parse(unit) : nullptr;
-  }
-
-  /// Only temperatures may differ by their zero.
-  Owned<cv_converter> converter_of(std::string_view name, const Choice& choice) const {
-    const auto given = parse_plain(in_ascii(name));
-    if (!given) {
-      const auto near = suggestion(name, choice.known());
-      throw Error("unknown unit " + printable(name) + (near.empty() ? "; " + choice.sentence() : near));
-    }
-    const bool is_temperature = choice.unit == "deg C";
-    const auto in = [&](const std::string& unit) -> Owned<cv_converter> {
-      const auto wanted = parse(unit);
-      if (!are_alike(given.get(), wanted.get())) return nullptr;
-      Owned<cv_converter> converter(ut_get_converter(given.get(), wanted.get()));
-      const bool is_good = converter && (is_temperature || cv_convert_double(converter.get(), 0) == 0);
-      return is_good ? std::move(converter) : nullptr;
-    };
-    auto found = in(is_temperature ? "degC" : choice.unit == "-" ? "1" : std::string(choice.unit));
-    if (!found && choice.unit == "1/m") found = in("rad/m");
-    if (!found) throw Error(choice.sentence());
+  const bool is_temperature = choice.unit == "deg C";
+  const auto to = [&](const std::string& unit) {
+    auto found = system.conversion(given, unit);
+    if (found && !is_temperature && (*found)(0) != 0) found.reset();
     return found;
-  }
-
-  Owned<ut_system> system_;
-};
-
-Units::Units() = default;
-
-Units::~Units() {
-  const Silence silence;
-  system_.reset();
+  };
+  auto found = to(is_temperature ? "degC" : choice.unit == "-" ? "1" : std::string(choice.unit));
+  if (!found && choice.unit == "1/m") found = to("rad/m");
+  if (!found) throw Error(choice.sentence());
+  return *found;
 }
 
-template <class Work> auto Units::with_system(const Work& work) {
-  const Silence silence;
-  if (!system_) system_ = std::make_unique<System>();
-  return work(*system_);
+} // namespace
+
+std::span<const UnitDefinition> unit_definitions() {
+  return definitions;
+}
+std::span<const UnitPrefix> unit_prefixes() {
+  return prefixes;
+}
+
+Units::Units() = default;
+Units::~Units() = default;
+
+UnitSystem& Units::system() {
+  if (!system_) system_ = std::make_unique<UnitSystem>();
+  return *system_;
 }
 
 double Units::number(std::string_view field, std::string_view text, std::string_view unit) {
@@ -299,7 +226,8 @@ double Units::number(std::string_view field, std::string_view text, std::string_
     if (name.empty() && unit == "-") throw Error("must be a number without quotes");
     if (name.empty()) throw Error("has no unit; " + choice.sentence());
     if (name == unit) return value;
-    return with_system([&, value = value, name = name](const System& s) { return s.number(value, name, choice); });
+    const auto converted = conversion(system(), name, choice);
+    return converted(0) != 0 ? converted(value) : scale_of(converted(1))(value);
   } catch (const Error& error) {
     throw Error(std::string(field) + " = " + printable(text) + " [" + std::string(unit) + "]: " + error.what());
   }
@@ -309,7 +237,9 @@ UnitScale Units::scale(std::string_view field, std::string_view from, std::strin
   if (from == unit) return {};
   try {
     const Choice& choice = choice_of(unit);
-    return with_system([&](const System& s) { return s.scale(from, choice); });
+    const auto converted = conversion(system(), from, choice);
+    if (converted(0) != 0) throw Error("differs by its zero, too");
+    return scale_of(converted(1));
   } catch (const Error& error) {
     throw Error(std::string(field) + " [" + std::string(from) + "]: " + error.what());
   }

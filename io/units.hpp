@@ -6,6 +6,8 @@
 
 namespace microslip {
 
+class UnitSystem;
+
 /// Numbers in one unit as such in another. Only one of the two is not 1, so that decimal numbers of a prefix, 1435 mm,
 /// are the nearest numbers of the unit without it.
 struct UnitScale {
@@ -33,11 +35,9 @@ public:
   UnitScale scale(std::string_view field, std::string_view from, std::string_view unit);
 
 private:
-  class System;
+  UnitSystem& system();
 
-  template <class Work> auto with_system(const Work& work);
-
-  std::unique_ptr<System> system_;
+  std::unique_ptr<UnitSystem> system_;
 };
 
 } // namespace microslip

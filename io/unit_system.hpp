@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace microslip {
+
+/// A unit by what stands before it in the table; base units have no value.
+struct UnitDefinition {
+  const char *symbol, *value;
+};
+struct UnitPrefix {
+  const char* symbol;
+  double factor;
+};
+
+/// The units of case files, and the prefixes that they may have.
+std::span<const UnitDefinition> unit_definitions();
+std::span<const UnitPrefix> unit_prefixes();
+
+/// These units with the algebra of products, quotients and whole powers: UDUNITS', or our own where that is missing.
+class UnitSystem {
+public:
+  UnitSystem();
+  ~UnitSystem();
+  UnitSystem(const UnitSystem&) = delete;
+  UnitSystem& operator=(const UnitSystem&) = delete;
+
+  /// Whether it is a unit's symbol, with prefixes or without.
+  bool knows(const std::string& symbol) const;
+
+  /// A number in one unit as such in another, whose symbols are known. Empty for units of different dimensions.
+  using Conversion = std::function<double(double)>;
+  std::optional<Conversion> conversion(const std::string& from, const std::string& to) const;
+
+private:
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
+} // namespace microslip
