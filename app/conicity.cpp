@@ -8,10 +8,10 @@
 #include "app/pictures.hpp"
 #include "app/profile_options.hpp"
 #include "app/quantity_table.hpp"
+#include "cases/conicity_result.hpp"
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/conicity.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -41,30 +41,12 @@ struct ConicityArguments {
   bool no_pictures = false, json = false;
 };
 
-/// What belongs to one gauge.
-struct GaugeResult {
-  double gauge = 0;
-  WheelsetCurve curve;
-  std::vector<double> conicity, wavelength; ///< over the amplitudes; NaN where there is no motion
-  std::optional<double> nonlinearity;
-};
-
-struct ConicityResult {
+/// At each of the gauges.
+struct ConicityResults {
   std::vector<double> amplitudes;
-  std::vector<GaugeResult> gauges;
+  std::vector<ConicityResult> gauges;
   std::vector<std::string> warnings;
 };
-
-std::vector<double> amplitudes(const ConicityArguments& arguments) {
-  const double from = require_positive("--amplitudes", arguments.amplitudes[0], "m");
-  const double to = require_between("--amplitudes", arguments.amplitudes[1], "m", from, 0.1);
-  const double step = require_positive("--amplitudes", arguments.amplitudes[2], "m");
-  const int count =
-      require_count("--amplitudes", static_cast<int>(std::min((to - from) / step + 1.0001, 1e6)), 1, 10000);
-  std::vector<double> values;
-  for (int k = 0; k < count; ++k) values.push_back(std::round((from + k * step) * 1e12) / 1e12);
-  return values;
-}
 
 /// The profiles of both sides; the right side's are the left one's unless they are given.
 class Profiles {
@@ -94,39 +76,27 @@ private:
   std::vector<std::string> warnings_;
 };
 
-WheelsetBase base_of(const ConicityArguments& arguments) {
-  return {require_positive("--contact-distance", arguments.contact_distance, "m"), arguments.wheelset.nominal_radius};
+ConicityInput input_of(const ConicityArguments& arguments, double gauge, const std::vector<double>& amplitudes) {
+  ConicityInput input{.track = arguments.track,
+                      .wheelset = arguments.wheelset,
+                      .contact_distance = require_positive("--contact-distance", arguments.contact_distance, "m"),
+                      .roll = from_word<RollRule>("--roll", arguments.roll),
+                      .amplitudes = amplitudes};
+  input.track.gauge = gauge;
+  if (!arguments.tape_circle.empty()) input.wheelset.tape_circle = arguments.tape_circle.front();
+  if (!arguments.curve_radius.empty())
+    input.curve_radius = require_positive("--curve-radius", arguments.curve_radius.front(), "m");
+  return input;
 }
 
-GaugeResult solve(const ConicityArguments& arguments, const Profiles& profiles, double gauge,
-                  const std::vector<double>& amplitudes) {
-  Track track = arguments.track;
-  track.gauge = gauge;
-  Wheelset wheelset = arguments.wheelset;
-  if (!arguments.tape_circle.empty()) wheelset.tape_circle = arguments.tape_circle.front();
-  WheelsetSearch search(track, wheelset, profiles.left(), profiles.right());
-  GaugeResult result;
-  result.gauge = gauge;
-  result.curve = curve_of_amplitudes(search, amplitudes.back(), profiles.symmetric(),
-                                     from_word<RollRule>("--roll", arguments.roll));
-  const RollingRadiusDifference difference(result.curve);
-  const WheelsetBase base = base_of(arguments);
-  for (const double amplitude : amplitudes) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    const auto motion = kinematic_oscillation(difference, amplitude, base);
-    result.conicity.push_back(motion ? motion->conicity : none);
-    result.wavelength.push_back(motion ? motion->wavelength : none);
-  }
-  result.nonlinearity = nonlinearity_parameter(difference, base);
-  return result;
-}
-
-ConicityResult solve(const ConicityArguments& arguments, const Profiles& profiles) {
-  ConicityResult result;
-  result.amplitudes = amplitudes(arguments);
+ConicityResults solve(const ConicityArguments& arguments, const Profiles& profiles) {
+  ConicityResults result;
+  const auto& range = arguments.amplitudes;
+  result.amplitudes = amplitude_range("--amplitudes", range[0], range[1], range[2]);
   result.warnings = profiles.warnings();
   for (const double gauge : arguments.gauges) {
-    result.gauges.push_back(solve(arguments, profiles, require_positive("--gauge", gauge, "m"), result.amplitudes));
+    const ConicityInput input = input_of(arguments, require_positive("--gauge", gauge, "m"), result.amplitudes);
+    result.gauges.push_back(find_conicity(input, profiles.left(), profiles.right(), profiles.symmetric()));
     for (std::size_t k = 0; k < result.amplitudes.size(); ++k)
       if (std::isnan(result.gauges.back().conicity[k])) {
         result.warnings.push_back(
@@ -139,20 +109,7 @@ ConicityResult solve(const ConicityArguments& arguments, const Profiles& profile
   return result;
 }
 
-/// The curve's value nearest to a lateral displacement.
-const WheelsetContact& at(const WheelsetCurve& curve, double lateral) {
-  return *std::min_element(curve.begin(), curve.end(), [&](const WheelsetContact& a, const WheelsetContact& b) {
-    return std::abs(a.lateral - lateral) < std::abs(b.lateral - lateral);
-  });
-}
-
-std::optional<double> steering_index(const ConicityArguments& arguments, const GaugeResult& result, double lateral) {
-  if (arguments.curve_radius.empty()) return std::nullopt;
-  const double radius = require_positive("--curve-radius", arguments.curve_radius.front(), "m");
-  return radial_steering_index(RollingRadiusDifference(result.curve), lateral, radius, base_of(arguments));
-}
-
-void print_text(const ConicityArguments& arguments, const ConicityResult& result) {
+void print_text(const ConicityArguments& arguments, const ConicityResults& result) {
   std::vector<std::string> heads;
   for (const auto& one : result.gauges) heads.push_back(fmt::format("gauge {:.6g} m", one.gauge));
   QuantityTable table("Equivalent conicity", heads);
@@ -174,44 +131,11 @@ void print_text(const ConicityArguments& arguments, const ConicityResult& result
   if (!arguments.curve_radius.empty())
     row(
         fmt::format("radial steering index at {:.4g} mm", largest * 1e3),
-        [&](auto& one) { return *steering_index(arguments, one, largest); }, "-");
+        [&](auto& one) { return *steering_index(input_of(arguments, one.gauge, result.amplitudes), one); }, "-");
   table.print();
 }
 
-Json pairs(const std::vector<double>& x, const std::vector<double>& y) {
-  auto array = Json::array();
-  for (std::size_t k = 0; k < x.size(); ++k) array.push_back({json_number(x[k]), json_number(y[k])});
-  return array;
-}
-
-/// Rolling radius difference and so on in steps of 0.1 mm.
-Json curve_document(const WheelsetCurve& curve) {
-  auto array = Json::array();
-  const auto first = static_cast<int>(std::ceil(curve.front().lateral / 1e-4 - 1e-6));
-  const auto last = static_cast<int>(std::floor(curve.back().lateral / 1e-4 + 1e-6));
-  for (int k = first; k <= last; ++k) {
-    const WheelsetContact& contact = at(curve, k * 1e-4);
-    array.push_back({{"lateral", json_number(k * 1e-4)},
-                     {"rolling_radius_difference", json_number(contact.rolling_radius_difference())},
-                     {"contact_angle_difference", json_number(contact.contact_angle_difference())},
-                     {"roll", json_number(contact.roll)},
-                     {"vertical", json_number(contact.vertical)}});
-  }
-  return array;
-}
-
-Json gauge_document(const ConicityArguments& arguments, const ConicityResult& result, const GaugeResult& one) {
-  Json document = {{"gauge", json_number(one.gauge)},
-                   {"equivalent_conicity", pairs(result.amplitudes, one.conicity)},
-                   {"wavelength", pairs(result.amplitudes, one.wavelength)},
-                   {"nonlinearity_parameter", one.nonlinearity ? json_number(*one.nonlinearity) : Json()},
-                   {"over_lateral_displacement", curve_document(one.curve)}};
-  if (const auto index = steering_index(arguments, one, result.amplitudes.back()))
-    document["radial_steering_index"] = json_number(*index);
-  return document;
-}
-
-void print_document(const ConicityArguments& arguments, const ConicityResult& result,
+void print_document(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResults& result,
                     const std::vector<std::string>& files) {
   auto document = json_document("conicity");
   document["wheel"] = arguments.wheel.string();
@@ -221,23 +145,15 @@ void print_document(const ConicityArguments& arguments, const ConicityResult& re
   document["nominal_radius"] = json_number(arguments.wheelset.nominal_radius);
   document["contact_distance"] = json_number(arguments.contact_distance);
   document["roll_rule"] = arguments.roll;
-  document.update(gauge_document(arguments, result, result.gauges.front()));
+  const auto document_of = [&](const ConicityResult& one) {
+    return conicity_document(input_of(arguments, one.gauge, result.amplitudes), one, profiles.left(), profiles.right());
+  };
+  document.update(document_of(result.gauges.front()));
   if (result.gauges.size() > 1) {
     document["gauges"] = Json::array();
-    for (const auto& one : result.gauges) document["gauges"].push_back(gauge_document(arguments, result, one));
+    for (const auto& one : result.gauges) document["gauges"].push_back(document_of(one));
   }
-  document["units"] = {{"equivalent_conicity", "m, -"},
-                       {"wavelength", "m, m"},
-                       {"nonlinearity_parameter", "1/m"},
-                       {"over_lateral_displacement/lateral", "m"},
-                       {"over_lateral_displacement/rolling_radius_difference", "m"},
-                       {"over_lateral_displacement/contact_angle_difference", "rad"},
-                       {"over_lateral_displacement/roll", "rad"},
-                       {"over_lateral_displacement/vertical", "m"},
-                       {"gauge", "m"},
-                       {"nominal_radius", "m"},
-                       {"contact_distance", "m"},
-                       {"radial_steering_index", "-"}};
+  document["units"] = conicity_units();
   document["warnings"] = result.warnings;
   document["files"] = files;
   print_json(document);
@@ -299,7 +215,7 @@ std::string title_of(const ConicityArguments& arguments) {
          right(arguments.right_rail, arguments.rail);
 }
 
-void write_result(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResult& result,
+void write_result(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResults& result,
                   const fs::path& path) {
   const InterruptGuard guard;
   create_folder(arguments.folder);
@@ -308,7 +224,7 @@ void write_result(const ConicityArguments& arguments, const Profiles& profiles, 
   file.array("amplitude", result.amplitudes, "m", "amplitudes of the lateral displacement");
   std::vector<double> gauges;
   for (std::size_t k = 0; k < result.gauges.size(); ++k) {
-    const GaugeResult& one = result.gauges[k];
+    const ConicityResult& one = result.gauges[k];
     const std::string group = "gauge_" + std::to_string(k);
     gauges.push_back(one.gauge);
     file.array(group + "/conicity", one.conicity, "-", "equivalent conicity over the amplitudes");
@@ -327,7 +243,7 @@ void write_result(const ConicityArguments& arguments, const Profiles& profiles, 
 }
 
 std::vector<std::string> write_files(const ConicityArguments& arguments, const Profiles& profiles,
-                                     const ConicityResult& result) {
+                                     const ConicityResults& result) {
   if (arguments.folder.empty()) return {};
   const auto path = arguments.folder / "result.h5";
   write_result(arguments, profiles, result, path);
@@ -345,7 +261,7 @@ void run(const ConicityArguments& arguments) {
   if (!arguments.json) print_text(arguments, result);
   const auto files = write_files(arguments, profiles, result);
   if (arguments.json) {
-    print_document(arguments, result, files);
+    print_document(arguments, profiles, result, files);
   } else if (!files.empty()) {
     fmt::print("\nWritten\n");
     for (const auto& file : files) fmt::print("  {}\n", file);

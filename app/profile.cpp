@@ -9,14 +9,13 @@
 #include "app/profile_options.hpp"
 #include "app/profile_slices.hpp"
 #include "app/quantity_table.hpp"
+#include "cases/profile_result.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_writer.hpp"
 #include "io/result_file.hpp"
 #include "io/slices_file.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -40,24 +39,12 @@ struct ProfileArguments {
   bool no_pictures = false, json = false;
 };
 
-/// What the command finds of a profile.
-struct ProfileFindings {
-  PreparedProfile prepared;
-  std::optional<WheelDimensions> wheel;
-  std::optional<GaugePoint> gauge;
-};
-
 ProfileFindings find(const ProfileArguments& arguments) {
   std::optional<ProfileRole> role;
   if (!arguments.role.empty()) role = from_word<ProfileRole>("--role", arguments.role);
-  ProfileFindings findings{read_profile(arguments.file, file_options(arguments.options, role)), {}, {}};
-  const auto& profile = findings.prepared.profile;
-  if (profile.role() == ProfileRole::wheel)
-    findings.wheel = wheel_dimensions(profile, arguments.tape_line.empty() ? default_tape_line(profile)
-                                                                           : arguments.tape_line.front());
-  else
-    findings.gauge = gauge_point(profile, arguments.gauge_height);
-  return findings;
+  ProfileMeasures measures{.gauge_height = arguments.gauge_height};
+  if (!arguments.tape_line.empty()) measures.tape_line = arguments.tape_line.front();
+  return find_dimensions(read_profile(arguments.file, file_options(arguments.options, role)), measures);
 }
 
 // The table
@@ -123,131 +110,16 @@ void print_text(const ProfileFindings& findings) {
 
 // The document
 
-Json json_point(const ProfilePoint& point) {
-  return {{"y", json_number(point.y)}, {"z", json_number(point.z)}};
-}
-
-Json json_optional(const std::optional<double>& value) {
-  return value ? json_number(*value) : Json();
-}
-
-Json dimensions_document(const ProfileFindings& findings) {
-  auto document = Json::object();
-  if (findings.wheel) {
-    document["tape_line"] = json_number(findings.wheel->tape_line);
-    document["flange_height"] = json_optional(findings.wheel->flange_height);
-    document["flange_thickness"] = json_optional(findings.wheel->flange_thickness);
-    document["flange_gradient"] = json_optional(findings.wheel->flange_gradient);
-    document["flange_angle"] = json_optional(findings.wheel->flange_angle);
-  }
-  if (findings.gauge) {
-    document["gauge_point"] = json_point(findings.gauge->point);
-    document["reaches_gauge_height"] = findings.gauge->reaches_height;
-    document["top"] = json_point(findings.gauge->top);
-  }
-  return document;
-}
-
 void print_document(const ProfileArguments& arguments, const ProfileFindings& findings,
                     const std::vector<std::string>& files) {
-  const auto& profile = findings.prepared.profile;
-  const auto& report = findings.prepared.report;
   auto document = json_document("profile");
   document["input"] = arguments.file.string();
-  document["format"] = report.format;
-  document["role"] = to_string(profile.role());
-  document["comment"] = report.comment;
-  document["unit"] = json_number(report.unit);
-  document["points_read"] = report.points_read;
-  document["points"] = report.points;
-  document["length"] = json_number(profile.length());
-  document["smoothing_length"] = json_number(report.smoothing_length);
-  document["noise"] = {{"deviation", json_number(report.noise.deviation)},
-                       {"curvature", json_number(report.noise.curvature)},
-                       {"smoothing_length", json_number(report.noise.smoothing_length)}};
-  document["dimensions"] = dimensions_document(findings);
-  auto kinks = Json::array();
-  for (const auto& kink : report.kinks)
-    kinks.push_back({{"y", json_number(kink.point.y)},
-                     {"z", json_number(kink.point.z)},
-                     {"s", json_number(kink.s)},
-                     {"angle", json_number(kink.angle)}});
-  document["kinks"] = kinks;
-  document["steps"] = report.steps;
-  document["assumptions"] = report.assumptions;
-  document["warnings"] = report.warnings;
-  document["units"] = {{"unit", "m"},
-                       {"length", "m"},
-                       {"smoothing_length", "m"},
-                       {"noise/deviation", "m"},
-                       {"noise/curvature", "1/m"},
-                       {"noise/smoothing_length", "m"},
-                       {"dimensions", "m"},
-                       {"kinks/y", "m"},
-                       {"kinks/z", "m"},
-                       {"kinks/s", "m"},
-                       {"kinks/angle", "rad"}};
+  document.update(profile_document(findings));
   document["files"] = files;
   print_json(document);
 }
 
 // Files
-
-/// Coordinates of points and curve as arrays of one file.
-class CurveWriter {
-public:
-  explicit CurveWriter(ResultFile& file) : file_(file) {}
-
-  void points(const std::string& group, const std::vector<ProfilePoint>& points, const std::string& of) {
-    std::vector<double> y, z;
-    for (const auto& p : points) {
-      y.push_back(p.y);
-      z.push_back(p.z);
-    }
-    file_.array(group + "/y", y, "m", "y of " + of + ", to the field side");
-    file_.array(group + "/z", z, "m", "z of " + of + ", up");
-  }
-
-  /// Three stations of each piece, none at a joint where the third derivative jumps or at a kink.
-  void curve(const Profile& profile) {
-    std::vector<ProfilePoint> values;
-    std::vector<double> s, angle, curvature;
-    for (const auto& piece : profile.pieces())
-      for (const double t : {1 / 6., 3 / 6., 5 / 6.}) {
-        s.push_back(piece.start + t * piece.length);
-        const auto [value, first, second] = piece.at(s.back());
-        values.push_back(value);
-        angle.push_back(std::atan2(first.z, first.y));
-        curvature.push_back((first.y * second.z - first.z * second.y) / std::pow(std::hypot(first.y, first.z), 3));
-      }
-    points("curve", values, "the spline");
-    file_.array("curve/s", s, "m", "length along the polygon through the points, from the gauge side");
-    file_.array("curve/angle", angle, "rad", "inclination of the curve, counted from y towards z");
-    file_.array("curve/curvature", curvature, "1/m", "curvature, positive where the curve turns from y towards z");
-  }
-
-private:
-  ResultFile& file_;
-};
-
-void write_points_of_interest(const ProfileFindings& findings, ResultFile& file) {
-  if (findings.wheel) {
-    const auto& wheel = *findings.wheel;
-    file.scalar("dimensions/tape_line", wheel.tape_line, "m", "y of the tape line");
-    const auto write = [&](const char* name, const std::optional<double>& value, const char* what,
-                           const char* unit = "m") {
-      if (value) file.scalar(std::string("dimensions/") + name, *value, unit, what);
-    };
-    write("flange_height", wheel.flange_height, "flange height Sh (EN 15313)");
-    write("flange_thickness", wheel.flange_thickness, "flange thickness Sd (EN 15313)");
-    write("flange_gradient", wheel.flange_gradient, "flange gradient qR (EN 15313)");
-    write("flange_angle", wheel.flange_angle, "largest inclination of the flange's flank", "rad");
-  }
-  if (findings.gauge) {
-    file.scalar("dimensions/gauge_y", findings.gauge->point.y, "m", "y of the gauge point");
-    file.scalar("dimensions/gauge_z", findings.gauge->point.z, "m", "z of the gauge point");
-  }
-}
 
 void write_result(const ProfileArguments& arguments, const ProfileFindings& findings, const fs::path& path) {
   const InterruptGuard guard;
@@ -256,15 +128,7 @@ void write_result(const ProfileArguments& arguments, const ProfileFindings& find
                          .title = arguments.file.filename().string(),
                          .command_line = command_line(),
                          .case_file = arguments.file.string()});
-  const auto& prepared = findings.prepared;
-  file.text("role", std::string(to_string(prepared.profile.role())), "rail or wheel");
-  CurveWriter curves(file);
-  curves.points("measured", prepared.measured, "the points before smoothing");
-  curves.curve(prepared.profile);
-  std::vector<ProfilePoint> kinks;
-  for (const auto& kink : prepared.report.kinks) kinks.push_back(kink.point);
-  if (!kinks.empty()) curves.points("kinks", kinks, "the kinks");
-  write_points_of_interest(findings, file);
+  write_result(findings, file);
   file.commit();
   InterruptGuard::throw_if_interrupted();
 }

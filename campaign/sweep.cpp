@@ -30,25 +30,6 @@ double code_of(Status status) {
   return static_cast<double>(status);
 }
 
-/// The method of a case that has been checked, without what the other theory has and without what goes without saying.
-Method solver_method(const RollingCase& input) {
-  Method method = method_of(input);
-  const bool exact = input.theory == Theory::exact;
-  if (exact) {
-    method.bound.reset();
-    method.flexibility.reset();
-  }
-  if (input.theory == Theory::table) {
-    method.bound.reset();
-    method.flexibility.reset();
-  }
-  if (!exact || input.discretisation == Discretisation::second_order) method.discretisation.reset();
-  if (!exact || input.elements == ElementShape::constant) method.elements.reset();
-  if (!exact || input.coupling == Coupling::newton) method.coupling.reset();
-  if (!exact || input.slip_start == SlipStart::below) method.slip_start.reset();
-  return method;
-}
-
 // A kind of cases: what it finds, its columns, which keys need a new solver, and how it is read and solved. `root` is
 // the case's file; `tables` are those of all cases and workers; `is_new` says that one of those keys has changed since
 // the last call.

@@ -1,12 +1,12 @@
 #include "cases/case_document.hpp"
 
 #include "cases/interior_result.hpp"
-#include "io/json_result.hpp"
 
 namespace microslip {
 
-Json case_document(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance) {
-  JsonResult written(provenance);
+Json case_document(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
+                   JsonFields fields) {
+  JsonResult written(provenance, fields);
   write_result(input, result, written);
   Json document = written.document();
   document["status"] = to_string(result.status);

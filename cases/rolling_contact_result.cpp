@@ -80,7 +80,8 @@ double step_of(const RollingCase& input, const EllipticContact& contact) {
 }
 
 /// On the grid that the case gives.
-ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
+ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& contact, const Progress& progress,
+                          ExactExtent extent) {
   const auto options = exact_options(input);
   auto coarser = options;
   coarser.mx = (options.mx + 1) / 2;
@@ -90,12 +91,11 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   EllipticContactSolver solver(options);
   ExactResult result;
   result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
+  result.grid_error = {nan, nan, nan};
+  if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
   if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion, rest).gap;
-  if (coarser.mx == options.mx && coarser.my == options.my) {
-    result.grid_error = {nan, nan, nan};
-    return result;
-  }
+  if (coarser.mx == options.mx && coarser.my == options.my) return result;
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
   result.grid_error = difference(contact, result.contact.forces(), coarse.forces());
   return result;
@@ -114,8 +114,10 @@ ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& c
   return result;
 }
 
-ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress) {
-  auto result = input.accuracy ? solve_to_accuracy(input, contact, progress) : solve_on_grid(input, contact, progress);
+ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress,
+                        ExactExtent extent) {
+  auto result =
+      input.accuracy ? solve_to_accuracy(input, contact, progress) : solve_on_grid(input, contact, progress, extent);
   contact.creepage = result.contact.creepage;
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
     result.interior = interior_states(interior_body(input, input.body1), interior_body(input, input.body2),
@@ -124,7 +126,7 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   const bool ok = result.contact.report.status == Status::ok;
   auto options = exact_options(input);
   if (result.limit) options.mx = options.my = result.limit->elements;
-  if (input.motion.kind == ContactMotion::steady && ok)
+  if (extent == ExactExtent::full && input.motion.kind == ContactMotion::steady && ok)
     result.curve = exact_curve(options, contact, part(progress, 0.9, 1));
   go_on(progress, 1);
   return result;
@@ -387,12 +389,12 @@ std::string simplified_assumption(const RollingCase& input) {
   return all;
 }
 
-RollingContactResult solve_case(const RollingCase& input, const Progress& progress) {
+RollingContactResult solve_case(const RollingCase& input, const Progress& progress, ExactExtent extent) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
   result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
   result.contact = elliptic_contact(input, result.hertz);
-  if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress);
+  if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
   if (input.theory == Theory::table) result.table = look_up(input, result.contact);
   if (result.exact) result.status = report_of(*result.exact).status;
   if (input.motion.kind == ContactMotion::steady && result.status == Status::ok)

@@ -78,9 +78,16 @@ constexpr const char* kind_of(const RollingCase&) {
   return "rolling_contact";
 }
 
+/// What is computed by the exact theory.
+enum class ExactExtent {
+  full,    ///< the solution, its gap and its error on the grid, a creep curve: some ten times the work of the solution
+  solution ///< the solution alone
+};
+
 /// Solves a case by the theory it asks for, and beside the exact theory and a table by FASTSIM2. `progress` is told of
 /// long work. Throws Stopped if it returns false.
-RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {});
+RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {},
+                                ExactExtent extent = ExactExtent::full);
 
 /// Writes inputs, solutions and their tolerances.
 void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file);

@@ -1,7 +1,6 @@
 #include "cases/wheel_rail_result.hpp"
 
 #include "cases/interior_result.hpp"
-#include "io/json_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/railway/surface_hits.hpp"
@@ -12,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <ranges>
 #include <span>
 
 namespace microslip {
@@ -176,11 +174,10 @@ template <class Of> void write_status(ResultWriter& file, const std::string& nam
 template <class Of>
 void write_quantities(ResultWriter& file, const std::string& group, std::span<const RailwayQuantity<Of>> quantities,
                       const std::vector<const Of*>& all) {
-  const auto of = all | std::views::transform([](const Of* one) -> const Of& { return *one; });
   std::vector<double> values(all.size());
   for (const auto& q : quantities) {
-    if (!q.is_given(of)) continue;
-    std::ranges::transform(of, values.begin(), q.value);
+    std::transform(all.begin(), all.end(), values.begin(), [&](const Of* one) { return q.value(*one); });
+    if (std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) continue;
     file.array(group + std::string(q.name), values, std::string(q.unit), std::string(q.description));
   }
 }
@@ -296,8 +293,8 @@ void write_warnings(ResultWriter& file, const std::vector<std::string>& all) {
 }
 
 template <class Input, class Result>
-Json document_of(const Input& input, const Result& result, const Provenance& provenance) {
-  JsonResult written(provenance);
+Json document_of(const Input& input, const Result& result, const Provenance& provenance, JsonFields fields) {
+  JsonResult written(provenance, fields);
   write_result(input, result, written);
   Json document = written.document();
   document["status"] = to_string(result.status);
@@ -347,18 +344,26 @@ std::string wheelset_reason(Status status) {
   }
 }
 
-WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
+WheelRailMethod solving_method(const WheelRailCase& input) {
   WheelRailMethod method = input.method;
+  method.fields = method.level != WheelRailLevel::table && (input.interior.count() > 0 || input.states.size() == 1);
+  return method;
+}
+
+WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
+  WheelRail solver = solver_of(input, solving_method(input));
+  return solve_case(input, solver, progress);
+}
+
+WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const Progress& progress) {
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
-  method.fields = method.level != WheelRailLevel::table && (has_points || is_single);
-  WheelRail solver = solver_of(input, method);
   std::vector<std::vector<InteriorState>> interior;
   auto result = solve_states<WheelRailResult>(input, progress, wheel_reason, [&](const LoadedWheelState& s) {
     WheelRailSolution solution = solver.solve(s.state, s.vertical_force);
     for (const ContactSolution& fields : solution.fields)
       if (has_points) interior.push_back(interior_states(input.material, input.material, fields, input.interior));
     // Of a sweep at the level fastsim2 they were needed for stresses only.
-    if (!is_single && method.level == WheelRailLevel::fastsim2) solution.fields.clear();
+    if (!is_single && input.method.level == WheelRailLevel::fastsim2) solution.fields.clear();
     return solution;
   });
   result.interior = std::move(interior);
@@ -413,14 +418,16 @@ void write_result(const WheelsetCase& input, const WheelsetResult& result, Resul
   write_warnings(file, result.warnings);
 }
 
-Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance) {
-  Json document = document_of(input, result, provenance);
+Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
+                   JsonFields fields) {
+  Json document = document_of(input, result, provenance, fields);
   for (const auto& states : result.interior)
     document["interior_extremes"].push_back(extremes_json(input.interior, states));
   return document;
 }
-Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance) {
-  return document_of(input, result, provenance);
+Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
+                   JsonFields fields) {
+  return document_of(input, result, provenance, fields);
 }
 
 } // namespace microslip

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/json.hpp"
+#include "io/json_result.hpp"
 #include "io/result_writer.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/progress.hpp"
@@ -27,6 +27,10 @@ constexpr const char* kind_of(const WheelRailCase&) {
 
 /// Solves all states. `progress` is told after each. Throws Stopped if it returns false.
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress = {});
+/// How: the method of the case, with fields where its result has them.
+WheelRailMethod solving_method(const WheelRailCase& input);
+/// The same by a solver with this method for the case's bodies, which may have solved other states before.
+WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const Progress& progress = {});
 
 /// The same of a wheelset.
 struct WheelsetResult {
@@ -57,7 +61,9 @@ void write_result(const WheelsetCase& input, const WheelsetResult& result, const
 
 /// The same as a JSON object: what JsonResult makes of it, then `status`, `warnings`, and `interior_extremes` of each
 /// patch where there are points inside the bodies.
-Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance);
-Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance);
+Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
+                   JsonFields fields = JsonFields::left_out);
+Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
+                   JsonFields fields = JsonFields::left_out);
 
 } // namespace microslip

@@ -351,6 +351,20 @@ Method method_of(const RollingCase& input) {
           .table = input.table};
 }
 
+Method solver_method(const RollingCase& input) {
+  Method method = method_of(input);
+  const bool exact = input.theory == Theory::exact;
+  if (exact || input.theory == Theory::table) {
+    method.bound.reset();
+    method.flexibility.reset();
+  }
+  if (!exact || input.discretisation == Discretisation::second_order) method.discretisation.reset();
+  if (!exact || input.elements == ElementShape::constant) method.elements.reset();
+  if (!exact || input.coupling == Coupling::newton) method.coupling.reset();
+  if (!exact || input.slip_start == SlipStart::below) method.slip_start.reset();
+  return method;
+}
+
 ExactOptions exact_options(const RollingCase& input) {
   return exact_options(rolling_problem(input), method_of(input));
 }

@@ -70,6 +70,8 @@ InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 /// The case as a problem and as a method, for Solver.
 RollingProblem rolling_problem(const RollingCase& input);
 Method method_of(const RollingCase& input);
+/// The method of a case that has been checked, without what the other theory has and without what goes without saying.
+Method solver_method(const RollingCase& input);
 
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
 /// what parse_case gave.

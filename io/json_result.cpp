@@ -28,23 +28,27 @@ bool is_field(const std::string& path) {
   });
 }
 
-JsonResult::JsonResult(const Provenance& provenance) {
+JsonResult::JsonResult(const Provenance& provenance, JsonFields fields) : fields_(fields) {
   for (const auto& [name, value] : provenance_attributes(provenance)) members_[name] = value;
 }
 
+bool JsonResult::leaves_out(const std::string& path) const {
+  return fields_ == JsonFields::left_out && is_field(path);
+}
+
 void JsonResult::scalar(const std::string& path, double value, const std::string& unit, const std::string&) {
-  if (is_field(path)) return;
+  if (leaves_out(path)) return;
   members_[pointer_to(path)] = json_number(value);
   units_[path] = unit;
 }
 
 void JsonResult::text(const std::string& path, const std::string& value, const std::string&) {
-  if (!is_field(path)) members_[pointer_to(path)] = value;
+  if (!leaves_out(path)) members_[pointer_to(path)] = value;
 }
 
 void JsonResult::array(const std::string& path, const Values& values, const std::string& unit, const std::string&,
                        const Shape& shape) {
-  if (is_field(path) || shape.size() > 1) return;
+  if (leaves_out(path) || (fields_ == JsonFields::left_out && shape.size() > 1)) return;
   Json all = Json::array();
   const auto add = [&](auto numbers) {
     for (const auto number : numbers) all.push_back(to_json(number));
@@ -52,15 +56,17 @@ void JsonResult::array(const std::string& path, const Values& values, const std:
   std::visit(add, values);
   members_[pointer_to(path)] = std::move(all);
   units_[path] = unit;
+  if (shape.size() > 1) shapes_[path] = shape;
 }
 
 void JsonResult::attribute(const std::string& path, const std::string& name, const std::string& value) {
-  if (!is_field(path + "/")) members_[pointer_to(path)][name] = value;
+  if (!leaves_out(path + "/")) members_[pointer_to(path)][name] = value;
 }
 
 Json JsonResult::document() const {
   Json all = members_;
   all["units"] = units_;
+  if (fields_ == JsonFields::kept) all["shapes"] = shapes_;
   return all;
 }
 

@@ -1,0 +1,120 @@
+#include "cases/conicity_result.hpp"
+
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace microslip {
+namespace {
+
+constexpr double curve_step = 1e-4; // m
+
+WheelsetBase base_of(const ConicityInput& input) {
+  return {input.contact_distance, input.wheelset.nominal_radius};
+}
+
+Json pairs(const std::vector<double>& x, const std::vector<double>& y) {
+  auto array = Json::array();
+  for (std::size_t k = 0; k < x.size(); ++k) array.push_back({json_number(x[k]), json_number(y[k])});
+  return array;
+}
+
+/// The curve's value nearest to a lateral displacement.
+const WheelsetContact& at(const WheelsetCurve& curve, double lateral) {
+  return *std::min_element(curve.begin(), curve.end(), [&](const WheelsetContact& a, const WheelsetContact& b) {
+    return std::abs(a.lateral - lateral) < std::abs(b.lateral - lateral);
+  });
+}
+
+Json curve_document(const WheelsetCurve& curve, const WheelsetSearch::Side& left, const WheelsetSearch::Side& right) {
+  auto array = Json::array();
+  const auto first = static_cast<int>(std::ceil(curve.front().lateral / curve_step - 1e-6));
+  const auto last = static_cast<int>(std::floor(curve.back().lateral / curve_step + 1e-6));
+  const auto y = [](const Profile& profile, double s) { return json_number(profile.at(s).value.y); };
+  for (int k = first; k <= last; ++k) {
+    const WheelsetContact& contact = at(curve, k * curve_step);
+    array.push_back({{"lateral", json_number(k * curve_step)},
+                     {"rolling_radius_difference", json_number(contact.rolling_radius_difference())},
+                     {"contact_angle_difference", json_number(contact.contact_angle_difference())},
+                     {"roll", json_number(contact.roll)},
+                     {"vertical", json_number(contact.vertical)},
+                     {"left_rail_y", y(left.rail, contact.left.s_rail)},
+                     {"left_wheel_y", y(left.wheel, contact.left.s_wheel)},
+                     {"right_rail_y", y(right.rail, contact.right.s_rail)},
+                     {"right_wheel_y", y(right.wheel, contact.right.s_wheel)}});
+  }
+  return array;
+}
+
+} // namespace
+
+std::vector<double> amplitude_range(const std::string& field, double from, double to, double step) {
+  constexpr double largest = 0.1;
+  constexpr int most = 10000;
+  require_positive(field, from, "m");
+  require_between(field, to, "m", from, largest);
+  require_positive(field, step, "m");
+  const int count = require_count(field, static_cast<int>(std::min((to - from) / step + 1.0001, 1e6)), 1, most);
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(std::round((from + k * step) * 1e12) / 1e12);
+  return values;
+}
+
+ConicityResult find_conicity(const ConicityInput& input, const WheelsetSearch::Side& left,
+                             const WheelsetSearch::Side& right, bool sides_are_alike) {
+  WheelsetSearch search(input.track, input.wheelset, left, right);
+  ConicityResult result;
+  result.gauge = input.track.gauge;
+  result.curve = curve_of_amplitudes(search, input.amplitudes.back(), sides_are_alike, input.roll);
+  const RollingRadiusDifference difference(result.curve);
+  const WheelsetBase base = base_of(input);
+  for (const double amplitude : input.amplitudes) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto motion = kinematic_oscillation(difference, amplitude, base);
+    result.conicity.push_back(motion ? motion->conicity : none);
+    result.wavelength.push_back(motion ? motion->wavelength : none);
+  }
+  result.nonlinearity = nonlinearity_parameter(difference, base);
+  return result;
+}
+
+std::optional<double> steering_index(const ConicityInput& input, const ConicityResult& result) {
+  if (!input.curve_radius) return std::nullopt;
+  return radial_steering_index(RollingRadiusDifference(result.curve), input.amplitudes.back(), *input.curve_radius,
+                               base_of(input));
+}
+
+Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
+                       const WheelsetSearch::Side& right) {
+  Json document = {{"gauge", json_number(result.gauge)},
+                   {"equivalent_conicity", pairs(input.amplitudes, result.conicity)},
+                   {"wavelength", pairs(input.amplitudes, result.wavelength)},
+                   {"nonlinearity_parameter", result.nonlinearity ? json_number(*result.nonlinearity) : Json()},
+                   {"over_lateral_displacement", curve_document(result.curve, left, right)}};
+  if (const auto index = steering_index(input, result)) document["radial_steering_index"] = json_number(*index);
+  return document;
+}
+
+Json conicity_units() {
+  const std::string curve = "over_lateral_displacement/";
+  return {{"equivalent_conicity", "m, -"},
+          {"wavelength", "m, m"},
+          {"nonlinearity_parameter", "1/m"},
+          {curve + "lateral", "m"},
+          {curve + "rolling_radius_difference", "m"},
+          {curve + "contact_angle_difference", "rad"},
+          {curve + "roll", "rad"},
+          {curve + "vertical", "m"},
+          {curve + "left_rail_y", "m"},
+          {curve + "left_wheel_y", "m"},
+          {curve + "right_rail_y", "m"},
+          {curve + "right_wheel_y", "m"},
+          {"gauge", "m"},
+          {"nominal_radius", "m"},
+          {"contact_distance", "m"},
+          {"radial_steering_index", "-"}};
+}
+
+} // namespace microslip

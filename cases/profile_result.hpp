@@ -1,0 +1,34 @@
+#pragma once
+
+#include "io/json.hpp"
+#include "io/result_writer.hpp"
+#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile_preparation.hpp"
+
+#include <optional>
+
+namespace microslip {
+
+/// What `microslip profile` finds of a profile.
+struct ProfileFindings {
+  PreparedProfile prepared;
+  std::optional<WheelDimensions> wheel;
+  std::optional<GaugePoint> gauge;
+};
+
+/// Heights [m] at which profiles are measured.
+struct ProfileMeasures {
+  std::optional<double> tape_line = {}; ///< y of a wheel's; none: 70 mm from the flange's back
+  double gauge_height = 0.014;          ///< of a rail's gauge point below its top
+};
+
+/// Throws Error for a tape line or a height that the profile does not have.
+ProfileFindings find_dimensions(PreparedProfile prepared, const ProfileMeasures& measures = {});
+
+/// The findings as members of a JSON object: format, role, dimensions, kinks, what was done to the points, `units`.
+Json profile_document(const ProfileFindings& findings);
+
+/// The points, the curve, kinks and dimensions.
+void write_result(const ProfileFindings& findings, ResultWriter& file);
+
+} // namespace microslip
