@@ -1,0 +1,236 @@
+#include "explorer/core/explorer.hpp"
+
+#include "cases/case_document.hpp"
+#include "cases/conicity_result.hpp"
+#include "cases/profile_result.hpp"
+#include "cases/wheel_rail_result.hpp"
+#include "explorer/core/rolling_start.hpp"
+#include "io/length_unit.hpp"
+#include "io/option_words.hpp"
+#include "io/profile_file.hpp"
+#include "io/toml_section.hpp"
+#include "microslip/error.hpp"
+#include "microslip/version.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr std::string_view extents[] = {"full", "solution"};
+
+/// The text of a case without its state. A sweep is part of it: it tells which results there are.
+std::string setting_of(toml::table table) {
+  std::ostringstream text;
+  if (auto* const wheel = table["wheel"].as_table())
+    if (const auto side = (*wheel)["side"].value<std::string>()) text << "side of the wheel: " << *side << '\n';
+  table.erase("wheel");
+  text << table;
+  return text.str();
+}
+
+/// A case that is parsed as TOML.
+struct CaseText {
+  CaseText(const Request& request, const std::string& case_name)
+      : text(request.text("case")), name(case_name), table(parse_toml(text, name)), root(table, name) {}
+  CaseText(const CaseText&) = delete;
+  CaseText& operator=(const CaseText&) = delete;
+
+  RollingCase rolling_case(const CreepTables& tables) const {
+    if (is_wheel_rail_case(root)) throw Error(name + ": is about a wheel on a rail; two bodies are wanted");
+    return read_case(root, tables);
+  }
+  WheelRailCase wheel_rail_case(const CreepTables& tables) const {
+    if (!is_wheel_rail_case(root)) throw Error(name + ": is about two bodies; a wheel on a rail is wanted");
+    return read_wheel_rail_case(root, tables);
+  }
+  Provenance provenance(const char* kind, const std::string& title) const {
+    return {.kind = kind, .title = title, .command_line = {}, .case_file = {}, .case_text = text};
+  }
+
+  std::string text, name;
+  toml::table table;
+  TomlSection root;
+};
+
+template <class Input, class Result>
+Json document(const CaseText& given, const Input& input, const Result& result, JsonFields fields) {
+  Json all = case_document(input, result, given.provenance(kind_of(input), input.title), fields);
+  if (!result.reason.empty()) all["reason"] = result.reason;
+  return all;
+}
+
+struct CreepVariable {
+  std::string_view name, unit;
+  double Creepage::*of;
+};
+constexpr CreepVariable creep_variables[] = {{"creepage_longitudinal", "-", &Creepage::longitudinal},
+                                             {"creepage_lateral", "-", &Creepage::lateral},
+                                             {"spin", "1/m", &Creepage::spin}};
+
+const CreepVariable& creep_variable(const Request& request) {
+  constexpr std::array<std::string_view, 3> names = {creep_variables[0].name, creep_variables[1].name,
+                                                     creep_variables[2].name};
+  const auto name = request.word("variable", names);
+  return *std::find_if(std::begin(creep_variables), std::end(creep_variables),
+                       [&](const CreepVariable& variable) { return variable.name == name; });
+}
+
+ProfileFileOptions profile_options(const Request& request) {
+  ProfileFileOptions options;
+  const auto option = [&]<class Option>(const char* member, std::optional<Option>& value) {
+    if (request.has(member)) value = from_word<Option>(std::string("request.") + member, request.text(member));
+  };
+  option("role", options.role);
+  option("format", options.format);
+  option("y_axis", options.y_axis);
+  option("z_axis", options.z_axis);
+  if (request.has("unit")) options.unit = length_of_unit("request.unit", request.text("unit"));
+  if (request.has("section")) options.section = request.count("section", 1, 10000);
+  if (request.has("smoothing_length"))
+    options.treatment.smoothing_length =
+        require_between("request.smoothing_length", request.number("smoothing_length"), "m", 0, 1);
+  return options;
+}
+
+bool has_vector_lanes() {
+#if defined(__wasm_simd128__) || defined(__SSE2__) || defined(__ARM_NEON)
+  return true;
+#else
+  return false;
+#endif
+}
+
+} // namespace
+
+Explorer::Explorer(const std::filesystem::path& folder) : files_(folder), case_name_((folder / "case.toml").string()) {}
+
+std::string Explorer::answer(std::string_view text) {
+  const auto start = std::chrono::steady_clock::now();
+  Json reply = Json::object();
+  try {
+    reply["result"] = call(Request(text));
+    reply["time"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    reply = {{"error", {{"message", error.what()}}}};
+  }
+  return reply.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json Explorer::call(const Request& request) {
+  constexpr std::pair<std::string_view, Json (Explorer::*)(const Request&)> calls[] = {
+      {"solve", &Explorer::solve},     {"creep_curve", &Explorer::creep_curve}, {"transient", &Explorer::transient},
+      {"profile", &Explorer::profile}, {"conicity", &Explorer::conicity},       {"version", &Explorer::version}};
+  std::vector<std::string_view> names;
+  for (const auto& [name, member] : calls) names.push_back(name);
+  const std::string name = request.text("call");
+  require_word("request.call", name, names);
+  const auto* const found =
+      std::find_if(std::begin(calls), std::end(calls), [&](const auto& c) { return c.first == name; });
+  return (this->*found->second)(request);
+}
+
+/// What has been read of other files is no longer true.
+void Explorer::take_files(const Request& request) {
+  bool are_new = false;
+  for (const auto& [name, contents] : request.texts("files")) are_new |= files_.put(name, contents);
+  if (are_new) models_.clear();
+}
+
+Json Explorer::solve(const Request& request) {
+  request.allow({"case", "files", "fields", "extent"});
+  take_files(request);
+  const CaseText given(request, case_name_);
+  const JsonFields fields = request.flag("fields") ? JsonFields::kept : JsonFields::left_out;
+  const bool is_full = request.word("extent", extents) == "full";
+  if (!is_wheel_rail_case(given.root)) {
+    const RollingCase input = given.rolling_case(tables_);
+    return document(given, input, solve_case(input, {}, is_full ? ExactExtent::full : ExactExtent::solution), fields);
+  }
+  if (is_wheelset_case(given.root)) {
+    const WheelsetCase input = read_wheelset_case(given.root, tables_);
+    return document(given, input, solve_case(input), fields);
+  }
+  WheelModels::Model& model = models_.of(given.root, setting_of(given.table), tables_);
+  Json all = document(given, model.input, solve_case(model.input, model.solver), fields);
+  if (!is_full) all.erase("profiles"); // which do not change while a wheel is dragged
+  return all;
+}
+
+Json Explorer::creep_curve(const Request& request) {
+  constexpr int most_points = 1000;
+  request.allow({"case", "variable", "from", "to", "count"});
+  const CaseText given(request, case_name_);
+  const RollingCase input = given.rolling_case(tables_);
+  const CreepVariable& variable = creep_variable(request);
+  const double from = request.number("from"), to = request.number("to");
+  const int count = request.count("count", 2, most_points);
+  RollingProblem problem = rolling_problem(input);
+  Solver solver(solver_method(input));
+  Json curve = {{"theory", to_word(input.theory)}, {"variable", variable.name}, {"unit", variable.unit}};
+  for (const char* member : {"value", "fx", "fy", "mz", "status"}) curve[member] = Json::array();
+  for (int k = 0; k < count; ++k) {
+    const double value = from + (to - from) * k / (count - 1);
+    problem.motion.creepage.*variable.of = value;
+    const ContactForces forces = solver.solve(problem).forces();
+    curve["value"].push_back(json_number(value));
+    curve["fx"].push_back(json_number(forces.fx));
+    curve["fy"].push_back(json_number(forces.fy));
+    curve["mz"].push_back(json_number(forces.mz));
+    curve["status"].push_back(to_string(forces.status));
+  }
+  curve["units"] = {{"value", variable.unit}, {"fx", "N"}, {"fy", "N"}, {"mz", "N m"}};
+  return curve;
+}
+
+Json Explorer::transient(const Request& request) {
+  request.allow({"case"});
+  return rolling_start(CaseText(request, case_name_).rolling_case(tables_));
+}
+
+Json Explorer::profile(const Request& request) {
+  request.allow({"name", "text", "role", "format", "unit", "y_axis", "z_axis", "section", "smoothing_length"});
+  const std::string name = request.text("name");
+  const ProfileFindings findings = find_dimensions(parse_profile(request.text("text"), name, profile_options(request)));
+  JsonResult curves({.kind = "profile", .title = name}, JsonFields::kept);
+  write_result(findings, curves);
+  Json all = curves.document();
+  const Json units = all["units"];
+  all.update(profile_document(findings));
+  all["units"].update(units);
+  return all;
+}
+
+Json Explorer::conicity(const Request& request) {
+  request.allow({"case", "files", "amplitudes"});
+  take_files(request);
+  const CaseText given(request, case_name_);
+  const WheelRailCase read = given.wheel_rail_case(tables_);
+  const auto range = request.numbers("amplitudes", 3).value_or(std::vector<double>{1e-3, 7e-3, 2e-4});
+  ConicityInput input{.track = read.track, .wheelset = read.wheelset};
+  input.amplitudes = amplitude_range("request.amplitudes", range[0], range[1], range[2]);
+  const WheelsetSearch::Side side = {read.rail.profile, read.wheel.profile};
+  Json all = conicity_document(input, find_conicity(input, side, side, true), side, side);
+  all["units"] = conicity_units();
+  return all;
+}
+
+Json Explorer::version(const Request& request) {
+  request.allow({});
+  const BuildInfo build = build_info();
+  return {{"version", build.version},
+          {"commit", build.commit},
+          {"compiler", build.compiler},
+          {"vector_lanes", has_vector_lanes()},
+          {"result_format", result_format}};
+}
+
+} // namespace microslip

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace microslip {
+
+/// Files that cases name, in a folder of their own; in a browser it is in memory.
+class KeptFiles {
+public:
+  /// The folder has to be there; empty: the current one.
+  explicit KeptFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Where a file of this name is. Throws Error for a name with a folder or without letters.
+  std::filesystem::path path(const std::string& name) const;
+  /// Writes a file unless it has just these contents already. Whether it was written. Throws Error as above.
+  bool put(const std::string& name, const std::string& contents);
+
+private:
+  std::filesystem::path folder_;
+  std::map<std::string, std::string> contents_;
+};
+
+} // namespace microslip

@@ -1,0 +1,101 @@
+#include "explorer/core/rolling_start.hpp"
+
+#include "cases/rolling_contact_result.hpp"
+#include "microslip/contact/limits.hpp"
+#include "microslip/contact/quantities.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/method.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+constexpr int most_frames = 400;
+
+Json numbers(const std::vector<double>& values) {
+  auto array = Json::array();
+  for (const double value : values) array.push_back(json_number(value));
+  return array;
+}
+
+/// The step that is the same in all frames.
+ContactStep step_of(const RollingCase& input, const HertzContact& hertz) {
+  const ExactOptions options = exact_options(input);
+  ContactStep step = contact_step(options);
+  step.bodies = bodies_of(input);
+  step.grid = ElementGrid::across_ellipse(hertz.a, hertz.b, options.mx, options.my, contact_margin);
+  step.gap = hertzian_gap(hertz.gap, step.grid);
+  step.load = {NormalLoad::Given::force, hertz.normal_force};
+  step.friction = {input.friction};
+  step.motion.creepage = input.creepage;
+  step.motion.step = input.motion.step;
+  step.motion.rolling_speed = input.rolling_speed;
+  if (input.motion.force_x) step.force_x = *input.motion.force_x / hertz.normal_force;
+  if (input.motion.force_y) step.force_y = *input.motion.force_y / hertz.normal_force;
+  return step;
+}
+
+/// What does not change from frame to frame.
+constexpr std::string_view still_fields[] = {"x", "y", "pressure", "bound"};
+/// What does.
+constexpr std::string_view moving_fields[] = {"px", "py", "sx", "sy"};
+
+void add_fields(const ContactSolution& solution, std::span<const std::string_view> names, Json& to, Json& units) {
+  for (const auto name : names) {
+    const FieldQuantity& field = field_quantity(name);
+    to[std::string(name)] = numbers(field.values(solution));
+    units[std::string(name)] = field.unit_of(solution);
+  }
+}
+
+Json frame_of(const ContactSolution& solution, double distance, Json& units) {
+  Json frame = {{"distance", json_number(distance)}};
+  for (const char* name : {"fx", "fy", "mz", "creepage_longitudinal", "creepage_lateral"}) {
+    const Quantity& q = quantity(name);
+    frame[name] = json_number(q.value(solution));
+    units[name] = q.unit_of(solution);
+  }
+  add_fields(solution, moving_fields, frame, units);
+  for (const CellState state : solution.fields.state) frame["state"].push_back(static_cast<int>(state));
+  return frame;
+}
+
+} // namespace
+
+Json rolling_start(const RollingCase& input) {
+  if (input.theory != Theory::exact || input.motion.kind != ContactMotion::transient)
+    throw Error("transient: needs a case with motion.kind = \"transient\" and solution.theory = \"exact\"");
+  require_count("motion.steps", input.motion.steps, 1, most_frames);
+  const HertzContact hertz = hertz_contact(input);
+  const bool shifts = input.motion.force_x || input.motion.force_y;
+  ContactStep step = step_of(input, hertz);
+  const double rolled = step.motion.step > 0 ? step.motion.step : step.grid.dx;
+  ContactSequence sequence;
+  Json result = Json::object(), units = {{"distance", "m"}}, frames = Json::array();
+  Status status = Status::ok;
+  for (int k = shifts ? 0 : 1; k <= input.motion.steps && status == Status::ok; ++k) {
+    step.motion.motion = k == 0 ? ContactMotion::shift : ContactMotion::transient;
+    step.start = frames.empty() ? StepStart::fresh : StepStart::previous;
+    ContactStepSolution found = sequence.solve(step);
+    status = found.status;
+    const ContactSolution solution = contact_solution(step.grid, std::move(found.tangential), found.normal, 1,
+                                                      step.motion.motion, input.rolling_speed);
+    if (frames.empty()) add_fields(solution, still_fields, result, units);
+    frames.push_back(frame_of(solution, k * rolled, units));
+  }
+  for (const StoredNumber& q : hertz_quantities(hertz))
+    if (q.path.starts_with("hertz/")) result[Json::json_pointer("/" + q.path)] = json_number(q.value);
+  result["shape"] = {step.grid.my, step.grid.mx};
+  result["step"] = json_number(rolled);
+  result["frames"] = std::move(frames);
+  result["units"] = std::move(units);
+  result["status"] = to_string(status);
+  return result;
+}
+
+} // namespace microslip

@@ -1,0 +1,259 @@
+#include "explorer/core/explorer.hpp"
+
+#include "cases/case_document.hpp"
+#include "cases/wheel_rail_result.hpp"
+#include "explorer_paths.hpp"
+#include "microslip/error.hpp"
+#include "microslip/rolling/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_TRUE(file) << path;
+  return text.str();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+const fs::path examples = EXPLORER_EXAMPLES;
+
+std::string ellipse_case() {
+  return replaced(text_of(examples / "hertzian_contact.toml"), "grid = [40, 40]", "grid = [16, 16]");
+}
+std::string starting_case() {
+  return text_of(examples / "starting_to_roll.toml");
+}
+std::string wheel_case() {
+  std::string text = replaced(text_of(examples / "wheel_on_rail.toml"), "profiles/60e1.prr", "60e1.prr");
+  return replaced(replaced(text, "profiles/s1002.prw", "s1002.prw"), "grid = 60", "grid = 16");
+}
+Json profiles() {
+  return {{"60e1.prr", text_of(examples / "profiles/60e1.prr")},
+          {"s1002.prw", text_of(examples / "profiles/s1002.prw")}};
+}
+
+class ExplorerTest : public testing::Test {
+protected:
+  ExplorerTest()
+      : folder_(fs::temp_directory_path() / ("microslip_explorer_" + std::to_string(::getpid()))), made_(make(folder_)),
+        explorer_(folder_) {}
+  ~ExplorerTest() override { fs::remove_all(folder_); }
+
+  Json answer(const Json& request) { return Json::parse(explorer_.answer(request.dump())); }
+  Json result(const Json& request) {
+    Json reply = answer(request);
+    EXPECT_FALSE(reply.contains("error")) << reply.dump();
+    EXPECT_GE(reply.value("time", -1.0), 0.0);
+    return reply.value("result", Json::object());
+  }
+  std::string refusal(const Json& request) {
+    const Json reply = answer(request);
+    EXPECT_FALSE(reply.contains("result"));
+    return reply.contains("error") ? reply["error"]["message"].get<std::string>() : "";
+  }
+
+  fs::path folder_;
+
+private:
+  static bool make(const fs::path& folder) { return fs::create_directories(folder); }
+
+  bool made_;
+
+protected:
+  Explorer explorer_;
+};
+
+TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
+  const auto words = [&](const char* text) {
+    return Json::parse(explorer_.answer(text))["error"]["message"].get<std::string>();
+  };
+  EXPECT_EQ(words(""), "request: must be a JSON object");
+  EXPECT_EQ(words("[1]"), "request: must be a JSON object");
+  EXPECT_EQ(words("{\"call\": \"solve\""), "request: must be a JSON object");
+  EXPECT_EQ(words("{}"), "request.call: is missing");
+  EXPECT_EQ(words("{\"call\": 3}"), "request.call: must be a text");
+  EXPECT_EQ(words("{\"call\": \"sovle\"}"),
+            "request.call = \"sovle\": must be solve, creep_curve, transient, profile, conicity or version; did you "
+            "mean solve?");
+  EXPECT_EQ(words("{\"call\": \"solve\"}"), "request.case: is missing");
+  EXPECT_EQ(words("{\"call\": \"solve\", \"kase\": \"\"}"), "request.kase: unknown member; did you mean case?");
+  EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"fields\": 1}"), "request.fields: must be true or false");
+  EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"files\": {\"../a\": \"\"}}"),
+            "file \"../a\": must be a name without a folder");
+}
+
+TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
+  const std::string name = (folder_ / "case.toml").string();
+  const auto words = [&](const std::string& text) { return refusal({{"call", "solve"}, {"case", text}}); };
+  const auto readers = [&](const std::string& text) -> std::string {
+    try {
+      parse_case(text, name);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const auto& [from, to] : {std::pair{"coefficient = 0.3 ", "coefficient = -0.3 "},
+                                 {"normal_force =", "normal_forse ="},
+                                 {"\"80 kN\"", "\"80 mm\""},
+                                 {"grid = [16, 16]", "grid = [16"}}) {
+    const std::string text = replaced(ellipse_case(), from, to);
+    EXPECT_EQ(words(text), readers(text));
+    EXPECT_TRUE(words(text).starts_with(name + ":")) << words(text);
+  }
+  const std::string missing = refusal({{"call", "solve"}, {"case", wheel_case()}});
+  EXPECT_NE(missing.find("rail.profile: " + (folder_ / "60e1.prr").string()), std::string::npos) << missing;
+}
+
+TEST_F(ExplorerTest, SolvesAnEllipseAsTheProgramDoes) {
+  const std::string text = ellipse_case();
+  const RollingCase input = parse_case(text, "case.toml");
+  Json expected = case_document(input, solve_case(input), {.kind = "rolling_contact", .title = input.title});
+  Json found = result({{"call", "solve"}, {"case", text}});
+  for (const char* changing : {"created", "case_text", "command_line"}) expected.erase(changing), found.erase(changing);
+  EXPECT_EQ(found, expected);
+}
+
+/// The totals are the sums of the fields.
+TEST_F(ExplorerTest, GivesFieldsInOneOrder) {
+  const Json found = result({{"call", "solve"}, {"case", ellipse_case()}, {"fields", true}, {"extent", "solution"}});
+  for (const char* theory : {"exact", "fastsim2"}) {
+    const Json& fields = found[theory]["fields"];
+    const auto area = fields["area"].get<std::vector<double>>(), px = fields["px"].get<std::vector<double>>(),
+               y = fields["y"].get<std::vector<double>>();
+    const double fx = std::inner_product(px.begin(), px.end(), area.begin(), 0.0);
+    EXPECT_NEAR(fx, found[theory]["fx"].get<double>(), 1e-9 * std::abs(fx)) << theory;
+    EXPECT_TRUE(std::is_sorted(y.begin(), y.end()));
+    const auto shape = found["shapes"][std::string(theory) + "/fields/px"].get<std::vector<std::size_t>>();
+    EXPECT_EQ(shape.at(0) * shape.at(1), px.size());
+  }
+  EXPECT_FALSE(found["creep_curve"].contains("exact"));
+}
+
+TEST_F(ExplorerTest, CreepCurvesPassThroughTheContact) {
+  const std::string text = ellipse_case();
+  const Json found = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
+  const double creepage = found["exact"]["creepage_longitudinal"].get<double>();
+  const Json curve = result({{"call", "creep_curve"},
+                             {"case", text},
+                             {"variable", "creepage_longitudinal"},
+                             {"from", -creepage},
+                             {"to", creepage},
+                             {"count", 3}});
+  EXPECT_EQ(curve["theory"], "exact");
+  EXPECT_EQ(curve["value"], Json({-creepage, 0, creepage}));
+  const double fx = found["exact"]["fx"].get<double>();
+  EXPECT_NEAR(curve["fx"][2].get<double>(), fx, 1e-5 * std::abs(fx));
+  EXPECT_EQ(
+      refusal({{"call", "creep_curve"}, {"case", text}, {"variable", "spinn"}, {"from", 0}, {"to", 1}, {"count", 3}}),
+      "request.variable = \"spinn\": must be creepage_longitudinal, creepage_lateral or spin; did you mean spin?");
+}
+
+/// Cattaneo (1938), Mindlin (1949): under a force of Fx the stick area of two spheres has the radius
+/// a (1 - Fx/(mu Fn))^(1/3); rolled on under it, the bodies come to Carter's steady state, whose creepage the steady
+/// solution has.
+TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
+  std::string text = replaced(starting_case(), "creepage_longitudinal = 0.0015", "force_longitudinal = -12e3");
+  text = replaced(replaced(text, "creepage_lateral = 0.0005", "spin = 0.0"), "transverse_radius = 0.300",
+                  "transverse_radius = inf");
+  text = replaced(replaced(text, "transverse_radius = inf", "transverse_radius = 0.460"), "steps = 60", "steps = 80");
+  const Json found = result({{"call", "transient"}, {"case", text}});
+  EXPECT_EQ(found["status"], "ok");
+  ASSERT_EQ(found["frames"].size(), 81u);
+  const Json& shift = found["frames"][0];
+  EXPECT_EQ(shift["distance"], 0);
+  const auto state = shift["state"].get<std::vector<int>>();
+  const double contact = static_cast<double>(std::count_if(state.begin(), state.end(), [](int s) { return s > 0; }));
+  const double adhesion = static_cast<double>(std::count(state.begin(), state.end(), 1));
+  EXPECT_NEAR(adhesion / contact, std::pow(1 - 12e3 / 24e3, 2. / 3), 0.05);
+  for (const Json& frame : found["frames"]) EXPECT_NEAR(frame["fx"].get<double>(), -12e3, 1);
+  text = replaced(replaced(text, "\"transient\"", "\"steady\""), "steps = 80", "");
+  text = replaced(text, "theory = \"exact\"", "theory = \"exact\"\ndiscretisation = \"classical\"");
+  const Json steady = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
+  const double creepage = steady["exact"]["creepage_longitudinal"].get<double>();
+  EXPECT_NEAR(found["frames"][80]["creepage_longitudinal"].get<double>(), creepage, 0.02 * std::abs(creepage));
+  EXPECT_NE(refusal({{"call", "transient"}, {"case", ellipse_case()}}).find("motion.kind"), std::string::npos);
+}
+
+/// Whatever has been solved before, a state's answer is that of a new model.
+TEST_F(ExplorerTest, KeepsModelsOfWheelsWithoutTrace) {
+  const auto ask = [&](Explorer& explorer, const std::string& text) {
+    Json request = {{"call", "solve"}, {"case", text}, {"files", profiles()}};
+    return Json::parse(explorer.answer(request.dump()))["result"]["wheel"];
+  };
+  const std::string exact = wheel_case(),
+                    quick = replaced(replaced(exact, "theory = \"exact\"", "theory = \"fastsim2\""), "shape = \"flat\"",
+                                     "shape = \"curved\"");
+  for (const std::string& text : {quick, exact}) {
+    const std::string moved = replaced(text, "lateral = \"6.04 mm\"", "lateral = \"2 mm\"");
+    ask(explorer_, text);
+    ask(explorer_, replaced(moved, "\"2 mrad\"", "\"-3 mrad\""));
+    const Json kept = ask(explorer_, moved);
+    Explorer fresh(folder_);
+    const Json anew = ask(fresh, moved);
+    for (const char* name : {"force_x", "force_y", "force_z", "vertical"})
+      EXPECT_NEAR(kept[name][0].get<double>(), anew[name][0].get<double>(), 1e-3) << name;
+    EXPECT_NE(kept["force_y"], ask(explorer_, text)["force_y"]);
+  }
+}
+
+TEST_F(ExplorerTest, SeesThatAFileHasChanged) {
+  const Json before = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
+  Json files = profiles();
+  files["s1002.prw"] = replaced(files["s1002.prw"].get<std::string>(), "units.len.f", "units.len.f ");
+  EXPECT_EQ(result({{"call", "solve"}, {"case", wheel_case()}, {"files", files}})["wheel"], before["wheel"]);
+  files["s1002.prw"] = "nothing";
+  EXPECT_NE(refusal({{"call", "solve"}, {"case", wheel_case()}, {"files", files}}).find("s1002.prw:1"),
+            std::string::npos);
+}
+
+TEST_F(ExplorerTest, ReadsProfiles) {
+  const Json found = result({{"call", "profile"}, {"name", "s1002.prw"}, {"text", profiles()["s1002.prw"]}});
+  EXPECT_EQ(found["role"], "wheel");
+  EXPECT_EQ(found["format"], "Simpack");
+  EXPECT_EQ(found["curve"]["y"].size(), found["curve"]["z"].size());
+  EXPECT_EQ(found["measured"]["y"].size(), found["points_read"].get<std::size_t>());
+  EXPECT_EQ(found["units"]["curve/y"], "m");
+  EXPECT_EQ(refusal({{"call", "profile"}, {"name", "a.prw"}, {"text", "x y z"}}),
+            "a.prw:1: \"x y z\" is neither KEY = VALUE nor a block's begin or end");
+  EXPECT_EQ(refusal({{"call", "profile"}, {"name", "a.txt"}, {"text", "1 2"}, {"role", "weel"}}),
+            "request.role = \"weel\": must be rail or wheel; did you mean wheel?");
+}
+
+TEST_F(ExplorerTest, FindsConicity) {
+  const Json found = result(
+      {{"call", "conicity"}, {"case", wheel_case()}, {"files", profiles()}, {"amplitudes", {0.003, 0.003, 0.001}}});
+  EXPECT_EQ(found["equivalent_conicity"].size(), 1u);
+  for (const Json& at : found["over_lateral_displacement"]) {
+    EXPECT_TRUE(at["left_rail_y"].is_number());
+    if (at["lateral"] == 0) {
+      EXPECT_NEAR(at["rolling_radius_difference"].get<double>(), 0, 1e-9);
+    }
+  }
+  EXPECT_NE(refusal({{"call", "conicity"}, {"case", ellipse_case()}}).find("a wheel on a rail is wanted"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace microslip
