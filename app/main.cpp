@@ -3,6 +3,7 @@
 #include "app/conicity.hpp"
 #include "app/convert.hpp"
 #include "app/exit_code.hpp"
+#include "app/explore.hpp"
 #include "app/hertz.hpp"
 #include "app/init.hpp"
 #include "app/interrupt.hpp"
@@ -50,6 +51,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_profile_command(program);
   add_conicity_command(program);
   add_plot_command(program, exit_code);
+  add_explore_command(program);
   add_convert_command(program, exit_code);
   add_table_command(program, exit_code);
   add_validate_command(program, exit_code);

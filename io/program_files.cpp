@@ -40,4 +40,8 @@ fs::path python_folder() {
   return fs::exists(above / "__init__.py", error) ? above.parent_path() : above / "share/microslip/python";
 }
 
+fs::path explorer_page() {
+  return program_file().parent_path().parent_path() / "share/microslip/explorer/index.html";
+}
+
 } // namespace microslip

@@ -15,4 +15,7 @@ std::filesystem::path library_folder();
 /// beside the program's folder, or what holds the package if the program lies in it, as in a wheel (microslip/bin).
 std::filesystem::path python_folder();
 
+/// The explorer's page, share/microslip/explorer/index.html beside the program's folder, whether it is there or not.
+std::filesystem::path explorer_page();
+
 } // namespace microslip

@@ -1,0 +1,145 @@
+#include "app/explore.hpp"
+
+#include "app/child_process.hpp"
+#include "io/case_file.hpp"
+#include "io/output_file.hpp"
+#include "io/profile_file.hpp"
+#include "io/profile_formats.hpp"
+#include "io/program_files.hpp"
+#include "io/wheel_rail_case.hpp"
+#include "microslip/error.hpp"
+
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct ExploreArguments {
+  std::vector<fs::path> files;
+  fs::path page;
+  bool no_browser = false;
+};
+
+/// Bytes that are not UTF-8, as of a comment in a profile, one letter each.
+std::string as_utf8(const std::string& bytes) {
+  try {
+    (void)Json(bytes).dump();
+    return bytes;
+  } catch (const Json::exception&) {
+    std::string text;
+    for (const char byte : bytes) {
+      const auto code = static_cast<unsigned char>(byte);
+      if (code < 0x80)
+        text += byte;
+      else
+        text.append({static_cast<char>(0xC0 | (code >> 6)), static_cast<char>(0x80 | (code & 0x3F))});
+    }
+    return text;
+  }
+}
+
+/// The profiles that a case names, by the names that it gives them.
+Json profiles_of(const std::string& text, const fs::path& folder) {
+  Json files = Json::object();
+  const std::regex named(R"((?:^|\n)\s*profile\s*=\s*["']([^"'\n]+)["'])");
+  for (auto found = std::sregex_iterator(text.begin(), text.end(), named); found != std::sregex_iterator(); ++found) {
+    const std::string name = (*found)[1];
+    files[name] = as_utf8(read_profile_text(folder / name));
+  }
+  return files;
+}
+
+/// A case with its profiles; Error where the reader refuses it.
+Json start_of_case(const fs::path& file) {
+  const std::string text = read_case_text(file), name = file.string();
+  if (is_wheelset_case(text, name))
+    throw Error(name + ": the explorer has one wheel on its rail: wheel.side = \"left\" or \"right\"");
+  if (!is_wheel_rail_case(text, name)) {
+    (void)parse_case(text, name);
+    return {{"case", text}};
+  }
+  (void)parse_wheel_rail_case(text, name);
+  return {{"case", text}, {"files", profiles_of(text, file.parent_path())}};
+}
+
+/// A case, or profiles.
+Json start_of(const std::vector<fs::path>& files) {
+  if (files.size() == 1 && files[0].extension() == ".toml") return start_of_case(files[0]);
+  Json profiles = Json::object();
+  for (const fs::path& file : files) {
+    (void)read_profile(file);
+    profiles[file.filename().string()] = as_utf8(read_profile_text(file));
+  }
+  return {{"files", profiles}};
+}
+
+std::string file_address(const fs::path& file) {
+  std::string address = "file://";
+  for (const char letter : fs::absolute(file).generic_string()) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) ||
+                          std::string_view("/-._~").find(letter) != std::string_view::npos;
+    address += is_plain ? std::string(1, letter) : fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+  }
+  return address;
+}
+
+/// A page that leads to the explorer's with what it starts with in the link, which is too long for a command line.
+std::string leading_page(const std::string& page, const Json& start) {
+  std::string json = Json(start.dump()).dump(); // the JSON as a text of JavaScript, which ends no script element
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
+  return fmt::format("<!doctype html><meta charset=\"utf-8\"><title>microslip explorer</title><script>\n"
+                     "const bytes = new TextEncoder().encode({});\n"
+                     "let text = \"\";\n"
+                     "for (const byte of bytes) text += String.fromCharCode(byte);\n"
+                     "location.replace({} + \"#case.\" + btoa(text));\n</script>\n",
+                     json, Json(page).dump());
+}
+
+void explore(const ExploreArguments& arguments) {
+  const fs::path page = explorer_page();
+  if (!fs::exists(page)) throw Error(page.string() + ": the explorer's page is not there; tools/explorer builds it");
+  std::string address = file_address(page);
+  if (!arguments.files.empty()) {
+    const Json start = start_of(arguments.files);
+    OutputFile file(arguments.page);
+    file.write(leading_page(address, start));
+    file.commit();
+    address = file_address(arguments.page);
+  }
+  fmt::print("{}\n", address);
+  if (arguments.no_browser) return;
+  const int code = run_child({"xdg-open", address}, environment_variables(), stdout, stderr);
+  if (code != 0) fmt::print(stderr, "microslip: no browser could be started: open the address above in one\n");
+}
+
+} // namespace
+
+void add_explore_command(CLI::App& program) {
+  auto* command =
+      program.add_subcommand("explore", "Open the explorer, a page to see and feel rolling contact, in a browser");
+  const auto arguments = std::make_shared<ExploreArguments>();
+  arguments->page = "explorer.html";
+  command->add_option("FILE", arguments->files, "a case file (.toml), or profiles of a wheel and a rail, to start with")
+      ->type_name("");
+  command->add_option("-o,--output", arguments->page, "page that leads to the explorer with FILE, to keep or to send")
+      ->type_name("PAGE.html")
+      ->capture_default_str();
+  command->add_flag("--no-browser", arguments->no_browser, "print the address only");
+  command->footer("The page computes by itself, without a server or a network.\n\n"
+                  "Example:\n  microslip explore examples/wheel_on_rail.toml");
+  command->callback([arguments] { explore(*arguments); });
+}
+
+} // namespace microslip

@@ -1,0 +1,106 @@
+// The core in a worker: requests go in as JSON, replies come out. Of the requests of one channel only the newest waits.
+
+/** What explorer_core.js defines; its text runs in the worker. */
+declare const microslipCore: ((...args: unknown[]) => unknown) | undefined;
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export interface Request { call: string; case?: string; files?: Record<string, string>; [key: string]: unknown }
+export interface Reply<Result> { result?: Result; error?: { message: string }; time?: number }
+
+interface Waiting { request: Request; done: (reply: Reply<never>) => void }
+
+/** A program of one import, one export and no code but v128.const: valid where there are vector instructions. */
+const vectorProgram = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+export function hasVectors(): boolean {
+  return typeof WebAssembly === "object" && WebAssembly.validate(vectorProgram);
+}
+
+export function loadScript(name: string): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = name;
+    script.onload = () => { resolve(); };
+    script.onerror = () => { reject(new Error(`${name} is missing beside this page`)); };
+    document.head.append(script);
+  });
+}
+
+function workerText(): string {
+  return `"use strict";
+const core = (${String(microslipCore)})();
+onmessage = async ({ data }) => {
+  try {
+    const made = await core;
+    if (data.put) { made.put(data.put, data.bytes); postMessage("{}"); }
+    else postMessage(made.answer(data.request));
+  } catch (error) {
+    postMessage(JSON.stringify({ error: { message: String(error && error.message || error) } }));
+  }
+};`;
+}
+
+export class Core {
+  readonly #worker: Worker;
+  readonly #waiting = new Map<string, Waiting>();
+  #running: ((reply: Reply<never>) => void) | undefined;
+
+  private constructor() {
+    this.#worker = new Worker(URL.createObjectURL(new Blob([workerText()], { type: "text/javascript" })));
+    this.#worker.onmessage = ({ data }: MessageEvent<string>) => { this.#finish(JSON.parse(data) as Reply<never>); };
+    this.#worker.onerror = (event) => { this.#finish({ error: { message: event.message || "the core has stopped" } }); };
+  }
+
+  static async start(): Promise<Core> {
+    if (typeof WebAssembly !== "object") throw new Error("this browser has no WebAssembly, which the computation needs");
+    await loadScript(hasVectors() ? "explorer_core.js" : "explorer_core_plain.js");
+    return new Core();
+  }
+
+  /** The reply, or undefined if a newer request of the same channel took this one's place before it began. */
+  ask<Result>(channel: string, request: Request): Promise<Reply<Result> | undefined> {
+    return new Promise((resolve) => {
+      this.#waiting.get(channel)?.done(undefined as never);
+      this.#waiting.delete(channel); // and to the end of the queue
+      this.#waiting.set(channel, { request, done: resolve as (reply: Reply<never>) => void });
+      this.#next();
+    });
+  }
+
+  /** A binary file beside the case. Between requests only. */
+  put(name: string, bytes: Uint8Array): Promise<unknown> {
+    return new Promise((resolve) => {
+      const start = () => {
+        if (this.#running) { setTimeout(start, 5); return; }
+        this.#running = resolve;
+        this.#worker.postMessage({ put: name, bytes });
+      };
+      start();
+    });
+  }
+
+  /** Forgets what waits, as when the page is hidden. */
+  forget(): void {
+    for (const { done } of this.#waiting.values()) done(undefined as never);
+    this.#waiting.clear();
+  }
+
+  #next(): void {
+    if (this.#running) return;
+    const [first] = this.#waiting;
+    if (!first) return;
+    const [channel, { request, done }] = first;
+    this.#waiting.delete(channel);
+    this.#running = done;
+    this.#worker.postMessage({ request: JSON.stringify(request) });
+  }
+
+  #finish(reply: Reply<never>): void {
+    const done = this.#running;
+    this.#running = undefined;
+    done?.(reply);
+    this.#next();
+  }
+}

@@ -1,0 +1,34 @@
+// Small makers of page elements.
+
+export function element<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Record<string, string> = {}, ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+export function button(text: string, pressed: () => void, label = text): HTMLButtonElement {
+  const made = element("button", { type: "button", "aria-label": label }, text);
+  made.addEventListener("click", pressed);
+  return made;
+}
+
+/** A row of a table of numbers. */
+export interface Row { name: string; unit: string; values: string[] }
+
+export function fillTable(table: HTMLTableElement, heads: string[], rows: Row[]): void {
+  const head = element("tr", {}, element("th", {}), ...heads.map((text) => element("th", { scope: "col" }, text)), element("th", {}, ""));
+  const body = rows.map((row) =>
+    element("tr", {}, element("th", { scope: "row" }, row.name), ...row.values.map((value) => element("td", {}, value)),
+            element("td", { class: "unit" }, row.unit)));
+  table.replaceChildren(element("thead", {}, head), element("tbody", {}, ...body));
+}
+
+/** Gives the browser a file to save. */
+export function save(name: string, content: Blob | string, type = "text/plain"): void {
+  const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
+  element("a", { href: url, download: name }).click();
+  setTimeout(() => { URL.revokeObjectURL(url); }, 1000);
+}

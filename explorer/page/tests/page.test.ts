@@ -1,0 +1,240 @@
+// The page in a real browser, opened as a file: every view, its numbers beside the program's, links, refusals.
+//   MICROSLIP_PAGE folder of index.html; MICROSLIP the program; PROFILES folder of the examples' profiles; SCREENSHOTS where to leave some
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { chromium, type Browser, type Download, type Page } from "playwright-core";
+
+const { MICROSLIP_PAGE: folder = "", MICROSLIP: program = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
+const address = `file://${path.resolve(folder)}/index.html`;
+const scratch = mkdtempSync(path.join(tmpdir(), "explorer-"));
+let browser: Browser;
+
+before(async () => {
+  browser = await chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+  });
+});
+after(async () => {
+  await browser.close();
+  rmSync(scratch, { recursive: true });
+});
+
+interface Opened { page: Page; errors: string[]; requests: string[] }
+
+async function opened(link = "", size = { width: 1400, height: 900 }, script?: string, colorScheme: "light" | "dark" = "light"): Promise<Opened> {
+  const page = await browser.newPage({ viewport: size, colorScheme });
+  const errors: string[] = [], requests: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("request", (request) => requests.push(request.url()));
+  if (script) await page.addInitScript(script);
+  await page.goto(address + link);
+  return { page, errors, requests };
+}
+
+/** Numbers of a row of the table that is shown, once all columns are there. */
+async function row(page: Page, name: string, columns = 2): Promise<number[]> {
+  const cells = page.locator("section:not([hidden]) .numbers tr", { hasText: name }).locator("td:not(.unit)");
+  await page.waitForFunction(([text, count]) => {
+    const found = [...document.querySelectorAll("section:not([hidden]) .numbers tr")].find((tr) => tr.textContent?.includes(text as string));
+    const values = [...(found?.querySelectorAll("td:not(.unit)") ?? [])].map((cell) => cell.textContent);
+    return values.length >= (count as number) && !values.includes("…");
+  }, [name, columns] as const, { timeout: 60000 });
+  return (await cells.allTextContents()).map(Number);
+}
+
+async function field(page: Page, key: string, text: string): Promise<void> {
+  const input = page.locator(`#contact-${key.replaceAll(".", "-")}`);
+  await input.fill(text);
+  await input.press("Enter");
+  await input.blur();
+}
+
+async function saved(page: Page, name: string): Promise<string> {
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name, exact: true }).click();
+  const to = path.join(scratch, ((await download) as Download).suggestedFilename());
+  await ((await download) as Download).saveAs(to);
+  return to;
+}
+
+const settle = (page: Page) => page.waitForTimeout(1500);
+
+function near(found: number, wanted: number): void {
+  assert.ok(Math.abs(found - wanted) <= 6e-4 * Math.abs(wanted) + 1e-12, `${found} on the page, ${wanted} by the program`);
+}
+
+function solvedByProgram(file: string): Record<string, Record<string, number & number[]>> {
+  return JSON.parse(execFileSync(program, ["solve", file, "--json"], { cwd: scratch, encoding: "utf8", stdio: "pipe", maxBuffer: 1e9 })) as Record<string, Record<string, number & number[]>>;
+}
+
+test("opens from a file, asks nothing of a network, and its forces are the program's", async () => {
+  const { page, errors, requests } = await opened();
+  const [fx, fast] = await row(page, "longitudinal force Fx"), [mz] = await row(page, "spin moment Mz");
+  const result = solvedByProgram(await saved(page, "case as TOML"));
+  near(fx! * 1e3, result.exact!.fx!);
+  near(fast! * 1e3, result.fastsim2!.fx!);
+  near(mz!, result.exact!.mz!);
+  assert.deepEqual(requests.filter((url) => !/^(file|blob|data):/.test(url)), []);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a wheel on a rail has the program's forces", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  const [lateral] = await row(page, "lateral force");
+  const file = await saved(page, "case as TOML");
+  for (const name of ["60e1.prr", "s1002.prw"]) writeFileSync(path.join(scratch, name), readFileSync(path.join(profiles, name)));
+  near(lateral! * 1e3, solvedByProgram(file).wheel!.force_y![0]!);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the transient plays from rest to steady rolling", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Start and stop" }).click();
+  await page.getByText("at rest, forces put on").waitFor({ timeout: 60000 });
+  await page.getByRole("button", { name: "play or stop" }).click();
+  await page.getByText(/2\.\d* lengths of the contact/).waitFor({ timeout: 60000 });
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a link restores the state; others are refused in words", async () => {
+  const first = await opened();
+  await field(first.page, "load.normal_force", "55,5 kN");
+  await first.page.waitForFunction(() => location.hash.length > 10);
+  await first.page.waitForTimeout(600);
+  const link = new URL(first.page.url()).hash;
+  const before = await row(first.page, "longitudinal force Fx");
+  const second = await opened(link);
+  assert.equal(await second.page.locator("#contact-load-normal_force").inputValue(), "55.5");
+  assert.deepEqual(await row(second.page, "longitudinal force Fx"), before);
+  for (const [other, why] of [["#7.abc", "version 7"], ["#1.AAAA", "damaged"], ["#nonsense", "not one of the explorer"]] as const) {
+    const { page } = await opened(other);
+    await page.getByText(why).waitFor();
+    await row(page, "longitudinal force Fx");
+    await page.close();
+  }
+  await first.page.close();
+  await second.page.close();
+});
+
+test("the program opens the page with a case, and tells what of it the page does not have", async () => {
+  const explore = (file: string) => {
+    const to = path.join(scratch, "leads.html");
+    execFileSync(program, ["explore", file, "--no-browser", "-o", to], { stdio: "pipe" });
+    return `file://${to}`;
+  };
+  const page = await browser.newPage();
+  await page.goto(explore(path.join(profiles, "../wheel_on_rail.toml")));
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-lateral")?.value === "6.04", undefined, { timeout: 60000 });
+  await row(page, "lateral force");
+  await page.goto(explore(path.join(profiles, "../starting_to_roll.toml")));
+  await page.getByRole("tab", { name: "Start and stop", selected: true }).waitFor({ timeout: 60000 });
+  const layered = path.join(scratch, "layered.toml");
+  writeFileSync(layered, readFileSync(path.join(profiles, "../hertzian_contact.toml"), "utf8").replace("# [layer] ", "[layer] ")
+    .replace("# shear_modulus = \"8.2 GPa\"", "shear_modulus = \"8.2 GPa\"").replace("# thickness = ", "thickness = ").replace('"second_order"', '"classical"'));
+  await page.goto(explore(layered));
+  await page.getByText(/The page does not have all of the case; different here: .*layer/).waitFor({ timeout: 60000 });
+  assert.equal(await page.locator("#contact-load-normal_force").inputValue(), "80");
+  await page.close();
+});
+
+test("empty, absurd and misread fields are refused where they stand", async () => {
+  const { page } = await opened();
+  await row(page, "longitudinal force Fx");
+  await field(page, "load.normal_force", "");
+  await page.getByText("needs a number").waitFor();
+  await field(page, "load.normal_force", "80 kg");
+  await page.getByText("not one of its units").waitFor();
+  await field(page, "load.normal_force", "80");
+  await field(page, "friction.coefficient", "-0.3");
+  await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").waitFor(); // the reader's own words
+  await field(page, "friction.coefficient", "0.3");
+  await page.getByText("must be in").waitFor({ state: "detached" }).catch(() => page.getByText("must be in").waitFor({ state: "hidden" }));
+  await page.close();
+});
+
+test("profiles from files: a good one is taken, others are refused in the reader's words", async () => {
+  const { page } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  const give = (name: string, content: Buffer) => page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: content });
+  await give("bad.prw", Buffer.from("x y z"));
+  await page.getByText(/bad\.prw:1: /).waitFor();
+  await give("noise.prw", Buffer.from(Array.from({ length: 4000 }, (_, i) => (i * 7919) % 256)));
+  await page.getByText(/noise\.prw/).waitFor();
+  await give("huge.prw", Buffer.alloc(21e6, "1 2\n"));
+  await page.getByText("huge.prw has 21 MB").waitFor();
+  await give("long.prw", Buffer.alloc(10e6, "1.0 2.0\n"));
+  await page.getByText(/long\.prw/).waitFor({ timeout: 120000 });
+  await give("worn.prw", readFileSync(path.join(profiles, "s1002.prw")));
+  await page.getByText("Wheel worn.prw on rail 60e1.prr").waitFor();
+  await page.close();
+});
+
+test("without vector instructions and without WebGL all is there", async () => {
+  const { page, errors } = await opened("", undefined, `
+    WebAssembly.validate = () => false;
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : get.call(this, kind, ...more); };`);
+  await page.getByText("no vector instructions").waitFor();
+  await row(page, "longitudinal force Fx");
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  await page.getByText("no WebGL").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the wheel follows keys and the mouse; times are printed, not checked", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  const wheel = page.locator("section:not([hidden]) canvas.map").first();
+  await wheel.focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await page.locator("#rail-wheel-lateral").inputValue(), "3.05");
+  const box = (await wheel.boundingBox())!;
+  await page.evaluate(() => {
+    const times: number[] = [];
+    (window as unknown as { frameTimes: number[] }).frameTimes = times;
+    let last = performance.now();
+    const frame = (now: number) => { times.push(now - last); last = now; requestAnimationFrame(frame); };
+    requestAnimationFrame(frame);
+  });
+  await page.mouse.move(box.x + 500, box.y + 150);
+  await page.mouse.down();
+  for (let i = 0; i < 60; ++i) await page.mouse.move(box.x + 500 - 2 * i, box.y + 150);
+  await page.mouse.up();
+  const times = (await page.evaluate(() => (window as unknown as { frameTimes: number[] }).frameTimes)).sort((one, other) => one - other);
+  console.log(`while dragging: ${times.length} frames, median ${times[times.length >> 1]!.toFixed(1)} ms, longest ${times.at(-1)!.toFixed(1)} ms`);
+  assert.ok(Number(await page.locator("#rail-wheel-lateral").inputValue()) > 5);
+  await row(page, "lateral force");
+  for (const shown of await page.locator("section:not([hidden]) .time").allTextContents()) console.log(shown);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("every control has a name; nothing is wider than a narrow screen", async () => {
+  for (const view of ["Contact", "Wheel on rail", "Start and stop"])
+    for (const [width, scheme] of [[400, "light"], [1400, "dark"]] as const) {
+      const { page, errors } = await opened("", { width, height: 900 }, undefined, scheme);
+      await page.getByRole("tab", { name: view }).click();
+      await settle(page);
+      const unnamed = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>("input, select, button, canvas[role=img]")].filter((at) =>
+        at.offsetParent && !(at.getAttribute("aria-label") ?? at.textContent ?? "").trim() && !document.querySelector(`label[for="${at.id}"]`)).map((at) => at.outerHTML));
+      assert.deepEqual(unnamed, []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is wider than ${width}`);
+      if (shots) await page.screenshot({ path: path.join(shots, `${view.replaceAll(" ", "_")}_${width}.png`), fullPage: true });
+      assert.deepEqual(errors, []);
+      await page.close();
+    }
+});
