@@ -113,16 +113,16 @@ Explorer::Explorer(const std::filesystem::path& folder) : files_(folder), case_n
 
 std::string Explorer::answer(std::string_view text) {
   const auto start = std::chrono::steady_clock::now();
-  Json reply = Json::object();
+  const auto written = [](const Json& reply) { return reply.dump(-1, ' ', false, Json::error_handler_t::replace); };
   try {
-    reply["result"] = call(Request(text));
+    Json reply = {{"result", call(Request(text))}};
     reply["time"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return written(reply);
   } catch (const std::bad_alloc&) {
-    throw;
+    return R"({"error":{"message":"not enough memory"}})";
   } catch (const std::exception& error) {
-    reply = {{"error", {{"message", error.what()}}}};
+    return written({{"error", {{"message", error.what()}}}});
   }
-  return reply.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json Explorer::call(const Request& request) {

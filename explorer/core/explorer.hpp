@@ -20,7 +20,7 @@ public:
   explicit Explorer(const std::filesystem::path& folder = {});
 
   /// `{"result": ..., "time": seconds}`, or `{"error": {"message": ...}}` with the words of the reader that refuses.
-  /// Throws nothing but std::bad_alloc.
+  /// Throws nothing.
   std::string answer(std::string_view request);
 
 private:
