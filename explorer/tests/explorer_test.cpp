@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -101,6 +102,41 @@ TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
   EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"fields\": 1}"), "request.fields: must be true or false");
   EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"files\": {\"../a\": \"\"}}"),
             "file \"../a\": must be a name without a folder");
+}
+
+/// Every text has an answer: a result, or an error with words.
+TEST_F(ExplorerTest, AnswersDamagedRequests) {
+  std::mt19937 random(1);
+  const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  const std::string quick = replaced(starting_case(), "theory = \"exact\"\ngrid = [24, 24]", "grid = [6, 6]");
+  const std::string whole =
+      Json({{"call", "solve"}, {"case", replaced(replaced(quick, "\"transient\"", "\"steady\""), "steps = 60", "")}})
+          .dump();
+  int results = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::string text = whole;
+    for (std::size_t changes = below(3); changes > 0; --changes) {
+      const std::size_t at = below(text.size());
+      switch (below(3)) {
+      case 0:
+        text[at] = static_cast<char>(below(256));
+        break;
+      case 1:
+        text.erase(at, 1 + below(20));
+        break;
+      default:
+        text.insert(at, text.substr(below(text.size()), 1 + below(20)));
+      }
+    }
+    const Json reply = Json::parse(explorer_.answer(text));
+    ASSERT_NE(reply.contains("result"), reply.contains("error")) << text;
+    results += reply.contains("result");
+    if (reply.contains("error")) {
+      ASSERT_FALSE(reply["error"]["message"].get<std::string>().empty()) << text;
+    }
+  }
+  EXPECT_GT(results, 600);
+  EXPECT_LT(results, 1900);
 }
 
 TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
