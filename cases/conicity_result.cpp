@@ -58,6 +58,7 @@ std::vector<double> amplitude_range(const std::string& field, double from, doubl
   require_positive(field, step, "m");
   const int count = require_count(field, static_cast<int>(std::min((to - from) / step + 1.0001, 1e6)), 1, most);
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) values.push_back(std::round((from + k * step) * 1e12) / 1e12);
   return values;
 }

@@ -58,7 +58,7 @@ std::string_view decimal_part(std::string_view text) {
 std::string by_c::shortest_text(double value) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   constexpr double longest = 1e24; // beyond it an exponent is shorter
-  const std::string with_exponent = scientific(value);
+  std::string with_exponent = scientific(value);
   if (std::abs(value) >= longest) return with_exponent;
   const std::string without = fixed(value, with_exponent);
   return without.size() <= with_exponent.size() ? without : with_exponent;

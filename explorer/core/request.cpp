@@ -89,8 +89,8 @@ std::vector<std::pair<std::string, std::string>> Request::texts(const std::strin
   std::vector<std::pair<std::string, std::string>> all;
   if (!has(member)) return all;
   if (!required(member).is_object()) wrong_type(member, "an object of texts");
-  for (const auto& [name, value] : required(member).items())
-    all.emplace_back(name, text_of(value, member + "." + name));
+  const std::string within = member + ".";
+  for (const auto& [name, value] : required(member).items()) all.emplace_back(name, text_of(value, within + name));
   return all;
 }
 
