@@ -54,6 +54,8 @@ SOURCES = (
            {"contact_points.png": "contact_points.png", "wheel_forces.png": "forces.png"}),
     Source("microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025 -o {folder}",
            {"conicity.png": "conicity.png", "wheelset_contact_points.png": "contact_points.png"}),
+    Source("tools/explorer && SCREENSHOTS={folder} sh explorer/tests/page.sh build/release/bin/microslip "
+           "build/explorer/page examples/profiles explorer/page", {"explorer.png": "Contact_1400.png"}, slow=True),
     study("model-problem", "model_problem.png"),
     study("fastsim2-table1", "fastsim2_figure3.png", slow=True),
     study("fastsim2-table2", "fastsim2_figure4.png", "fastsim2_figure5.png"),

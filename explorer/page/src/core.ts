@@ -14,8 +14,9 @@ const vectorProgram = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
+/** Vector instructions and exceptions, which explorer_core.js is compiled to. */
 export function hasVectors(): boolean {
-  return typeof WebAssembly === "object" && WebAssembly.validate(vectorProgram);
+  return typeof WebAssembly === "object" && "Tag" in WebAssembly && WebAssembly.validate(vectorProgram);
 }
 
 export function loadScript(name: string): Promise<void> {

@@ -9,7 +9,8 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { chromium, type Browser, type Download, type Page } from "playwright-core";
 
-const { MICROSLIP_PAGE: folder = "", MICROSLIP: program = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
+const { MICROSLIP_PAGE: folder = "", MICROSLIP: named = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
+const program = path.resolve(named);
 const address = `file://${path.resolve(folder)}/index.html`;
 const scratch = mkdtempSync(path.join(tmpdir(), "explorer-"));
 let browser: Browser;
@@ -62,8 +63,6 @@ async function saved(page: Page, name: string): Promise<string> {
   await ((await download) as Download).saveAs(to);
   return to;
 }
-
-const settle = (page: Page) => page.waitForTimeout(1500);
 
 function near(found: number, wanted: number): void {
   assert.ok(Math.abs(found - wanted) <= 6e-4 * Math.abs(wanted) + 1e-12, `${found} on the page, ${wanted} by the program`);
@@ -225,10 +224,10 @@ test("the wheel follows keys and the mouse; times are printed, not checked", asy
 
 test("every control has a name; nothing is wider than a narrow screen", async () => {
   for (const view of ["Contact", "Wheel on rail", "Start and stop"])
-    for (const [width, scheme] of [[400, "light"], [1400, "dark"]] as const) {
+    for (const [width, scheme] of [[400, "dark"], [1400, "light"]] as const) {
       const { page, errors } = await opened("", { width, height: 900 }, undefined, scheme);
       await page.getByRole("tab", { name: view }).click();
-      await settle(page);
+      await page.waitForTimeout(shots ? 6000 : 1500);
       const unnamed = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>("input, select, button, canvas[role=img]")].filter((at) =>
         at.offsetParent && !(at.getAttribute("aria-label") ?? at.textContent ?? "").trim() && !document.querySelector(`label[for="${at.id}"]`)).map((at) => at.outerHTML));
       assert.deepEqual(unnamed, []);
