@@ -5,15 +5,19 @@
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
+#include "app/validation_report.hpp"
 #include "io/nearest_word.hpp"
+#include "io/output_file.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "validation/study.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,7 +33,7 @@ using validation::Study;
 struct ValidateArguments {
   std::vector<std::string> names;
   bool list = false;
-  std::filesystem::path output = "results";
+  std::filesystem::path output = "results", report;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool thorough = false, no_pictures = false, json = false;
 };
@@ -108,6 +112,29 @@ bool run_for_people(const Study& study, const ValidateArguments& arguments) {
   return met;
 }
 
+/// Prints it as well, at its end.
+StudyRecord run_for_report(const Study& study, const ValidateArguments& arguments) {
+  StudyRecord record{.study = &study};
+  std::ostringstream text;
+  const auto begin = std::chrono::steady_clock::now();
+  record.met = run(study, arguments, text, record.figures);
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.text = text.str();
+  if (!arguments.no_pictures) record.pictures = draw(study, arguments.output);
+  fmt::print("{}: {}\n{}\n{}: {}\n", study.name, study.summary, record.text, study.name,
+             record.met ? "all figures are met" : "NOT all figures are met");
+  return record;
+}
+
+int report(const std::vector<const Study*>& studies, ValidateArguments arguments) {
+  require_writable_folder(arguments.report);
+  arguments.output = arguments.report;
+  std::vector<StudyRecord> records;
+  for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));
+  for (const auto& file : write_validation_report(arguments.report, records)) fmt::print("written: {}\n", file);
+  return std::ranges::all_of(records, &StudyRecord::met) ? ExitCode::done : ExitCode::not_met;
+}
+
 /// Adds the study's figures to the document.
 bool run_for_programs(const Study& study, const ValidateArguments& arguments, Json& document) {
   std::vector<Figure> figures;
@@ -127,6 +154,7 @@ int validate(const ValidateArguments& arguments) {
     list_studies();
     return ExitCode::done;
   }
+  if (!arguments.report.empty()) return report(studies, arguments);
   auto document = json_document("validate");
   bool all_met = true;
   for (const Study* study : studies)
@@ -156,6 +184,13 @@ void add_validate_command(CLI::App& program, int& exit_code) {
       "do in full what studies sample: wheel-rail sweeps all displacements at the exact level, for 20 minutes");
   command->add_flag("--no-pictures", arguments->no_pictures, "write the result files only");
   add_json_flag(*command, arguments->json);
+  command
+      ->add_option("--report", arguments->report,
+                   "write one page of all figures and pictures into this folder, validation.html, and as PDF\nwhere "
+                   "Chromium is at hand; result files, too")
+      ->type_name("FOLDER")
+      ->excludes("--json")
+      ->excludes("--output");
   command->footer(
       "Runs studies that compute what has been published and print both, each figure with its unit. With --json a\n"
       "list of the same figures, as they are printed. Exit code: 0 all figures are met, 1 some are not, 2 bad\n"
