@@ -1,4 +1,5 @@
 #include "app/batch.hpp"
+#include "app/bench.hpp"
 #include "app/completion.hpp"
 #include "app/conicity.hpp"
 #include "app/convert.hpp"
@@ -55,6 +56,7 @@ void add_commands(CLI::App& program, int& exit_code) {
   add_convert_command(program, exit_code);
   add_table_command(program, exit_code);
   add_validate_command(program, exit_code);
+  add_bench_command(program);
   add_completion_command(program);
   add_manual_command(program);
   program.require_subcommand(1);

@@ -247,6 +247,11 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
 }
 
 RollingCase read_case(const TomlSection& root, const CreepTables& tables) {
+  if (root.has("sweep"))
+    root.at("sweep", [] {
+      throw Error("sweep: two bodies have none in their case file; `microslip sweep SPEC.toml` varies what such a file "
+                  "has, examples/creep_sweep.toml shows how");
+    });
   root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
   RollingCase input;
   input.title = root.text("title", "");

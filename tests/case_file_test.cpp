@@ -126,6 +126,12 @@ TEST(CaseFile, ReadsEveryFrictionLaw) {
   EXPECT_EQ(law("law = \"coulomb\"\ncoefficient = 0").static_coefficient(), 0);
 }
 
+TEST(CaseFile, LeadsWhoWantsASweepToItsCommand) {
+  const std::string message = message_of(with("[friction]", "[sweep]\n[friction]"));
+  EXPECT_EQ(message.find("w.toml:14: sweep: "), 0u) << message;
+  EXPECT_NE(message.find("microslip sweep"), std::string::npos) << message;
+}
+
 TEST(CaseFile, NamesTheNearestKnownWord) {
   EXPECT_EQ(message_of(with("normal_force", "normal_forse")),
             "w.toml:13: load.normal_forse: unknown key; did you mean normal_force?");

@@ -225,7 +225,7 @@ void bind_case(py::module_& module) {
         return parse(read_case_text(name), name);
       },
       "path"_a,
-      "Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with\n"
+      "Reads a case file in TOML: numbers in SI units, texts with a unit. Returns RollingCase. Error with\n"
       "file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown\n"
       "ones [-].");
   module.def("parse_case", &parse, "text"_a, "name"_a = "case",

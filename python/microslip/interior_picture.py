@@ -28,7 +28,12 @@ def interior_picture(title, blocks):
 
 
 def panels_of(block):
-    """Of a block of points with three directions the planes y = const, nearest to the middle first; of others the block."""
+    """Of a block of points with three directions the planes y = const, nearest to the middle first; of others the block.
+    Each body has panels of its own: stresses jump at the surface."""
+    z = block[2]
+    inside = [z >= 0, z < 0]
+    if all(np.count_nonzero(which) > 1 for which in inside):
+        return [panel for which in inside for panel in panels_of([values[which] for values in block])]
     x, y, z, stress = block
     lines = [1e3 * np.unique(np.round(values, 12)) for values in (x, y, z)]
     if all(len(line) > 1 for line in lines):
@@ -41,7 +46,8 @@ def panel_of(x, y, z, stress):
     """The directions in which the points differ, and what they have in common."""
     coordinates = {"x": 1e3 * x, "y": 1e3 * y, "z": 1e3 * z}
     free = [name for name, values in coordinates.items() if np.ptp(values) > 0] or ["z"]
-    held = ", ".join(f"{name} = {values[0]:.4g} mm" for name, values in coordinates.items() if name not in free)
+    body = f"body {1 if z[0] >= 0 else 2}"
+    held = ", ".join([body] + [f"{name} = {values[0]:.4g} mm" for name, values in coordinates.items() if name not in free])
     return {"free": free, "at": [coordinates[name] for name in free], "stress": stress, "held": held}
 
 

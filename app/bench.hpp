@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace microslip {
+
+/// Adds `microslip bench`, which prints what a contact costs on this machine.
+void add_bench_command(CLI::App& program);
+
+} // namespace microslip

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "validation/study.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// A study that has been run.
+struct StudyRecord {
+  const validation::Study* study = nullptr;
+  bool met = false;
+  double seconds = 0;
+  std::vector<validation::Figure> figures = {};
+  std::string text = {};                  ///< as it is printed
+  std::vector<std::string> pictures = {}; ///< names of PNG files
+};
+
+/// Writes validation.html into the folder: one page without other files, of all figures beside the published ones, with
+/// the pictures, the machine, version, commit and time; and validation.pdf where a browser of the Chromium family makes
+/// it. Returns the names of both. Throws Error if they cannot be written.
+std::vector<std::string> write_validation_report(const std::filesystem::path& folder,
+                                                 const std::vector<StudyRecord>& records);
+
+} // namespace microslip
