@@ -27,10 +27,11 @@ constexpr const char* style = R"(
 body { font: 15px/1.45 system-ui, sans-serif; color: #1d2429; max-width: 62rem; margin: 1.5rem auto; padding: 0 1rem; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; border-top: 1px solid #c8ced2; padding-top: 1rem; margin-top: 2rem; }
 table { border-collapse: collapse; width: 100%; margin: .6rem 0; }
-th, td { text-align: left; vertical-align: top; padding: .15rem .6rem .15rem 0; border-bottom: 1px solid #e4e8ea; overflow-wrap: anywhere; }
+th, td { text-align: left; vertical-align: top; padding: .15rem .6rem .15rem 0; border-bottom: 1px solid #e4e8ea; overflow-wrap: break-word; }
 thead th { border-bottom: 1px solid #6b757c; }
 tr.section th { padding-top: .7rem; font-weight: 600; border: 0; }
 td.number { font-variant-numeric: tabular-nums; }
+td.met, td.not, th[scope=row] { white-space: nowrap; }
 .met { color: #00613f; } .not { color: #a63d00; font-weight: 700; } .shown { color: #565f65; }
 img { max-width: 100%; height: auto; margin: .5rem 0; }
 pre { overflow-x: auto; font-size: .8rem; background: #f5f6f6; padding: .6rem; }

@@ -2445,7 +2445,7 @@ def point_shakedown_limit(traction_coefficient: float) -> float:
     """The same of a circular point contact [-]."""
 
 def read_case(path: str | os.PathLike[str]) -> RollingCase:
-    """Reads a case file in TOML, SI units: kN and mm are not known. Returns RollingCase. Error with
+    """Reads a case file in TOML: numbers in SI units, texts with a unit. Returns RollingCase. Error with
     file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown
     ones [-]."""
 
