@@ -127,7 +127,7 @@ StudyRecord run_for_report(const Study& study, const ValidateArguments& argument
 }
 
 int report(const std::vector<const Study*>& studies, ValidateArguments arguments) {
-  require_writable_folder(arguments.report);
+  create_folder(arguments.report);
   arguments.output = arguments.report;
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));

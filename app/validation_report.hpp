@@ -18,7 +18,7 @@ struct StudyRecord {
   std::vector<std::string> pictures = {}; ///< names of PNG files
 };
 
-/// Writes validation.html into the folder: one page without other files, of all figures beside the published ones, with
+/// Writes validation.html into a folder: one page without other files, of all figures beside the published ones, with
 /// the pictures, the machine, version, commit and time; and validation.pdf where a browser of the Chromium family makes
 /// it. Returns the names of both. Throws Error if they cannot be written.
 std::vector<std::string> write_validation_report(const std::filesystem::path& folder,
