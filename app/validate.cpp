@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -33,7 +34,8 @@ using validation::Study;
 struct ValidateArguments {
   std::vector<std::string> names;
   bool list = false;
-  std::filesystem::path output = "results", report;
+  std::filesystem::path output = "results";
+  std::optional<std::filesystem::path> report; ///< folder
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool thorough = false, no_pictures = false, json = false;
 };
@@ -50,11 +52,12 @@ const Study& study_of(const std::string& name) {
   throw Error("there is no study " + printable(name) + (nearest.empty() ? "; validate --list names them" : nearest));
 }
 
-/// The named studies, or all if none is named.
+/// The named studies, each once, or all if none is named.
 std::vector<const Study*> chosen(const std::vector<std::string>& names) {
   std::vector<const Study*> chosen;
   chosen.reserve(std::max(names.size(), validation::studies().size()));
-  for (const std::string& name : names) chosen.push_back(&study_of(name));
+  for (const std::string& name : names)
+    if (const Study* study = &study_of(name); std::ranges::find(chosen, study) == chosen.end()) chosen.push_back(study);
   if (names.empty())
     for (const Study& study : validation::studies()) chosen.push_back(&study);
   return chosen;
@@ -67,7 +70,9 @@ std::vector<std::string> draw(const Study& study, const std::filesystem::path& f
   std::replace(name.begin(), name.end(), '-', '_');
   const std::filesystem::path results = folder / (name + ".h5");
   if (!std::filesystem::exists(results)) return {}; // a study of numbers only
+  const InterruptGuard guard;
   Pictures pictures = draw_pictures(results, folder);
+  InterruptGuard::throw_if_interrupted();
   if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
   return pictures.files;
 }
@@ -127,11 +132,16 @@ StudyRecord run_for_report(const Study& study, const ValidateArguments& argument
 }
 
 int report(const std::vector<const Study*>& studies, ValidateArguments arguments) {
-  create_folder(arguments.report);
-  arguments.output = arguments.report;
+  const std::filesystem::path folder = *arguments.report;
+  if (folder.empty()) throw Error("--report: needs the name of a folder");
+  create_folder(folder);
+  arguments.output = folder;
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));
-  for (const auto& file : write_validation_report(arguments.report, records)) fmt::print("written: {}\n", file);
+  const InterruptGuard guard;
+  const std::vector<std::string> written = write_validation_report(folder, records);
+  InterruptGuard::throw_if_interrupted();
+  for (const auto& file : written) fmt::print("written: {}\n", file);
   return std::ranges::all_of(records, &StudyRecord::met) ? ExitCode::done : ExitCode::not_met;
 }
 
@@ -154,7 +164,7 @@ int validate(const ValidateArguments& arguments) {
     list_studies();
     return ExitCode::done;
   }
-  if (!arguments.report.empty()) return report(studies, arguments);
+  if (arguments.report) return report(studies, arguments);
   auto document = json_document("validate");
   bool all_met = true;
   for (const Study* study : studies)
