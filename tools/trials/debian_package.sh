@@ -42,5 +42,7 @@ cc "$here/manchester.c" -o manchester -lcontact -lm
 
 # and nothing is left
 apt-get purge -y -qq microslip microslip-libcontact >/dev/null
-[ ! -e /usr/bin/microslip ] && [ ! -e /usr/share/microslip ] && [ ! -e /usr/lib/python3/dist-packages/microslip ]
+for left in /usr/bin/microslip /usr/share/microslip /usr/lib/python3/dist-packages/microslip; do
+  [ ! -e $left ] || exit 1 # `set -e` stops at the last of a list of conditions only
+done
 echo "packages: all is as it should be"
