@@ -1,4 +1,5 @@
-// The core in a worker: requests go in as JSON, replies come out. Of the requests of one channel only the newest waits.
+// The core in a worker: requests go in as JSON, replies come out. Of the requests of one channel only the newest waits, and
+// while the page is hidden all of them do.
 
 /** What explorer_core.js defines; its text runs in the worker. */
 declare const microslipCore: ((...args: unknown[]) => unknown) | undefined;
@@ -52,6 +53,7 @@ export class Core {
     this.#worker = new Worker(URL.createObjectURL(new Blob([workerText()], { type: "text/javascript" })));
     this.#worker.onmessage = ({ data }: MessageEvent<string>) => { this.#finish(JSON.parse(data) as Reply<never>); };
     this.#worker.onerror = (event) => { this.#finish({ error: { message: event.message || "the core has stopped" } }); };
+    document.addEventListener("visibilitychange", () => { this.#next(); });
   }
 
   static async start(): Promise<Core> {
@@ -82,14 +84,8 @@ export class Core {
     });
   }
 
-  /** Forgets what waits, as when the page is hidden. */
-  forget(): void {
-    for (const { done } of this.#waiting.values()) done(undefined as never);
-    this.#waiting.clear();
-  }
-
   #next(): void {
-    if (this.#running) return;
+    if (this.#running || document.hidden) return;
     const [first] = this.#waiting;
     if (!first) return;
     const [channel, { request, done }] = first;

@@ -19,6 +19,7 @@ export class Field {
   readonly #slider: HTMLInputElement | undefined;
   readonly #error: HTMLElement;
   #value: number;
+  #misread = ""; // why the text is no number, until it is one
 
   constructor(place: string, readonly spec: FieldSpec, value: number, readonly changed: (value: number) => void) {
     const { key, label, unit } = spec;
@@ -46,17 +47,24 @@ export class Field {
     this.#value = value;
     this.#text.value = show(value, this.spec.kind, this.spec.unit);
     if (this.#slider) this.#slider.value = this.#text.value;
+    this.#misread = "";
     this.refuse("");
   }
 
+  /** Shows why the core refuses the value, or that it does not; a text that is no number is refused all the same. */
   refuse(why: string): void {
-    this.#error.textContent = why;
-    this.#text.toggleAttribute("aria-invalid", why !== "");
+    const shown = this.#misread || why;
+    this.#error.textContent = shown;
+    this.#text.toggleAttribute("aria-invalid", shown !== "");
   }
 
   #typed(): void {
     const read = parse(this.#text.value, this.spec.kind, this.spec.unit);
-    if (typeof read === "string") { this.refuse(read); return; }
+    if (typeof read === "string") {
+      this.#misread = read;
+      this.refuse("");
+      return;
+    }
     this.set(read);
     this.changed(read);
   }
@@ -65,6 +73,7 @@ export class Field {
     const read = parse(this.#slider!.value, this.spec.kind, this.spec.unit) as number;
     this.#value = read;
     this.#text.value = show(read, this.spec.kind, this.spec.unit);
+    this.#misread = "";
     this.refuse("");
     this.changed(read);
   }

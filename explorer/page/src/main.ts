@@ -37,7 +37,6 @@ class Page {
       this.#message,
       ...Object.values(this.#views).map(({ root: view }) => view));
     if (!hasVectors()) this.say("This browser has no vector instructions for WebAssembly: results are the same and take about twice as long.");
-    document.addEventListener("visibilitychange", () => { if (document.hidden) core.forget(); else this.#views[this.state.view].solve(); });
     window.addEventListener("hashchange", () => { if (location.hash.slice(1) !== this.#link) void this.follow(location.hash); });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.#views[this.state.view].draw(); });
     document.addEventListener("dragover", (event) => { event.preventDefault(); });

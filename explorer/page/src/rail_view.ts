@@ -22,6 +22,8 @@ interface WheelResult {
   fields?: PatchFields[];
   status: string; reason?: string; warnings: string[];
 }
+/** What the reader made of a profile. */
+interface ProfileResult { role?: string; steps: string[]; assumptions: string[]; warnings: string[] }
 interface Conicity {
   equivalent_conicity: [number, number][];
   over_lateral_displacement: { lateral: number; rolling_radius_difference: number; left_rail_y: number }[];
@@ -51,6 +53,7 @@ export class RailView {
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
   readonly #names = element("p", { class: "names" });
+  readonly #remarks = element("p", { class: "hint", role: "status" });
   readonly #radii: Chart;
   readonly #conicity: Chart;
   readonly #head: RailHead;
@@ -83,6 +86,7 @@ export class RailView {
   set(state: RailState): void {
     this.state = state;
     for (const field of this.fields) field.set(state.values[field.spec.key]!);
+    this.#remarks.textContent = "";
     this.#showNames();
   }
 
@@ -120,10 +124,12 @@ export class RailView {
     };
     return [
       element("fieldset", {}, element("legend", {}, "Wheelset"), ...made.slice(0, 5)),
-      element("fieldset", {}, element("legend", {}, "Profiles"), this.#names, choose("rail"), choose("wheel"),
+      element("fieldset", {}, element("legend", {}, "Profiles"), this.#names, this.#remarks, choose("rail"), choose("wheel"),
         element("p", { class: "hint" }, "Simpack, MiniProf or two columns; files may also be dropped on the picture. They stay on this machine."),
         button("S1002 on 60E1 again", () => {
           this.state.profiles = { rail: "60e1.prr", wheel: "s1002.prw" };
+          this.state.files = {};
+          this.#remarks.textContent = "";
           this.#newProfiles();
         })),
       element("fieldset", {}, element("legend", {}, "Track and wheelset"), ...made.slice(5)),
@@ -178,7 +184,7 @@ export class RailView {
     let text: string;
     try { text = new TextDecoder("utf-8", { fatal: true }).decode(bytes); } catch { text = new TextDecoder("latin1").decode(bytes); }
     const name = file.name.replaceAll(/[\\/"]/g, "_");
-    const reply = await this.core.ask<{ role?: string; warnings?: string[] }>("profile", { call: "profile", name, text, ...(role ? { role } : {}) });
+    const reply = await this.core.ask<ProfileResult>(`profile ${name}`, { call: "profile", name, text, ...(role ? { role } : {}) });
     if (!reply) return;
     if (reply.error) { this.#message.textContent = reply.error.message; return; }
     const found = role ?? reply.result?.role;
@@ -186,10 +192,15 @@ export class RailView {
       this.#message.textContent = `${name} does not say whether it is a rail or a wheel: choose it under its own name at the left`;
       return;
     }
+    if (this.state.profiles[found === "rail" ? "wheel" : "rail"] === name && this.#files()[name] !== text) {
+      this.#message.textContent = `rail and wheel are both called ${name}: give one of the files another name`;
+      return;
+    }
     this.state.files[name] = text;
     this.state.profiles[found] = name;
+    const { steps, assumptions, warnings } = reply.result!;
+    this.#remarks.textContent = `${name}: ${[...warnings, ...assumptions, ...steps].join("; ") || "read as it is"}.`;
     this.#newProfiles();
-    this.#message.textContent = (reply.result?.warnings ?? []).join("; ");
   }
 
   #newProfiles(): void {
@@ -224,7 +235,7 @@ export class RailView {
 
   async #askConicity(): Promise<void> {
     const asked = railCase({ ...this.state, values: { ...this.state.values, "wheel.lateral": 0, "wheel.yaw": 0 } }, "fastsim2");
-    const of = asked + JSON.stringify(Object.keys(this.state.files));
+    const of = asked + JSON.stringify(this.state.files);
     if (of !== this.#runningOf) {
       const reply = await this.core.ask<Conicity>("conicity", { call: "conicity", case: asked, files: this.#files() });
       if (!reply?.result) return;

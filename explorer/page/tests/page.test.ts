@@ -153,6 +153,9 @@ test("empty, absurd and misread fields are refused where they stand", async () =
   await page.getByText("needs a number").waitFor();
   await field(page, "load.normal_force", "80 kg");
   await page.getByText("not one of its units").waitFor();
+  await field(page, "motion.spin", "0.5"); // solved with the last load that was read
+  await page.waitForTimeout(600);
+  assert.ok(await page.getByText("not one of its units").isVisible(), "a text that is no number stays refused");
   await field(page, "load.normal_force", "80");
   await field(page, "friction.coefficient", "-0.3");
   await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").waitFor(); // the reader's own words
@@ -176,6 +179,93 @@ test("profiles from files: a good one is taken, others are refused in the reader
   await page.getByText(/long\.prw/).waitFor({ timeout: 120000 });
   await give("worn.prw", readFileSync(path.join(profiles, "s1002.prw")));
   await page.getByText("Wheel worn.prw on rail 60e1.prr").waitFor();
+  await page.close();
+});
+
+/** The y and z of a profile's points [mm], as its file has them. */
+function points(name: string): [number, number][] {
+  return [...readFileSync(path.join(profiles, name), "utf8").matchAll(/^\s*(-?[\d.]+)\s+(-?[\d.]+)/gm)].map(([, y, z]) => [Number(y), Number(z)]);
+}
+
+test("a reversed or mirrored profile is the same one, and the page tells what was done to it", async () => {
+  const { page } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  const lateral = (await row(page, "lateral force"))[0]!;
+  const text = (of: [number, number][]) => Buffer.from(of.map((point) => point.join(" ")).join("\n"));
+  const wheel = points("s1002.prw");
+  for (const [name, of, told] of [
+    ["mirrored.txt", wheel.map(([y, z]) => [-y, z] as [number, number]), "mirrored: the file's y runs to the gauge side"],
+    ["reversed.txt", [...wheel].reverse(), "y runs to the field side, by the place of the flange"],
+  ] as const) {
+    await page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: text(of) });
+    await page.getByText(told).waitFor();
+    await page.waitForTimeout(1500);
+    near((await row(page, "lateral force"))[0]!, lateral);
+  }
+  await page.close();
+});
+
+test("profiles dropped together are both taken; one of the same name takes the place of the last", async () => {
+  const { page } = await opened("", undefined, countRequests);
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  const first = (await row(page, "lateral force"))[0]!;
+  const drop = (files: [string, string][]) => page.evaluate((given) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, text] of given) dataTransfer.items.add(new File([text], name));
+    const lateral = document.querySelector<HTMLInputElement>("#rail-wheel-lateral")!; // the core is busy meanwhile
+    lateral.value = "4";
+    lateral.dispatchEvent(new Event("change"));
+    document.querySelector("section:not([hidden]) canvas.map")!.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, files);
+  const own = (name: string) => readFileSync(path.join(profiles, name), "utf8");
+  await drop([["own.prw", own("s1002.prw")], ["own.prr", own("60e1.prr")]]);
+  await page.getByText("Wheel own.prw on rail own.prr").waitFor();
+  await page.waitForTimeout(2000);
+  await page.evaluate(() => { (window as unknown as Counting).asked.length = 0; });
+  const steeper = own("s1002.prw").replace(/^(\s*)(-?[\d.]+)(\s+)(-?[\d.]+)/gm, (_, before: string, y: string, between: string, z: string) =>
+    `${before}${y}${between}${Number(z) + 0.02 * Number(y)}`);
+  const give = (name: string) => page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(steeper) });
+  await give("own.prw");
+  await page.waitForFunction(() => (window as unknown as Counting).asked.includes("conicity"), undefined, { timeout: 20000 });
+  await give("s1002.prw"); // a file of one's own with a built-in name, which the button puts away
+  await page.getByText("Wheel s1002.prw on rail own.prr").waitFor();
+  await page.getByRole("button", { name: "S1002 on 60E1 again" }).click();
+  await page.getByText("Wheel s1002.prw on rail 60e1.prr").waitFor();
+  await page.locator("#rail-wheel-lateral").fill("3");
+  await page.locator("#rail-wheel-lateral").press("Enter");
+  await page.waitForTimeout(2000);
+  near((await row(page, "lateral force"))[0]!, first);
+  await page.close();
+});
+
+interface Counting { asked: string[]; hiddenNow: boolean }
+const countRequests = `
+  window.asked = [];
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message) { window.asked.push(message.request ? JSON.parse(message.request).call : "put"); return post.call(this, message); };`;
+
+test("a hidden page computes nothing, and what was asked meanwhile once it is seen again", async () => {
+  const { page, errors } = await opened("", undefined, `${countRequests}
+    window.hiddenNow = false;
+    Object.defineProperty(document, "hidden", { get: () => window.hiddenNow });`);
+  const first = (await row(page, "longitudinal force Fx"))[0]!;
+  await page.waitForTimeout(1500);
+  const hide = (hidden: boolean) => page.evaluate((now) => {
+    const counting = window as unknown as Counting;
+    const asked = counting.asked.splice(0);
+    counting.hiddenNow = now;
+    document.dispatchEvent(new Event("visibilitychange"));
+    return asked;
+  }, hidden);
+  assert.ok((await hide(true)).length > 0);
+  for (const load of ["90", "100", "110"]) await field(page, "load.normal_force", load);
+  await page.waitForTimeout(1500);
+  assert.deepEqual(await hide(false), []);
+  await page.waitForFunction((old) => {
+    const cells = document.querySelector("section:not([hidden]) .numbers tbody tr td");
+    return cells && Number(cells.textContent) !== old;
+  }, first);
+  assert.deepEqual(errors, []);
   await page.close();
 });
 
