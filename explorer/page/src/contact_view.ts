@@ -213,7 +213,7 @@ export class ContactView {
     const found = reply.result!;
     const exact = theory === "fastsim2" ? this.#solved?.exact : found.exact;
     this.#solved = { ...found, ...(exact ? { exact } : {}) };
-    if (theory === this.state.theory || theory === "exact") this.draw();
+    if (theory === this.state.theory || theory === "exact" || !exact) this.draw();
     this.#time.textContent = `${theories[theory].name}: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.state.elements} × ${this.state.elements} elements`;
     return true;
   }

@@ -88,6 +88,7 @@ export async function decode(fragment: string): Promise<State> {
     const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
     const text = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
     merge(state as unknown as Record<string, unknown>, JSON.parse(text) as Record<string, unknown>, false);
+    if (!["contact", "rail", "start"].includes(state.view)) throw new Error(`"${state.view}" is not one of its views`);
   } catch (error) {
     throw new Error(`the link is damaged: ${error instanceof Error ? error.message : String(error)}`);
   }
