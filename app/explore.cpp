@@ -2,6 +2,7 @@
 
 #include "app/child_process.hpp"
 #include "io/case_file.hpp"
+#include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_file.hpp"
 #include "io/profile_formats.hpp"
@@ -18,13 +19,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 struct ExploreArguments {
   std::vector<fs::path> files;
@@ -32,31 +31,13 @@ struct ExploreArguments {
   bool no_browser = false;
 };
 
-/// Bytes that are not UTF-8, as of a comment in a profile, one letter each.
-std::string as_utf8(const std::string& bytes) {
-  try {
-    (void)Json(bytes).dump();
-    return bytes;
-  } catch (const Json::exception&) {
-    std::string text;
-    for (const char byte : bytes) {
-      const auto code = static_cast<unsigned char>(byte);
-      if (code < 0x80)
-        text += byte;
-      else
-        text.append({static_cast<char>(0xC0 | (code >> 6)), static_cast<char>(0x80 | (code & 0x3F))});
-    }
-    return text;
-  }
-}
-
 /// The profiles that a case names, by the names that it gives them.
 Json profiles_of(const std::string& text, const fs::path& folder) {
   Json files = Json::object();
   const std::regex named(R"((?:^|\n)\s*profile\s*=\s*["']([^"'\n]+)["'])");
   for (auto found = std::sregex_iterator(text.begin(), text.end(), named); found != std::sregex_iterator(); ++found) {
     const std::string name = (*found)[1];
-    files[name] = as_utf8(read_profile_text(folder / name));
+    files[name] = read_profile_text(folder / name);
   }
   return files;
 }
@@ -80,7 +61,7 @@ Json start_of(const std::vector<fs::path>& files) {
   Json profiles = Json::object();
   for (const fs::path& file : files) {
     (void)read_profile(file);
-    profiles[file.filename().string()] = as_utf8(read_profile_text(file));
+    profiles[file.filename().string()] = read_profile_text(file);
   }
   return {{"files", profiles}};
 }
@@ -97,7 +78,7 @@ std::string file_address(const fs::path& file) {
 
 /// A page that leads to the explorer's with what it starts with in the link, which is too long for a command line.
 std::string leading_page(const std::string& page, const Json& start) {
-  std::string json = Json(start.dump()).dump(); // the JSON as a text of JavaScript, which ends no script element
+  std::string json = Json(json_text(start)).dump(); // as a text of JavaScript, which ends no script element
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
   return fmt::format("<!doctype html><meta charset=\"utf-8\"><title>microslip explorer</title><script>\n"
                      "const bytes = new TextEncoder().encode({});\n"
@@ -133,8 +114,10 @@ void add_explore_command(CLI::App& program) {
   arguments->page = "explorer.html";
   command->add_option("FILE", arguments->files, "a case file (.toml), or profiles of a wheel and a rail, to start with")
       ->type_name("");
+  auto* file = command->get_option("FILE");
   command->add_option("-o,--output", arguments->page, "page that leads to the explorer with FILE, to keep or to send")
       ->type_name("PAGE.html")
+      ->needs(file)
       ->capture_default_str();
   command->add_flag("--no-browser", arguments->no_browser, "print the address only");
   command->footer("The page computes by itself, without a server or a network.\n\n"

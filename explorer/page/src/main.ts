@@ -36,7 +36,7 @@ class Page {
       element("header", {}, element("h1", {}, "microslip explorer"), element("nav", { role: "tablist", "aria-label": "views" }, ...Object.values(this.#tabs)), this.#exports),
       this.#message,
       ...Object.values(this.#views).map(({ root: view }) => view));
-    if (!hasVectors()) this.say("This browser has no vector instructions for WebAssembly: results are the same and take about twice as long.");
+    if (!hasVectors()) this.say("This browser has no vector instructions for WebAssembly: results are the same and take two to three times as long.");
     window.addEventListener("hashchange", () => { if (location.hash.slice(1) !== this.#link) void this.follow(location.hash); });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.#views[this.state.view].draw(); });
     document.addEventListener("dragover", (event) => { event.preventDefault(); });
