@@ -134,12 +134,19 @@ int draw(const DrawArguments& arguments) {
                                        fmt::format("--poisson-ratio={}", arguments.poisson_ratio),
                                        fmt::format("--spins={}", fmt::join(arguments.spins, ","))});
   if (!pictures.problem.empty()) throw Error(pictures.problem);
+  const bool in_range = arguments.axis_ratio >= axes.least_ratio && arguments.axis_ratio <= axes.largest_ratio &&
+                        arguments.poisson_ratio >= axes.poisson_ratios.front() &&
+                        arguments.poisson_ratio <= axes.poisson_ratios.back();
+  if (!in_range)
+    fmt::print(stderr,
+               "microslip: warning: {}: axis ratio {} or Poisson's ratio {} is beyond its range, {} to {} and {} to "
+               "{}: drawn are limits\n",
+               file.string(), arguments.axis_ratio, arguments.poisson_ratio, axes.least_ratio, axes.largest_ratio,
+               axes.poisson_ratios.front(), axes.poisson_ratios.back());
   if (arguments.json) {
     auto document = json_document("table");
     document["input"] = file.string();
-    document["in_range"] = arguments.axis_ratio >= axes.least_ratio && arguments.axis_ratio <= axes.largest_ratio &&
-                           arguments.poisson_ratio >= axes.poisson_ratios.front() &&
-                           arguments.poisson_ratio <= axes.poisson_ratios.back();
+    document["in_range"] = in_range;
     document["files"] = pictures.files;
     print_json(document);
   } else {

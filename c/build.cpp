@@ -27,6 +27,8 @@ const char* microslip_code_text(int code) {
     return "the bodies do not touch";
   case MICROSLIP_NO_SOLUTION:
     return "prescribed force exceeds mu Fn";
+  case MICROSLIP_OUT_OF_RANGE:
+    return "beyond the range of the creep-force table";
   case MICROSLIP_NULL_POINTER:
     return "a pointer is NULL";
   case MICROSLIP_WRONG_SIZE:

@@ -77,7 +77,8 @@ constexpr microslip_code code_of(Status status) {
 static_assert(code_of(Status::ok) == MICROSLIP_OK && code_of(Status::invalid_input) == MICROSLIP_INVALID_INPUT &&
               code_of(Status::not_converged) == MICROSLIP_NOT_CONVERGED &&
               code_of(Status::no_contact) == MICROSLIP_NO_CONTACT &&
-              code_of(Status::no_solution) == MICROSLIP_NO_SOLUTION);
+              code_of(Status::no_solution) == MICROSLIP_NO_SOLUTION &&
+              code_of(Status::out_of_range) == MICROSLIP_OUT_OF_RANGE);
 
 /// An enumerator from the number that stands for it, of `count` that begin with 0.
 template <class Choice> Choice choice(std::string_view field, int value, int count) {

@@ -17,7 +17,6 @@ namespace microslip {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* status_codes = "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution";
 
 /// A column with how its number is taken from what a kind of cases finds.
 template <class Solved> struct Column {

@@ -162,7 +162,6 @@ void write_states(ResultWriter& file, const WheelsetCase& input) {
 std::uint8_t code_of(Status status) {
   return static_cast<std::uint8_t>(status);
 }
-constexpr const char* status_codes = "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution";
 
 template <class Of> void write_status(ResultWriter& file, const std::string& name, const std::vector<Of>& all) {
   std::vector<std::uint8_t> status;

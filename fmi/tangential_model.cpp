@@ -165,7 +165,7 @@ ModelInfo model_info() {
           cells("mx", p.mx, "Cells along each row of the contact"),
           cells("my", p.my, "Rows of cells"),
           {.name = "status",
-           .description = "0: contact, 2: contact beyond the range of the creep-force table, 3: no contact",
+           .description = "0: contact, 3: no contact, 5: contact beyond the range of the creep-force table",
            .kind = Kind::integer,
            .causality = output},
           text("theory", "fastsim2", "fastsim2 or table"),

@@ -11,6 +11,7 @@ enum class Status {
   not_converged, ///< the result is the best one found; its residual is stated and larger than the tolerance
   no_contact,    ///< the bodies do not touch; all tractions are zero
   no_solution,   ///< the prescribed force is beyond what friction can bear; the result slides fully in its direction
+  out_of_range,  ///< beyond the range of a creep-force table; the forces are those of limits
 };
 
 constexpr std::string_view to_string(Status status) {
@@ -25,8 +26,14 @@ constexpr std::string_view to_string(Status status) {
     return "no_contact";
   case Status::no_solution:
     return "no_solution";
+  case Status::out_of_range:
+    return "out_of_range";
   }
   return "";
 }
+
+/// Codes and names, as files of results state them.
+constexpr const char* status_codes =
+    "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution, 5 out_of_range";
 
 } // namespace microslip

@@ -1,6 +1,7 @@
 #include "microslip/contact/solver_report.hpp"
 
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,8 @@ TEST(SolverReport, HasAReasonUnlessItIsOk) {
   EXPECT_EQ(reason_of({.status = Status::no_contact}), "the bodies do not touch");
   EXPECT_EQ(reason_of({.status = Status::no_solution}),
             "prescribed force exceeds mu Fn; the result shown is full sliding");
+  EXPECT_EQ(reason_of({.status = Status::out_of_range}),
+            "beyond the creep-force table's range: the forces are those of limits");
   EXPECT_EQ(reason_of({.status = Status::not_converged, .residual = 2e-3, .newton_steps = 40}),
             "not converged: residual 0.002 after 40 Newton steps");
 }
@@ -37,6 +40,18 @@ TEST(SolverReport, OfAnAccuracyNotReachedNamesTheError) {
 TEST(SolverReport, KeepsAReasonThatItHas) {
   EXPECT_EQ(reason_of({.status = Status::invalid_input, .reason = "a = 0 [m]: must be positive"}),
             "a = 0 [m]: must be positive");
+}
+
+TEST(Status, CodesAreListedWithTheirNames) {
+  std::istringstream listed(status_codes);
+  std::string name;
+  int count = 0;
+  for (int code = 0; listed >> code >> name; ++count) {
+    if (name.back() == ',') name.pop_back();
+    EXPECT_EQ(code, count);
+    EXPECT_EQ(name, to_string(static_cast<Status>(code)));
+  }
+  EXPECT_EQ(to_string(static_cast<Status>(count)), "");
 }
 
 } // namespace

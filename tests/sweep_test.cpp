@@ -172,7 +172,7 @@ TEST(Sweep, BeyondATablesRangeTheReasonSaysSo) {
   const RowWorker worker = sweep.make_worker();
   EXPECT_EQ(row_of(sweep, worker, 0).reason, "");
   const Row beyond = row_of(sweep, worker, 1);
-  EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::not_converged));
+  EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::out_of_range));
   EXPECT_NE(beyond.reason.find("beyond the creep-force table's range"), std::string::npos) << beyond.reason;
   EXPECT_TRUE(std::isfinite(number(sweep, beyond, "contact/fx")));
   EXPECT_TRUE(std::isnan(number(sweep, beyond, "contact/peak_traction")));

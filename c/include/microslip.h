@@ -57,6 +57,7 @@ typedef enum microslip_code {
   MICROSLIP_NOT_CONVERGED = 2, /* the result is the best one found; its residual is stated */
   MICROSLIP_NO_CONTACT = 3,    /* the bodies do not touch */
   MICROSLIP_NO_SOLUTION = 4,   /* a prescribed force exceeds mu Fn; the result is full sliding */
+  MICROSLIP_OUT_OF_RANGE = 5,  /* beyond a creep-force table's range; the forces are those of limits */
   /* Why a call was refused. */
   MICROSLIP_NULL_POINTER = 16,
   MICROSLIP_WRONG_SIZE = 17,     /* of an array or a struct */

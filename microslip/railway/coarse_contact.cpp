@@ -370,7 +370,7 @@ void CoarseContact::sum(WheelRailSolution& out) {
       sum.contact_area += 2 * row.half_length * row.width, sum.slip_area += f.slip_area;
       sum.frictional_power -=
           speed_[k] * (row.creepage.longitudinal * f.fx + row.creepage.lateral * f.fy + row.creepage.spin * f.mz);
-      if (look_up_ && !look_up_->in_range(k)) sum.status = Status::not_converged;
+      if (look_up_ && !look_up_->in_range(k)) sum.status = Status::out_of_range;
       // Of a semi-ellipse along the row.
       sum.peak_pressure = std::max(sum.peak_pressure, 2 * row.load / (std::numbers::pi * row.half_length * row.width));
     }

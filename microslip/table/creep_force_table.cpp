@@ -203,7 +203,7 @@ template <int size> void CreepForceTable::Data::read(const EllipticContact& cont
   batch.arm[i] = ratio > axes.largest_ratio ? contact.a / std::sqrt(axes.largest_ratio)
                  : ratio < axes.least_ratio ? contact.b * std::sqrt(axes.least_ratio)
                                             : batch.c[i];
-  if (batch.ratio[i] != ratio) own.status = Status::not_converged;
+  if (batch.ratio[i] != ratio) own.status = Status::out_of_range;
   batch.g[i] = contact.shear_modulus * contact.a * contact.b / capacity;
   block.x[i] = side * creepage.longitudinal, block.y[i] = creepage.lateral, block.z[i] = side * creepage.spin;
   own.force[0] = own.force[1] = capacity;
@@ -230,7 +230,7 @@ void CreepForceTable::Data::find_linear_theory(const EllipticContact& contact, B
     batch.eta_over_xi[i] = 1;
   } else {
     const double read_nu = std::clamp(nu, materials.front().poisson_ratio, materials.back().poisson_ratio);
-    if (read_nu != nu) own.status = Status::not_converged;
+    if (read_nu != nu) own.status = Status::out_of_range;
     for (std::size_t m = 0; m < materials.size(); ++m)
       block.weight[m][i] = lagrange_weight(axes.poisson_ratios, m, read_nu);
     c = creepage_coefficients(contact.a / contact.b, nu, CreepageTable::computed);

@@ -15,7 +15,7 @@ namespace microslip {
 /// Forces of Hertzian contacts in steady rolling by interpolation between results of the exact theory: at any load,
 /// modulus, size and coefficient of friction, as the table has scaled variables. The forces are continuous with their
 /// first derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the table's axis
-/// ratios and Poisson's ratios the status is not_converged, and the forces are those of limits: the ellipse, the
+/// ratios and Poisson's ratios the status is out_of_range, and the forces are those of limits: the ellipse, the
 /// Poisson's ratio at the end of the range, with the longer semi-axis and linear theory of the contact itself.
 ///
 /// Friction that falls with the slip is that of the rigid slip at the centre, V sqrt(xi^2 + eta^2), all over the

@@ -33,13 +33,15 @@ template <class Code> void add(py::list& members, const char* name, Code code) {
 
 void bind_codes(py::module_& module) {
   py::list statuses, states;
-  for (const auto status :
-       {Status::ok, Status::invalid_input, Status::not_converged, Status::no_contact, Status::no_solution})
+  for (const auto status : {Status::ok, Status::invalid_input, Status::not_converged, Status::no_contact,
+                            Status::no_solution, Status::out_of_range})
     add(statuses, std::string(to_string(status)).c_str(), status);
-  const char* text = "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are\n"
-                     "NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;\n"
-                     "no_solution, the force given is beyond friction and the result slides fully. An IntEnum: arrays\n"
-                     "of codes compare with it.";
+  const char* text =
+      "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are\n"
+      "NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;\n"
+      "no_solution, the force given is beyond friction and the result slides fully; out_of_range, beyond\n"
+      "the range of a creep-force table, the forces are those of limits. An IntEnum: arrays of codes\n"
+      "compare with it.";
   status_class = make_class(module, "Status", statuses, text).release().ptr();
   add(states, "exterior", CellState::exterior);
   add(states, "adhesion", CellState::adhesion);

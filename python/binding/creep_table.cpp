@@ -105,7 +105,7 @@ void bind_creep_table(py::module_& module) {
       "Forces of Hertzian contacts in steady rolling by interpolation between results of the exact\n"
       "theory: of its accuracy, at about 1 us a contact. Forces are continuous with their first\n"
       "derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the\n"
-      "table's axis ratios and Poisson's ratios forces are those of limits, with Status.not_converged.");
+      "table's axis ratios and Poisson's ratios forces are those of limits, with Status.out_of_range.");
   table
       .def(py::init(&table_from), "file"_a = py::none(), "poisson_ratio"_a = py::none(), py::kw_only(),
            "direction"_a = RollingDirection::forward,

@@ -442,7 +442,7 @@ class CreepForceTable:
     """Forces of Hertzian contacts in steady rolling by interpolation between results of the exact
     theory: of its accuracy, at about 1 us a contact. Forces are continuous with their first
     derivatives, those of linear theory for vanishing creepages, and never beyond mu Fn. Beyond the
-    table's axis ratios and Poisson's ratios forces are those of limits, with Status.not_converged."""
+    table's axis ratios and Poisson's ratios forces are those of limits, with Status.out_of_range."""
     def __init__(self, file: ArrayLike | None = None, poisson_ratio: float | None = None, *, direction: Literal["forward", "backward"] = 'forward') -> None:
         """Reads a table made by `microslip table make`, str or os.PathLike; None: the one that comes with
         microslip. poisson_ratio [-]: for that one alone, at a fraction of the memory. direction of
@@ -1411,13 +1411,15 @@ class SolutionStep:
 class Status(enum.IntEnum):
     """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are
     NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;
-    no_solution, the force given is beyond friction and the result slides fully. An IntEnum: arrays
-    of codes compare with it."""
+    no_solution, the force given is beyond friction and the result slides fully; out_of_range, beyond
+    the range of a creep-force table, the forces are those of limits. An IntEnum: arrays of codes
+    compare with it."""
     ok = 0
     invalid_input = 1
     not_converged = 2
     no_contact = 3
     no_solution = 4
+    out_of_range = 5
 
 class SurfaceFields:
     """The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the rows, x

@@ -58,7 +58,7 @@ class CreepTableTest(unittest.TestCase):
 
     def test_beyond_the_range_is_a_status(self):
         batch = self.table.solve_batch(contact(), a=np.array([5e-3, 0.2, -1.0]))
-        self.assertEqual([int(s) for s in batch.status], [0, microslip.Status.not_converged, microslip.Status.invalid_input])
+        self.assertEqual([int(s) for s in batch.status], [0, microslip.Status.out_of_range, microslip.Status.invalid_input])
 
     def test_files_that_are_no_tables_are_refused(self):
         whole = SHIPPED.read_bytes()
