@@ -48,7 +48,7 @@ TEST(CCreepTable, HasTheForcesOfTheLibrary) {
   std::vector<microslip_contact> some(3, c);
   some[1].a = 0.5; // beyond the table
   std::vector<microslip_forces> all(3);
-  EXPECT_EQ(microslip_creep_table_solve(table, 3, some.data(), all.data()), MICROSLIP_NOT_CONVERGED);
+  EXPECT_EQ(microslip_creep_table_solve(table, 3, some.data(), all.data()), MICROSLIP_OUT_OF_RANGE);
   some[2].b = -1;
   EXPECT_EQ(microslip_creep_table_solve(table, 3, some.data(), all.data()), MICROSLIP_INVALID_INPUT);
   EXPECT_TRUE(same(all[0].fx, forces.fx));
