@@ -44,4 +44,8 @@ int run_child(std::vector<std::string> arguments, std::vector<std::string> envir
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+bool open_in_browser(const std::string& address) {
+  return run_child({"xdg-open", address}, environment_variables(), stdout, stderr) == 0;
+}
+
 } // namespace microslip

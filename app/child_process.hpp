@@ -14,4 +14,7 @@ std::vector<std::string> environment_variables();
 int run_child(std::vector<std::string> arguments, std::vector<std::string> environment, std::FILE* output,
               std::FILE* errors);
 
+/// Opens an address in the user's browser; false if none could be started.
+bool open_in_browser(const std::string& address);
+
 } // namespace microslip

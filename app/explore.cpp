@@ -101,8 +101,8 @@ void explore(const ExploreArguments& arguments) {
   }
   fmt::print("{}\n", address);
   if (arguments.no_browser) return;
-  const int code = run_child({"xdg-open", address}, environment_variables(), stdout, stderr);
-  if (code != 0) fmt::print(stderr, "microslip: no browser could be started: open the address above in one\n");
+  if (!open_in_browser(address))
+    fmt::print(stderr, "microslip: no browser could be started: open the address above in one\n");
 }
 
 } // namespace

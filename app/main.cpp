@@ -12,6 +12,7 @@
 #include "app/option_text.hpp"
 #include "app/plot.hpp"
 #include "app/profile.hpp"
+#include "app/program_arguments.hpp"
 #include "app/run.hpp"
 #include "app/solve.hpp"
 #include "app/sweep.hpp"
@@ -21,11 +22,14 @@
 #include "io/hdf5_exit.hpp"
 #include "microslip/version.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -78,12 +82,14 @@ int fail(const char* message, int exit_code) {
   return exit_code;
 }
 
-int run(int count, char** arguments) {
+int run(std::vector<std::string> arguments) {
   CLI::App program("Frictional rolling contact of two bodies: forces, tractions and slip.", "microslip");
   int exit_code = ExitCode::done;
+  program.allow_windows_style_options(false); // /name is a path, there too
   add_commands(program, exit_code);
+  std::reverse(arguments.begin(), arguments.end()); // as the parser takes them
   try {
-    program.parse(count, arguments);
+    program.parse(std::move(arguments));
   } catch (const CLI::Success& success) {
     exit_code = program.exit(success);
   } catch (const CLI::ParseError& error) {
@@ -99,7 +105,7 @@ int main(int count, char** arguments) {
   using namespace microslip;
   leave_hdf5_at_exit();
   try {
-    const int exit_code = run(count, arguments);
+    const int exit_code = run(program_arguments(count, arguments));
     return output_is_written() ? exit_code : fail(output_lost, ExitCode::bad_input);
   } catch (const Interrupted& error) {
     return fail(error.what(), ExitCode::interrupted);

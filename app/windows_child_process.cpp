@@ -1,16 +1,20 @@
 #include "app/child_process.hpp"
+#include "app/windows_text.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <string_view>
 
 #include <io.h>
 #include <windows.h>
 
+#include <shellapi.h>
+
 namespace microslip {
 namespace {
 
 /// As the C library of a child takes its command line apart: quotes and the strokes before them are escaped.
-std::string quoted(std::string_view argument) {
+std::string command_line_word(std::string_view argument) {
   std::string text = "\"";
   std::size_t strokes = 0;
   for (const char c : argument) {
@@ -31,25 +35,27 @@ HANDLE inherited(std::FILE* file) {
 
 std::vector<std::string> environment_variables() {
   std::vector<std::string> variables;
-  char* const all = ::GetEnvironmentStringsA();
-  for (const char* variable = all; *variable != '\0'; variable += variables.back().size() + 1)
-    variables.emplace_back(variable);
-  ::FreeEnvironmentStringsA(all);
+  wchar_t* const all = ::GetEnvironmentStringsW();
+  for (std::wstring_view variable = all; !variable.empty(); variable = variable.data() + variable.size() + 1)
+    variables.push_back(utf8(variable));
+  ::FreeEnvironmentStringsW(all);
   return variables;
 }
 
 int run_child(std::vector<std::string> arguments, std::vector<std::string> environment, std::FILE* output,
               std::FILE* errors) {
-  std::string line, variables;
-  for (const auto& argument : arguments) line.append(line.empty() ? "" : " ").append(quoted(argument));
-  for (const auto& variable : environment) variables.append(variable).push_back('\0');
-  STARTUPINFOA start{};
+  std::wstring line, variables;
+  for (const auto& argument : arguments)
+    line.append(line.empty() ? L"" : L" ").append(wide(command_line_word(argument)));
+  for (const auto& variable : environment) variables.append(wide(variable)).push_back(L'\0');
+  STARTUPINFOW start{};
   start.cb = sizeof start;
   start.dwFlags = STARTF_USESTDHANDLES;
   start.hStdOutput = inherited(output);
   start.hStdError = inherited(errors);
   PROCESS_INFORMATION child{};
-  if (!::CreateProcessA(nullptr, line.data(), nullptr, nullptr, TRUE, 0, variables.data(), nullptr, &start, &child))
+  constexpr DWORD how = CREATE_UNICODE_ENVIRONMENT;
+  if (!::CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE, how, variables.data(), nullptr, &start, &child))
     return ::GetLastError() == ERROR_FILE_NOT_FOUND ? -ENOENT : -EACCES;
   ::WaitForSingleObject(child.hProcess, INFINITE);
   DWORD code = 0;
@@ -57,6 +63,11 @@ int run_child(std::vector<std::string> arguments, std::vector<std::string> envir
   ::CloseHandle(child.hThread);
   ::CloseHandle(child.hProcess);
   return static_cast<int>(code);
+}
+
+bool open_in_browser(const std::string& address) {
+  const auto code = ::ShellExecuteW(nullptr, L"open", wide(address).c_str(), nullptr, nullptr, SW_SHOWNORMAL);
+  return reinterpret_cast<std::intptr_t>(code) > 32; // as the call says that it worked
 }
 
 } // namespace microslip

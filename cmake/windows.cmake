@@ -16,6 +16,11 @@ foreach(kind EXE SHARED MODULE)
   set(CMAKE_${kind}_LINKER_FLAGS_INIT -static)
 endforeach()
 
+# Of OpenMP the static library, which CMake would take second.
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libgomp.a OUTPUT_VARIABLE openmp
+  OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(OpenMP_gomp_LIBRARY ${openmp} CACHE FILEPATH "")
+
 # Nothing of this computer's own libraries and headers.
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 foreach(what LIBRARY INCLUDE PACKAGE)

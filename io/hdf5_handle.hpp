@@ -1,8 +1,17 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include <hdf5.h>
 
 namespace microslip {
+
+/// The name by which HDF5 opens a file: UTF-8 on every system.
+inline std::string hdf5_name(const std::filesystem::path& path) {
+  const std::u8string name = path.u8string();
+  return {name.begin(), name.end()};
+}
 
 /// An HDF5 handle that closes itself.
 class Hdf5Handle {

@@ -185,7 +185,7 @@ void require_writable_folder(const std::filesystem::path& path) {
     there = there.has_parent_path() ? there.parent_path() : ".";
   error.clear();
   if (!std::filesystem::is_directory(there, error) && !error) error = std::make_error_code(std::errc::not_a_directory);
-  if (!error && ::access(there.c_str(), W_OK | X_OK) != 0) error = {errno, std::generic_category()};
+  if (!error && system_calls::access_folder(there) != 0) error = {errno, std::generic_category()};
   if (error) throw Error(path.string() + ": cannot be made a folder: " + error.message());
 }
 

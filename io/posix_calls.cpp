@@ -27,6 +27,10 @@ int replace(const std::filesystem::path& from, const std::filesystem::path& to) 
   return std::rename(from.c_str(), to.c_str());
 }
 
+int access_folder(const std::filesystem::path& folder) {
+  return ::access(folder.c_str(), W_OK | X_OK);
+}
+
 std::shared_ptr<const void> contents(int descriptor, std::size_t size) {
   void* const at = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
   if (at == MAP_FAILED) return nullptr; // NOLINT: the system's macro

@@ -6,7 +6,7 @@ namespace microslip {
 
 std::optional<std::string> result_attribute(const std::filesystem::path& result_file, const std::string& name) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // else HDF5 prints every error by itself
-  const Hdf5Handle file(H5Fopen(result_file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle file(H5Fopen(hdf5_name(result_file).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (file.get() < 0) return std::nullopt;
   const Hdf5Handle attribute(H5Aopen(file.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose);

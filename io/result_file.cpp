@@ -53,8 +53,9 @@ struct ResultFile::Contents {
   Contents(const std::filesystem::path& path, Storage storage)
       : name(path.string()), output(path), on_disk(storage == Storage::disk && !output.temporary().empty()),
         access(access_to(on_disk), H5Pclose), links(with_parent_groups(), H5Pclose), text(utf8_text(), H5Tclose),
-        file(H5Fcreate(on_disk ? output.temporary().c_str() : name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
-             H5Fclose) {
+        file(
+            H5Fcreate(hdf5_name(on_disk ? output.temporary() : path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
+            H5Fclose) {
     check(file.get(), "/");
   }
 

@@ -17,6 +17,8 @@ int duplicate(int descriptor);
 int flush(int descriptor);
 /// Gives a file another name; a file that had it is gone.
 int replace(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Succeeds (0) if this user may make files in a folder.
+int access_folder(const std::filesystem::path& folder);
 /// The bytes of an open file, mapped where the system can, read where it cannot; null if neither works.
 std::shared_ptr<const void> contents(int descriptor, std::size_t size);
 

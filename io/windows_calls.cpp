@@ -29,6 +29,10 @@ int replace(const std::filesystem::path& from, const std::filesystem::path& to) 
   return -1;
 }
 
+int access_folder(const std::filesystem::path& folder) {
+  return ::_waccess(folder.c_str(), 2); // may be written
+}
+
 std::shared_ptr<const void> contents(int descriptor, std::size_t size) {
   const std::shared_ptr<std::byte[]> bytes(new std::byte[size]);
   for (std::size_t done = 0; done < size;) {

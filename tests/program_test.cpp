@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -409,7 +410,7 @@ TEST(Program, BatchSolvesExtremeContacts) {
       const auto& creepage = contact.creepage;
       const auto translation = std::hypot(creepage.longitudinal, creepage.lateral);
       EXPECT_LE(force, limit * (1 + 1e-12)) << options;
-      EXPECT_NEAR(std::stod(row.at(12)) + std::stod(row.at(13)), M_PI * contact.a * contact.b, 1e-18);
+      EXPECT_NEAR(std::stod(row.at(12)) + std::stod(row.at(13)), std::numbers::pi * contact.a * contact.b, 1e-18);
       const bool spins = creepage.spin != 0;
       if (translation == 0 && !spins) {
         EXPECT_EQ(force, 0) << options;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -41,20 +42,22 @@ public:
     for (int i = 0; i < grid.mx; ++i)
       for (int wave = 0; wave < n_; ++wave)
         for (int j = 0; j < grid.my; ++j)
-          waves_[i * n_ + wave] += p[j * grid.mx + i] / n_ * std::polar(1.0, -2 * M_PI * wave * j / n_);
+          waves_[i * n_ + wave] += p[j * grid.mx + i] / n_ * std::polar(1.0, -2 * std::numbers::pi * wave * j / n_);
     for (int wave = 0; wave < n_; ++wave) filter(wave);
   }
 
   /// Without the sum along the row.
   double at(int i, int j) const {
     Complex sum = 0;
-    for (int wave = 0; wave < n_; ++wave) sum += waves_[i * n_ + wave] * std::polar(1.0, 2 * M_PI * wave * j / n_);
+    for (int wave = 0; wave < n_; ++wave)
+      sum += waves_[i * n_ + wave] * std::polar(1.0, 2 * std::numbers::pi * wave * j / n_);
     return sum.real();
   }
 
 private:
   void filter(int wave) {
-    const double h_ky = grid_.dx * 2 * M_PI / (n_ * grid_.dy) * std::min(wave, n_ - wave), c = 1 + 0.35 * h_ky;
+    const double h_ky = grid_.dx * 2 * std::numbers::pi / (n_ * grid_.dy) * std::min(wave, n_ - wave),
+                 c = 1 + 0.35 * h_ky;
     const Field behind = series(0.45, c, grid_.mx), ahead = series(1 / c, c, grid_.mx);
     std::vector<Complex> first(grid_.mx), second(grid_.mx);
     for (int to = 0; to < grid_.mx; ++to)

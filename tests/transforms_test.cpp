@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <thread>
@@ -42,7 +43,8 @@ std::vector<Complex> sums(const std::vector<Complex>& z, int sign) {
   std::vector<Complex> out(z.size());
   for (std::int64_t k = 0; k < n; ++k)
     for (std::int64_t j = 0; j < n; ++j)
-      out[k] += z[j] * std::polar(1.0, sign * 2 * M_PI * static_cast<double>(j * k % n) / static_cast<double>(n));
+      out[k] +=
+          z[j] * std::polar(1.0, sign * 2 * std::numbers::pi * static_cast<double>(j * k % n) / static_cast<double>(n));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <complex>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace {
 /// exp(-2 pi i m/n), m = 0 .. n - 1.
 std::vector<std::complex<double>> roots_of_unity(int n) {
   std::vector<std::complex<double>> roots(n);
-  const auto root = [n](int m) { return std::polar(1.0, -2 * M_PI * m / n); };
+  const auto root = [n](int m) { return std::polar(1.0, -2 * std::numbers::pi * m / n); };
   if (n % 4 != 0) {
     for (int m = 0; m < n; ++m) roots[m] = root(m);
     return roots;

@@ -1,17 +1,93 @@
 #!/bin/sh
-# Under Wine: the program for Windows solves the example as the one for Linux does, and the units load: windows.sh BUILD
+# Under Wine: program, C library and units for Windows do what those for Linux do: windows.sh BUILD LINUX_BUILD
+# Exit code 77: skipped, because Wine or either build is missing.
 set -eux
-build=$(cd "$1" && pwd)
 root=$(cd "$(dirname "$0")/../.." && pwd)
-command -v wine >/dev/null || { echo "skipped: wine is not installed"; exit 77; }
+for needed in wine x86_64-w64-mingw32-gcc-posix x86_64-w64-mingw32-objdump python3; do
+  command -v $needed >/dev/null || { echo "skipped: $needed is not installed"; exit 77; }
+done
+for program in "$1/bin/microslip.exe" "$2/bin/microslip"; do
+  [ -f "$program" ] || { echo "skipped: $program is not built"; exit 77; }
+done
+build=$(cd "$1" && pwd)
+linux=$(cd "$2" && pwd)
+export WINEPREFIX="$build/wine" WINEDEBUG=-all
 work=$(mktemp -d)
-cd "$work"
-wine "$build/bin/microslip.exe" --version
-wine "$build/bin/microslip.exe" solve "$root/examples/hertzian_contact.toml" --no-pictures -o results | tr -d '\r' >solved.txt
-grep -q "longitudinal force fx  *-14\.0606" solved.txt
-test -f results/result.h5
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/größe 1" # Windows users have such folders
+cd "$work/größe 1"
+cp -r "$root"/examples/*.toml "$root/examples/contacts.csv" "$root/examples/profiles" .
+# what it prints has the ends of lines that Windows has
+windows() { wine "$build/bin/microslip.exe" "$@" 2>messages; }
+same_numbers() { python3 "$root/tools/trials/same_numbers.py" "$@"; }
+
+windows --version
+windows init first.toml
+for case in first hertzian_contact two_rollers wheel_on_rail starting_to_roll; do
+  windows solve $case.toml --no-pictures --json -o "$case out" >$case.json
+  test -f "$case out/result.h5"
+  "$linux/bin/microslip" solve $case.toml --no-pictures --json -o linux >linux.json
+  same_numbers $case.json linux.json
+done
+# whose moments of balance are as near to zero as its tolerance
+windows solve wheelset_in_curve.toml --no-pictures -o wheelset >solved.txt
+test -f wheelset/result.h5
+for theory in fastsim2 exact table; do
+  windows batch contacts.csv --theory $theory -o there.csv
+  "$linux/bin/microslip" batch contacts.csv --theory $theory -o here.csv
+  [ "$theory" = exact ] || cmp there.csv here.csv
+done
+windows profile profiles/60e1.prr --role rail --no-pictures -o profile >profile.txt || { cat messages; exit 1; }
+windows explore --no-browser >address.txt || grep -q "the explorer's page is not there" messages
+
+# faults have their words and exit codes
+code=0
+windows solve none.toml || code=$?
+[ $code -eq 2 ]
+grep -q "none.toml: cannot be read" messages
+code=0
+windows solve größe.toml || code=$?
+[ $code -eq 2 ]
+grep -q "letters of ASCII only" messages
+
+# a program in C
+x86_64-w64-mingw32-gcc-posix "$root/examples/c/first_contact.c" -I"$root/c/include" -L"$build/c" -lmicroslip_c \
+  -o first_contact.exe
+cp "$build/bin/libmicroslip_c.dll" .
+wine ./first_contact.exe >c.txt
+grep -q "fx" c.txt
+
+# the units, step by step beside those of Linux
+cc -I"$root" "$root/fmi/tests/step_unit.c" -o step -ldl
+x86_64-w64-mingw32-gcc-posix -I"$root" "$root/fmi/tests/step_unit.c" -o step.exe
+step() {
+  unit=$1 file=$linux/fmi/$1/modelDescription.xml
+  shift
+  cmp "$file" "$build/fmi/$unit/modelDescription.xml"
+  guid=$(sed -n 's/.*guid="\([^"]*\)".*/\1/p' "$file")
+  references=
+  for name in "$@"; do
+    reference=$(sed -n "s/.*name=\"${name%%=*}\" valueReference=\"\([0-9]*\)\".*/\1/p" "$file")
+    [ -n "$reference" ]
+    case $name in *=*) reference=$reference=${name#*=} ;; esac
+    references="$references $reference"
+  done
+  # shellcheck disable=SC2086
+  ./step "$linux/fmi/$unit/binaries/linux64/$unit.so" "$guid" "file://$linux/fmi/$unit/resources" $references >here.txt
+  # shellcheck disable=SC2086
+  wine ./step.exe "Z:$build/fmi/$unit/binaries/win64/$unit.dll" "$guid" "file:///Z:$build/fmi/$unit/resources" $references |
+    tr -d '\r' >there.txt
+  test -s here.txt
+  cmp here.txt there.txt
+}
+step microslip_tangential creepage_longitudinal=0.001 spin=0.1 fx fy mz
+step microslip_wheel_rail state.lateral=0.003 state.vertical=-0.0001 state.forward_velocity=20 state.pitch_velocity=43.5 \
+  wheel.force_x wheel.force_y wheel.force_z
+
 # libraries that every Windows has, and no others
-for file in "$build"/bin/microslip.exe "$build"/c/*.dll "$build"/fmi/*/binaries/win64/*.dll; do
-  x86_64-w64-mingw32-objdump -p "$file" | sed -n 's/.*DLL Name: //p' | grep -viE '^(kernel32|msvcrt|advapi32|shell32|user32|ws2_32|bcrypt)\.dll$' && exit 1
+for file in "$build"/bin/microslip.exe "$build"/bin/*.dll "$build"/fmi/*/binaries/win64/*.dll; do
+  x86_64-w64-mingw32-objdump -p "$file" | sed -n 's/.*DLL Name: //p' >libraries.txt
+  test -s libraries.txt
+  if grep -viE '^(kernel32|msvcrt|advapi32|shell32|user32|ws2_32|bcrypt)\.dll$' libraries.txt; then exit 1; fi
 done
 echo "windows: all is as it should be"

@@ -4,6 +4,7 @@
 #include "tests/temporary_folder.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ TEST_F(Interiors, BeginWithThePressure) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], (Values{1e-6, 0.5, 40})[k], 1e-12) << "depths are sorted";
   const double pressure = scalars(cntc_getmaximumpressure, 1, 1)[0];
   EXPECT_NEAR(found[3], -pressure, 1e-3 * pressure) << "sigma_zz at the surface";
-  EXPECT_NEAR(found[5], -3 * 1000 / (2 * M_PI * 1600), 0.02 * 0.3) << "Boussinesq far below";
+  EXPECT_NEAR(found[5], -3 * 1000 / (2 * std::numbers::pi * 1600), 0.02 * 0.3) << "Boussinesq far below";
   EXPECT_GT(found[7], found[8]);
   EXPECT_EQ(found[9], -999) << "a column that does not exist";
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -63,7 +64,7 @@ void fit_row(const ElementGrid& grid, int row, double trailing, double leading, 
 /// The integral of sqrt(1 - t^2) from -1 to t.
 double half_disk(double t) {
   const double clamped = std::clamp(t, -1.0, 1.0);
-  return (clamped * std::sqrt(1 - clamped * clamped) + std::asin(clamped)) / 2 + M_PI / 4;
+  return (clamped * std::sqrt(1 - clamped * clamped) + std::asin(clamped)) / 2 + std::numbers::pi / 4;
 }
 
 /// Gauss and Legendre's rule of eight points on (-1, 1): nodes and weights of the positive half.
@@ -93,7 +94,7 @@ FittedContact fit_line(double a, int n, double length) {
   for (const FittedElement& e : contact.elements) {
     // Of sqrt(1 - x^2/a^2), whose integral is pi a/2.
     const double part = half_disk(e.leads ? 1 : e.right / a) - half_disk(e.trails ? -1 : e.left / a);
-    contact.load_share.push_back(part * 2 / M_PI / (e.width() * length));
+    contact.load_share.push_back(part * 2 / std::numbers::pi / (e.width() * length));
   }
   return contact;
 }

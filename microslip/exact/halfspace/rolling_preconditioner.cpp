@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace microslip {
@@ -50,7 +51,7 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
         x(static_cast<std::size_t>(mx) * my), y(x.size()),
         waves(2 * mx, ny, threads_for(static_cast<std::size_t>(mx) * ny, smallest_threaded), 0, plans) {
     filters.resize(waves.count());
-    const double lowest = grid.line ? 0 : 2 * M_PI / (ny * grid.dy); // a line contact has no other ky
+    const double lowest = grid.line ? 0 : 2 * std::numbers::pi / (ny * grid.dy); // a line contact has no other ky
     for (int k = 0; k <= ny / 2; ++k) {
       const double c = 1 + ky_share * grid.dx * lowest * k;
       Filters& of = filters[k / lanes];

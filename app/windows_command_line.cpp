@@ -1,0 +1,12 @@
+#include "app/command_line.hpp"
+#include "app/windows_text.hpp"
+
+#include <windows.h>
+
+namespace microslip {
+
+std::string command_line() {
+  return utf8(::GetCommandLineW());
+}
+
+} // namespace microslip
