@@ -5,7 +5,8 @@
 
 namespace microslip {
 
-/// The arguments of `main` without the program itself, as UTF-8, which the console then takes and shows where it must be told to.
+/// The arguments of `main` without the program itself, as UTF-8, which the console then takes and shows where it must
+/// be told to.
 std::vector<std::string> program_arguments(int count, char** arguments);
 
 } // namespace microslip

@@ -21,7 +21,8 @@ std::vector<std::string> program_arguments(int, char**) {
   ::LocalFree(static_cast<void*>(all));
   for (const std::string& argument : arguments)
     if (std::any_of(argument.begin(), argument.end(), [](unsigned char byte) { return byte > 127; }))
-      throw Error(argument + ": arguments have letters of ASCII only on Windows; go to the folder of such a file first");
+      throw Error(argument +
+                  ": arguments have letters of ASCII only on Windows; go to the folder of such a file first");
   return arguments;
 }
 

@@ -125,6 +125,23 @@ std::size_t usual_chunk(std::size_t count) {
                   (count + most_chunks - 1) / most_chunks);
 }
 
+/// Calls `add` with the fields of each line of a table that is not blank; its errors have file and line.
+template <class Add> void visit_lines(std::string_view text, const std::string& file, const Add& add) {
+  std::size_t number = 0;
+  std::optional<CsvLine> line;
+  while (!text.empty()) {
+    const auto next = take_line(text);
+    ++number;
+    if (trimmed(next).empty()) continue;
+    try {
+      if (!line) line.emplace(csv_separator(next));
+      add(line->split(next));
+    } catch (const Error& error) {
+      throw Error(file + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+}
+
 } // namespace
 
 SweepSpec::SweepSpec(const std::string& text, const std::string& name) : text_(text), name_(name) {
@@ -263,48 +280,47 @@ void SweepSpec::read_list(const TomlSection& list) {
   parse_rows(list_text_, path.string());
 }
 
-/// A table of cases: keys in the first line, a case in each one that follows. The first pass finds which columns are
-/// numbers, the second one keeps them.
+/// A table of cases: keys in the first line, with units where these follow in brackets, a case in each one that
+/// follows. The first pass finds which columns are numbers, the second one keeps them.
 void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  using Fields = std::vector<std::string_view>;
-  const auto visit = [&](const std::function<void(std::size_t row, const Fields&)>& add) {
-    CsvLine line;
-    std::size_t row = 0, number = 0;
-    for (auto rest = text; !rest.empty();) {
-      const auto next = take_line(rest);
-      ++number;
-      if (trimmed(next).empty()) continue;
-      try {
-        add(row++, line.split(next));
-      } catch (const Error& error) {
-        throw Error(file + ":" + std::to_string(number) + ": " + error.what());
-      }
-    }
-    count_ = row == 0 ? 0 : row - 1;
+  text = csv_start(text, file);
+  const bool has_decimal_commas = csv_separator(text.substr(0, text.find('\n'))) != ',';
+  const auto field_of = [&](std::string_view field) {
+    return has_decimal_commas && parse_number(with_decimal_point(field)) ? with_decimal_point(field)
+                                                                         : std::string(field);
   };
-  visit([&](std::size_t row, const Fields& fields) {
-    if (row > 0 && fields.size() != parameters_.size())
+  std::vector<std::string> units;
+  std::size_t rows = 0;
+  visit_lines(text, file, [&](const std::vector<std::string_view>& fields) {
+    if (rows++ == 0) return read_headings(fields, units);
+    if (fields.size() != parameters_.size())
       throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(parameters_.size()));
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      if (row == 0 && fields[k].empty()) throw Error("column " + std::to_string(k + 1) + " has no name");
-      if (row == 0)
-        parameters_.push_back({std::string(fields[k]), keys_of(std::string(fields[k])), true});
-      else if (!parse_number(fields[k]))
-        parameters_[k].is_number = false;
-    }
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      if (!units[k].empty() || !parse_number(field_of(fields[k]))) parameters_[k].is_number = false;
   });
-  if (count_ == 0) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
+  if (rows < 2) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
+  count_ = rows - 1;
   if (count_ > most_cases) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
   std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .place = file + ": "});
-  visit([&](std::size_t row, const Fields& fields) {
-    for (std::size_t k = 0; row > 0 && k < fields.size(); ++k)
+  rows = 0;
+  visit_lines(text, file, [&](const std::vector<std::string_view>& fields) {
+    for (std::size_t k = 0; rows > 0 && k < fields.size(); ++k)
       if (parameters_[k].is_number)
-        columns[k].numbers.push_back(*parse_number(fields[k]));
+        columns[k].numbers.push_back(*parse_number(field_of(fields[k])));
       else
-        columns[k].list.push_back(std::string(fields[k]));
+        columns[k].list.push_back(units[k].empty() ? field_of(fields[k]) : field_of(fields[k]) + " " + units[k]);
+    ++rows;
   });
   for (Axis& column : columns) axes_.push_back(std::make_shared<Axis>(std::move(column)));
+}
+
+void SweepSpec::read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units) {
+  for (const auto field : fields) {
+    const auto [name, unit] = name_and_unit(field);
+    if (name.empty()) throw Error("column " + std::to_string(parameters_.size() + 1) + " has no name");
+    parameters_.push_back({std::string(name), keys_of(std::string(name)), true});
+    units.emplace_back(unit == "-" ? "" : unit);
+  }
 }
 
 void SweepSpec::read_chunk(const TomlSection& root) {

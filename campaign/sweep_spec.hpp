@@ -79,6 +79,7 @@ private:
   void read_sample(const TomlSection& root, const toml::table& section);
   void read_list(const TomlSection& list);
   void parse_rows(std::string_view text, const std::string& file);
+  void read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units);
   void read_chunk(const TomlSection& root);
   std::vector<Entry> entries_of(const toml::table& section) const;
   void add(const Entry& entry, bool has_count);

@@ -86,13 +86,6 @@ bool is_blank(std::string_view line) {
   return trimmed(line).empty();
 }
 
-/// A column's name and, in brackets behind it, its unit.
-std::pair<std::string_view, std::string_view> name_and_unit(std::string_view field) {
-  const auto open = field.find('[');
-  if (open == std::string_view::npos || !field.ends_with(']')) return {field, {}};
-  return {trimmed(field.substr(0, open)), trimmed(field.substr(open + 1, field.size() - open - 2))};
-}
-
 void append(std::string& text, double value) {
   std::array<char, 32> digits{};
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
@@ -103,10 +96,7 @@ void append(std::string& text, double value) {
 ContactTableReader::ContactTableReader(std::istream& stream, std::string name)
     : stream_(stream), name_(std::move(name)) {
   fill(rest_);
-  if (rest_.starts_with("\xef\xbb\xbf")) rest_.erase(0, 3);
-  if (rest_.starts_with("\xff\xfe") || rest_.starts_with("\xfe\xff"))
-    throw Error(name_ + ": is UTF-16; it must be UTF-8 or ASCII");
-  std::string_view text = rest_, line;
+  std::string_view text = csv_start(rest_, name_), line;
   std::size_t number = 0;
   while (!text.empty() && is_blank(line)) {
     line = take_line(text);

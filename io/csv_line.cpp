@@ -50,6 +50,21 @@ const std::vector<std::string_view>& CsvLine::split(std::string_view line) {
   return fields_;
 }
 
+std::string_view csv_start(std::string_view text, const std::string& name) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const bool is_marked = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  // of which every second byte is zero where letters are those of ASCII
+  if (is_marked || text.substr(0, text.find('\n')).find('\0') != std::string_view::npos)
+    throw Error(name + ": is UTF-16 or no text; it must be UTF-8 or ASCII");
+  return text;
+}
+
+std::pair<std::string_view, std::string_view> name_and_unit(std::string_view heading) {
+  const auto open = heading.find('[');
+  if (open == std::string_view::npos || !heading.ends_with(']')) return {heading, {}};
+  return {trimmed(heading.substr(0, open)), trimmed(heading.substr(open + 1, heading.size() - open - 2))};
+}
+
 char csv_separator(std::string_view header) {
   constexpr std::array separators = {',', ';', '\t'};
   std::array<int, separators.size()> counts{};
@@ -62,12 +77,17 @@ char csv_separator(std::string_view header) {
   return separators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
 
+std::string with_decimal_point(std::string_view field) {
+  std::string text(field);
+  const auto comma = text.find(',');
+  if (comma != std::string::npos && text.find('.') == std::string::npos) text[comma] = '.';
+  return text;
+}
+
 double csv_number(std::string_view label, std::string_view field, bool decimal_comma) {
   const auto fail = [&](const std::string& what) { throw Error(std::string(label) + ": " + what); };
   if (field.empty()) fail("there is nothing");
-  const auto comma = decimal_comma ? field.find(',') : std::string_view::npos;
-  if (comma != std::string_view::npos && field.find('.') == std::string_view::npos)
-    return csv_number(label, std::string(field).replace(comma, 1, "."));
+  if (decimal_comma && field.find(',') != std::string_view::npos) return csv_number(label, with_decimal_point(field));
   const auto digits = field.front() == '+' ? field.substr(1) : field;
   const char* const end = digits.data() + digits.size();
   double value = 0;

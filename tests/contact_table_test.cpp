@@ -285,7 +285,8 @@ TEST(ContactTable, RefusesFilesThatAreNoTables) {
   EXPECT_EQ(message_of(std::string(1000000, '\0')).rfind("in.csv:1: is one column", 0), 0u);
   EXPECT_EQ(message_of("a b shear_modulus\n1 2 3\n"),
             "in.csv:1: is one column: commas, semicolons or tabs must separate several");
-  EXPECT_EQ(message_of(std::string("\xff\xfe") + "a"), "in.csv: is UTF-16; it must be UTF-8 or ASCII");
+  EXPECT_EQ(message_of(std::string("\xff\xfe") + "a"), "in.csv: is UTF-16 or no text; it must be UTF-8 or ASCII");
+  EXPECT_EQ(message_of(std::string("a\0,\0b\0\n\0", 8)), "in.csv: is UTF-16 or no text; it must be UTF-8 or ASCII");
 }
 
 TEST(ContactTable, ReadsMoreThanAChunkWithTheRightLineNumbers) {

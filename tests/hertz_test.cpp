@@ -397,6 +397,11 @@ TEST(Hertz, SaysWhichContactsAreImplausible) {
   EXPECT_NE(in_megapascals[1].find("transverse radius of body 2, 0.3 m"), std::string::npos) << in_megapascals[1];
   EXPECT_NE(in_megapascals[2].find("approach "), std::string::npos) << in_megapascals[2];
   for (const auto& text : in_megapascals) EXPECT_NE(text.find("moduli in Pa"), std::string::npos) << text;
+  const PrincipalRadii in_millimetres{460, infinity, infinity, 0.3};
+  const auto of_radius = implausibilities(hertz_from_load(gap_curvatures(in_millimetres), steel, 80e3), in_millimetres);
+  ASSERT_EQ(of_radius.size(), 1u);
+  EXPECT_EQ(of_radius[0], "rolling radius of body 1 = 460 m is implausible: is it in mm? Numbers are in m, a straight "
+                          "line is inf");
 }
 
 } // namespace

@@ -127,6 +127,35 @@ TEST(SweepSpec, ListsAreTablesOfCases) {
   EXPECT_THROW(SweepSpec(spec.text(), spec.name()), Error);
 }
 
+TEST(SweepSpec, ListsAreReadAsTheyComeFromSpreadsheets) {
+  const TemporaryFolder folder;
+  save(folder / "l.csv", "a.a,b.word,c.c\n1.5,left,2.5\n-3e2,right,4\n");
+  const std::string text = std::string("[list]\nfile = \"l.csv\"\n") + inside, name = (folder / "s.toml").string();
+  const SweepSpec plain(text, name);
+  for (const char* table : {"\xef\xbb\xbf"
+                            "a.a;b.word;c.c\r\n1,5;left;2,5\r\n-3e2;right;4\r\n",
+                            "\"a.a\"\tb.word\tc.c\n1,5\tleft\t2.5\n\n-300\tright\t4"}) {
+    save(folder / "l.csv", table);
+    const SweepSpec spec(text, name);
+    ASSERT_EQ(spec.count(), plain.count());
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
+      EXPECT_EQ(numbers(spec, k), numbers(plain, k)) << table;
+    EXPECT_EQ(spec.text_of(1, 1), "right");
+  }
+  save(folder / "l.csv", std::string("a\0,\0b\0\n\0", 8));
+  EXPECT_THROW(SweepSpec(text, name), Error);
+}
+
+TEST(SweepSpec, ListsHaveUnitsInTheirHeadings) {
+  const TemporaryFolder folder;
+  save(folder / "l.csv", "a.a [mm];b.n [-];c.c\n6,5;3;7 mm\n-1;4;8 mm\n");
+  SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  spec.convert_units({{"a.a", "m"}, {"c.c", "m"}});
+  EXPECT_EQ(numbers(spec, 0), (std::vector<double>{6.5e-3, -1e-3}));
+  EXPECT_EQ(numbers(spec, 1), (std::vector<double>{3, 4}));
+  EXPECT_EQ(numbers(spec, 2), (std::vector<double>{7e-3, 8e-3}));
+}
+
 std::string sample(int count, int seed) {
   return "[sample]\ncount = " + std::to_string(count) + "\nseed = " + std::to_string(seed) +
          "\na.a = { from = 2, to = 4 }\na.b = { from = 2, to = 4 }\na.l = { from = 1, to = 100, scale = "
