@@ -57,7 +57,7 @@ public:
     if (!handle_) throw std::runtime_error(dlerror());
     const fmi2CallbackFunctions functions = {};
     const auto instantiate = find<decltype(fmi2Instantiate)>("fmi2Instantiate");
-    const std::string guid = fmi::guid(fmi::model_info());
+    const std::string guid = fmi::guid(fmi::model_info(), fmi::Version::fmi2);
     unit_ = instantiate("bench", fmi2CoSimulation, guid.c_str(), "", &functions, fmi2False, fmi2False);
     if (!unit_) throw std::runtime_error("the unit refuses to be made");
     find<decltype(fmi2EnterInitializationMode)>("fmi2EnterInitializationMode")(unit_);

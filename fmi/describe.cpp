@@ -1,4 +1,4 @@
-// Writes the unit's description and documentation: describe modelDescription.xml index.html
+// Writes the unit's description and documentation: describe 2.0|3.0 modelDescription.xml index.html
 
 #include "fmi/description.hpp"
 
@@ -19,9 +19,10 @@ bool write(const char* name, const std::string& text) {
 
 int main(int count, char** arguments) try {
   using namespace microslip::fmi;
-  if (count != 3) return 2;
+  if (count != 4) return 2;
+  const Version version = arguments[1] == std::string("3.0") ? Version::fmi3 : Version::fmi2;
   const ModelInfo info = model_info();
-  return write(arguments[1], model_description(info)) && write(arguments[2], documentation(info)) ? 0 : 1;
+  return write(arguments[2], model_description(info, version)) && write(arguments[3], documentation(info)) ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

@@ -81,10 +81,12 @@ Powers powers_of(const std::string& unit) {
   return sum;
 }
 
-std::string unit_definitions(const ModelInfo& info) {
+/// Of the variables, and with FMI 3.0 of time.
+std::string unit_definitions(const ModelInfo& info, Version version) {
   std::set<std::string> units;
   for (const Variable& v : info.variables)
     if (v.kind == Kind::real) units.insert(v.unit);
+  if (version == Version::fmi3) units.insert("s");
   std::string text = "  <UnitDefinitions>\n";
   for (const std::string& unit : units) {
     text += "    <Unit name=\"" + unit_name(unit) + "\"><BaseUnit";
@@ -100,72 +102,111 @@ bool has_start(const Variable& v) {
   return v.causality == Causality::input || v.causality == Causality::parameter;
 }
 
-std::string type_of(const Variable& v) {
-  if (v.kind == Kind::text) return "<String start=\"" + escaped(v.start_text) + "\"/>";
-  std::string text = v.kind == Kind::real ? "<Real unit=\"" + unit_name(v.unit) + "\"" : "<Integer";
-  if (std::isfinite(v.min)) text += " min=\"" + number(v.min) + "\"";
-  if (std::isfinite(v.max)) text += " max=\"" + number(v.max) + "\"";
-  if (has_start(v)) text += " start=\"" + number(v.start) + "\"";
-  return text + "/>";
-}
-
-std::string scalar_variable(const Variable& v, std::size_t reference) {
+/// What every variable says of itself, whatever the version.
+std::string common_attributes(const Variable& v, std::size_t reference) {
   constexpr const char* causalities[] = {"parameter", "input", "output", "local"};
   const char* variability = v.causality == Causality::parameter ? "fixed"
                             : v.kind == Kind::real              ? "continuous"
                                                                 : "discrete";
-  std::string text = "    <ScalarVariable name=\"" + escaped(v.name) + "\" valueReference=\"" +
-                     std::to_string(reference) + "\" causality=\"" + causalities[static_cast<int>(v.causality)] +
-                     "\" variability=\"" + variability + "\"";
+  std::string text = " name=\"" + escaped(v.name) + "\" valueReference=\"" + std::to_string(reference) +
+                     "\" causality=\"" + causalities[static_cast<int>(v.causality)] + "\" variability=\"" +
+                     variability + "\"";
   if (v.causality != Causality::input)
     text += std::string(" initial=\"") + (v.causality == Causality::parameter ? "exact" : "calculated") + "\"";
-  return text + "\n      description=\"" + escaped(v.description) + "\">\n      " + type_of(v) + "</ScalarVariable>\n";
+  return text + "\n      description=\"" + escaped(v.description) + "\"";
 }
 
-/// Indices from 1 on, of inputs or of inputs and parameters.
-std::string indices(const ModelInfo& info, bool with_parameters) {
+/// Unit, range and start of a number.
+std::string number_attributes(const Variable& v) {
+  const auto printed = [&](double value) {
+    return v.kind == Kind::integer ? std::to_string(std::lround(value)) : number(value);
+  };
+  std::string text = v.kind == Kind::real ? " unit=\"" + unit_name(v.unit) + "\"" : "";
+  if (std::isfinite(v.min)) text += " min=\"" + printed(v.min) + "\"";
+  if (std::isfinite(v.max)) text += " max=\"" + printed(v.max) + "\"";
+  if (has_start(v)) text += " start=\"" + printed(v.start) + "\"";
+  return text;
+}
+
+/// FMI 2.0: types are elements of a variable. FMI 3.0: variables are elements of their type.
+std::string variable_text(const Variable& v, std::size_t reference, Version version) {
+  if (version == Version::fmi2) {
+    constexpr const char* types[] = {"Real", "Integer", "String"};
+    const std::string type = types[static_cast<int>(v.kind)];
+    return "    <ScalarVariable" + common_attributes(v, reference) + ">\n      <" + type +
+           (v.kind == Kind::text ? " start=\"" + escaped(v.start_text) + "\"" : number_attributes(v)) +
+           "/></ScalarVariable>\n";
+  }
+  constexpr const char* types[] = {"Float64", "Int32", "String"};
+  const std::string start = std::string("    <") + types[static_cast<int>(v.kind)] + common_attributes(v, reference);
+  if (v.kind == Kind::text) return start + ">\n      <Start value=\"" + escaped(v.start_text) + "\"/></String>\n";
+  return start + number_attributes(v) + "/>\n";
+}
+
+/// Inputs, or inputs and parameters: by their indices from 1 on, with FMI 3.0 by their value references.
+std::string dependencies(const ModelInfo& info, bool with_parameters, Version version) {
   std::string text;
   for (std::size_t k = 0; k < info.variables.size(); ++k) {
     const Causality c = info.variables[k].causality;
     if (c == Causality::input || (with_parameters && c == Causality::parameter))
-      text += (text.empty() ? "" : " ") + std::to_string(k + 1);
+      text += (text.empty() ? "" : " ") + std::to_string(version == Version::fmi2 ? k + 1 : k);
   }
   return text;
 }
 
-std::string unknowns(const ModelInfo& info, const char* group, bool with_parameters) {
-  const std::string dependencies = indices(info, with_parameters);
-  std::string text = std::string("    <") + group + ">\n";
+/// Elements of all outputs, with what these depend on.
+std::string unknowns(const ModelInfo& info, const std::string& element, bool with_parameters, Version version) {
+  const std::string all = dependencies(info, with_parameters, version);
+  std::string text;
   for (std::size_t k = 0; k < info.variables.size(); ++k)
     if (info.variables[k].causality == Causality::output)
-      text += "      <Unknown index=\"" + std::to_string(k + 1) + "\" dependencies=\"" + dependencies + "\"/>\n";
-  return text + "    </" + group + ">\n";
+      text += "    <" + element + (version == Version::fmi2 ? " index=\"" : " valueReference=\"") +
+              std::to_string(version == Version::fmi2 ? k + 1 : k) + "\" dependencies=\"" + all + "\"/>\n";
+  return text;
 }
 
-std::string description_with(const ModelInfo& info, const std::string& guid) {
-  const std::string version(build_info().version);
+std::string model_structure(const ModelInfo& info, Version version) {
+  if (version == Version::fmi3)
+    return unknowns(info, "Output", false, version) + unknowns(info, "InitialUnknown", true, version);
+  return "    <Outputs>\n" + unknowns(info, "Unknown", false, version) + "    </Outputs>\n    <InitialUnknowns>\n" +
+         unknowns(info, "Unknown", true, version) + "    </InitialUnknowns>\n";
+}
+
+std::string co_simulation(const ModelInfo& info, Version version) {
+  const std::string start = "  <CoSimulation modelIdentifier=\"" + info.identifier +
+                            "\" canHandleVariableCommunicationStepSize=\"true\"\n"
+                            "    maxOutputDerivativeOrder=\"0\" canBeInstantiatedOnlyOncePerProcess=\"false\"\n";
+  if (version == Version::fmi3)
+    return start + "    canGetAndSetFMUState=\"true\" canSerializeFMUState=\"false\" hasEventMode=\"false\"\n"
+                   "    providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"/>\n";
+  return start + "    canInterpolateInputs=\"false\" canRunAsynchronuously=\"false\"\n"
+                 "    canNotUseMemoryManagementFunctions=\"true\" canGetAndSetFMUstate=\"true\"\n"
+                 "    canSerializeFMUstate=\"false\" providesDirectionalDerivative=\"true\"/>\n";
+}
+
+std::string description_with(const ModelInfo& info, const std::string& guid, Version version) {
+  const std::string program(build_info().version);
   const bool structured = std::any_of(info.variables.begin(), info.variables.end(),
                                       [](const Variable& v) { return v.name.find('.') != std::string::npos; });
-  std::string text =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"2.0\" modelName=\"" + info.name +
-      "\" guid=\"" + guid + "\"\n  description=\"" + escaped(info.description) + "\"\n  version=\"" + version +
-      "\" generationTool=\"microslip " + version + "\" variableNamingConvention=\"" +
-      (structured ? "structured" : "flat") + "\">\n";
-  text += "  <CoSimulation modelIdentifier=\"" + info.identifier +
-          "\" canHandleVariableCommunicationStepSize=\"true\"\n"
-          "    canInterpolateInputs=\"false\" maxOutputDerivativeOrder=\"0\" canRunAsynchronuously=\"false\"\n"
-          "    canBeInstantiatedOnlyOncePerProcess=\"false\" canNotUseMemoryManagementFunctions=\"true\"\n"
-          "    canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"false\" providesDirectionalDerivative=\"true\"/>\n";
-  text += unit_definitions(info);
+  const bool is_fmi2 = version == Version::fmi2;
+  std::string text = std::string("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"") +
+                     (is_fmi2 ? "2.0" : "3.0") + "\" modelName=\"" + info.name + "\" " +
+                     (is_fmi2 ? "guid" : "instantiationToken") + "=\"" + guid + "\"\n  description=\"" +
+                     escaped(info.description) + "\"\n  version=\"" + program + "\" generationTool=\"microslip " +
+                     program + "\" variableNamingConvention=\"" + (structured ? "structured" : "flat") + "\">\n";
+  text += co_simulation(info, version) + unit_definitions(info, version);
   text += "  <LogCategories>\n"
           "    <Category name=\"logStatusError\" description=\"Why a call failed\"/>\n"
           "    <Category name=\"logStatusWarning\" description=\"What is probably wrong with the parameters\"/>\n"
           "  </LogCategories>\n"
           "  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n";
-  for (std::size_t k = 0; k < info.variables.size(); ++k) text += scalar_variable(info.variables[k], k);
-  text += "  </ModelVariables>\n  <ModelStructure>\n" + unknowns(info, "Outputs", false) +
-          unknowns(info, "InitialUnknowns", true) + "  </ModelStructure>\n</fmiModelDescription>\n";
-  return text;
+  for (std::size_t k = 0; k < info.variables.size(); ++k) text += variable_text(info.variables[k], k, version);
+  if (!is_fmi2)
+    text += "    <Float64 name=\"time\" valueReference=\"" + std::to_string(info.variables.size()) +
+            "\" causality=\"independent\" variability=\"continuous\"\n      description=\"Time of the simulation\" "
+            "unit=\"s\"/>\n";
+  return text + "  </ModelVariables>\n  <ModelStructure>\n" + model_structure(info, version) +
+         "  </ModelStructure>\n</fmiModelDescription>\n";
 }
 
 /// FNV-1a.
@@ -177,8 +218,8 @@ std::uint64_t hash(const std::string& text, std::uint64_t start) {
 
 } // namespace
 
-std::string guid(const ModelInfo& info) {
-  const std::string text = description_with(info, "");
+std::string guid(const ModelInfo& info, Version version) {
+  const std::string text = description_with(info, "", version);
   constexpr char digits[] = "0123456789abcdef";
   std::string out;
   for (const std::uint64_t start : {0xcbf29ce484222325U, 0x84222325cbf29ce4U}) {
@@ -189,8 +230,8 @@ std::string guid(const ModelInfo& info) {
   return out;
 }
 
-std::string model_description(const ModelInfo& info) {
-  return description_with(info, guid(info));
+std::string model_description(const ModelInfo& info, Version version) {
+  return description_with(info, guid(info, version), version);
 }
 
 namespace {

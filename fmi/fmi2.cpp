@@ -1,83 +1,56 @@
 #include "fmi/fmi2.h"
 
+#include "fmi/calls.hpp"
 #include "fmi/description.hpp"
-#include "fmi/unit.hpp"
 
 #include <cmath>
-#include <exception>
-#include <initializer_list>
-#include <new>
-#include <string>
+#include <memory>
 
 using namespace microslip::fmi;
 
 namespace {
 
-/// Runs a call that is allowed in some stages: `body` may throw, and returns a status or nothing.
+/// Runs a call that is allowed in some stages: `body` may throw.
 template <class Body>
-fmi2Status in_stage(fmi2Component instance, const char* call, std::initializer_list<Stage> stages, Body body) noexcept {
-  if (!instance) return fmi2Error;
-  Unit& unit = *static_cast<Unit*>(instance);
-  try {
-    for (const Stage stage : stages)
-      if (unit.stage == stage) {
-        body(unit);
-        return fmi2OK;
-      }
-    return unit.fail((std::string(call) + " is not allowed at this stage").c_str());
-  } catch (const std::exception& error) {
-    return unit.fail(error.what());
-  }
+fmi2Status in_stage(fmi2Component instance, const char* call, Stages stages, const Body& body) noexcept {
+  return instance && run(*static_cast<Unit*>(instance), call, stages, body) ? fmi2OK : fmi2Error;
 }
 
-/// Refusals of arguments leave by this.
-void require(bool condition, const char* text) {
-  if (!condition) throw std::invalid_argument(text);
-}
-
-constexpr std::initializer_list<Stage> readable = {Stage::initialization, Stage::stepping, Stage::terminated};
-constexpr std::initializer_list<Stage> writable = {Stage::instantiated, Stage::initialization, Stage::stepping};
-
-/// Values of variables of a kind; `store(unit, reference, k)` puts one into the caller's k-th place. In initialization
-/// mode results follow the inputs; while stepping they stand from the last step.
+/// Values of variables of a kind.
 template <class Store>
 fmi2Status get(fmi2Component instance, const char* call, Kind kind, const fmi2ValueReference vr[], size_t count,
                const Store& store) {
-  return in_stage(instance, call, readable, [&](Unit& unit) {
-    for (size_t k = 0; k < count; ++k) unit.variable(vr[k], kind);
-    if (unit.stage == Stage::initialization) unit.evaluate();
-    for (size_t k = 0; k < count; ++k) store(unit.values, vr[k], k);
-  });
+  return in_stage(instance, call, readable, [&](Unit& unit) { microslip::fmi::get(unit, kind, vr, count, store); });
 }
 
-/// Sets variables of a kind likewise.
+/// Sets variables of a kind.
 template <class Store>
 fmi2Status set(fmi2Component instance, const char* call, Kind kind, const fmi2ValueReference vr[], size_t count,
                const Store& store) {
-  return in_stage(instance, call, writable, [&](Unit& unit) {
-    for (size_t k = 0; k < count; ++k) {
-      const Causality causality = unit.variable(vr[k], kind).causality;
-      require(causality == Causality::input || causality == Causality::parameter, "an output cannot be set");
-      require(causality == Causality::input || unit.stage != Stage::stepping,
-              "a parameter cannot be set after initialization");
-      store(unit.values, vr[k], k);
-      unit.changed(causality);
-    }
-  });
+  return in_stage(instance, call, writable, [&](Unit& unit) { microslip::fmi::set(unit, kind, vr, count, store); });
 }
 
 /// There are no variables of this type.
 fmi2Status none_of_this_type(fmi2Component instance, const char* call, size_t count) {
-  return in_stage(instance, call, {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated},
-                  [&](Unit&) { require(count == 0, "there are no Boolean variables"); });
+  return in_stage(instance, call, anywhere, [&](Unit&) { require(count == 0, "there are no Boolean variables"); });
 }
 
 fmi2Status refuse(fmi2Component instance, const char* why) {
-  return instance ? static_cast<Unit*>(instance)->fail(why) : fmi2Error;
+  if (instance) static_cast<Unit*>(instance)->fail(why);
+  return fmi2Error;
 }
 
 fmi2Status discard(fmi2Component instance) {
   return instance ? fmi2Discard : fmi2Error;
+}
+
+/// What a unit says, as the importer's logger takes it.
+Log log_of(const std::string& name, const fmi2CallbackFunctions& functions) {
+  return [name, functions](Severity severity, const char* text) {
+    if (functions.logger)
+      functions.logger(functions.componentEnvironment, name.c_str(),
+                       severity == Severity::error ? fmi2Error : fmi2Warning, category_of(severity), "%s", text);
+  };
 }
 
 } // namespace
@@ -101,8 +74,8 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
   if (!name || !*name || !guid || !functions || type != fmi2CoSimulation) return nullptr;
   try {
     const ModelInfo info = model_info();
-    auto unit = std::make_unique<Unit>(name, info, folder_of(resources), *functions, logging != fmi2False);
-    if (guid == microslip::fmi::guid(info)) return unit.release();
+    auto unit = std::make_unique<Unit>(info, folder_of(resources), log_of(name, *functions), logging != fmi2False);
+    if (guid == microslip::fmi::guid(info, Version::fmi2)) return unit.release();
     unit->fail("the guid is not that of modelDescription.xml");
   } catch (const std::exception&) { // no memory
   }
@@ -181,29 +154,18 @@ fmi2Status fmi2SetBoolean(fmi2Component instance, const fmi2ValueReference[], si
 }
 
 fmi2Status fmi2GetFMUstate(fmi2Component instance, fmi2FMUstate* state) {
-  return in_stage(instance, __func__, {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated},
-                  [&](Unit& unit) {
-                    if (*state)
-                      *static_cast<Unit::Saved*>(*state) = unit.save();
-                    else
-                      *state = new Unit::Saved(unit.save());
-                  });
+  return in_stage(instance, __func__, anywhere, [&](Unit& unit) { save(unit, state); });
 }
 
 fmi2Status fmi2SetFMUstate(fmi2Component instance, fmi2FMUstate state) {
   return in_stage(instance, __func__,
                   {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated, Stage::error},
-                  [&](Unit& unit) {
-                    require(state != nullptr, "there is no state to set");
-                    unit.restore(*static_cast<Unit::Saved*>(state));
-                  });
+                  [&](Unit& unit) { restore(unit, state); });
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component instance, fmi2FMUstate* state) {
   if (!instance) return fmi2Error;
-  if (!state) return fmi2OK;
-  delete static_cast<Unit::Saved*>(*state);
-  *state = nullptr;
+  forget(state);
   return fmi2OK;
 }
 
@@ -221,18 +183,7 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueR
                                         size_t unknown_count, const fmi2ValueReference knowns[], size_t known_count,
                                         const fmi2Real known_changes[], fmi2Real unknown_changes[]) {
   return in_stage(instance, __func__, readable, [&](Unit& unit) {
-    for (size_t k = 0; k < unknown_count; ++k)
-      require(unit.variable(unknowns[k], Kind::real).causality == Causality::output,
-              "derivatives are those of real outputs");
-    for (size_t k = 0; k < known_count; ++k)
-      require(unit.variable(knowns[k], Kind::real).causality == Causality::input,
-              "derivatives are those by real inputs");
-    unit.differentiate();
-    for (size_t i = 0; i < unknown_count; ++i) {
-      unknown_changes[i] = 0;
-      for (size_t k = 0; k < known_count; ++k)
-        unknown_changes[i] += unit.derivative(unknowns[i], knowns[k]) * known_changes[k];
-    }
+    directional_derivative(unit, unknowns, unknown_count, knowns, known_count, known_changes, unknown_changes);
   });
 }
 

@@ -40,10 +40,9 @@ std::filesystem::path folder_of(const char* uri) {
   return {reinterpret_cast<const char8_t*>(path.c_str())};
 }
 
-Unit::Unit(std::string name, ModelInfo info, std::filesystem::path resources, const fmi2CallbackFunctions& functions,
-           bool logging)
-    : values(info.variables), name_(std::move(name)), info_(std::move(info)), resources_(std::move(resources)),
-      functions_(functions), logging_(logging), model_(make_model(resources_)), place_(info_.variables.size()) {
+Unit::Unit(ModelInfo info, std::filesystem::path resources, Log log, bool logging)
+    : values(info.variables), info_(std::move(info)), resources_(std::move(resources)), log_(std::move(log)),
+      logging_(logging), model_(make_model(resources_)), place_(info_.variables.size()) {
   std::size_t outputs = 0;
   for (std::size_t k = 0; k < place_.size(); ++k) {
     const Variable& v = info_.variables[k];
@@ -52,22 +51,20 @@ Unit::Unit(std::string name, ModelInfo info, std::filesystem::path resources, co
   }
 }
 
-const Variable& Unit::variable(fmi2ValueReference reference, Kind kind) const {
+const Variable& Unit::variable(ValueReference reference, Kind kind) const {
   if (reference < info_.variables.size() && info_.variables[reference].kind == kind) return info_.variables[reference];
   constexpr const char* kinds[] = {"real", "integer", "string"};
   throw std::invalid_argument(std::string("no ") + kinds[static_cast<int>(kind)] +
                               " variable has this value reference");
 }
 
-void Unit::log(fmi2Status status, const char* category, const char* text) const {
-  if (logging_ && functions_.logger)
-    functions_.logger(functions_.componentEnvironment, name_.c_str(), status, category, "%s", text);
+void Unit::log(Severity severity, const char* text) const {
+  if (logging_) log_(severity, text);
 }
 
-fmi2Status Unit::fail(const char* text) {
+void Unit::fail(const char* text) {
   stage = Stage::error;
-  log(fmi2Error, "logStatusError", text);
-  return fmi2Error;
+  log(Severity::error, text);
 }
 
 void Unit::changed(Causality causality) {
@@ -87,8 +84,7 @@ Model& Unit::model() {
   if (!parameters_changed_) return *model_;
   if (!applied_ || !has_parameters_of(*applied_)) {
     applied_.reset();
-    for (const std::string& warning : model_->set_parameters(values))
-      log(fmi2Warning, "logStatusWarning", warning.c_str());
+    for (const std::string& warning : model_->set_parameters(values)) log(Severity::warning, warning.c_str());
     applied_ = values;
   }
   parameters_changed_ = false;
@@ -105,7 +101,7 @@ void Unit::differentiate() {
   derivatives_ = model().differentiate(values);
 }
 
-double Unit::derivative(fmi2ValueReference of, fmi2ValueReference by) const {
+double Unit::derivative(ValueReference of, ValueReference by) const {
   return derivatives_[place_[of] * inputs_ + place_[by]];
 }
 

@@ -1,25 +1,33 @@
 #pragma once
 
-#include "fmi/fmi2.h"
 #include "fmi/model.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace microslip::fmi {
 
-/// Where an instance stands in the standard's order of calls (FMI 2.0, section 4.2.4).
+/// Where an instance stands in the standard's order of calls (FMI 2.0, section 4.2.4; FMI 3.0, section 4.2).
 enum class Stage { instantiated, initialization, stepping, terminated, error };
 
 /// The folder of a URI as fmi2Instantiate gets it, file:///tmp/unit/resources; empty if there is none.
 std::filesystem::path folder_of(const char* uri);
 
+using ValueReference = unsigned int;
+
+/// How a unit speaks to the importer. The categories of the descriptions' LogCategories.
+enum class Severity { warning, error };
+constexpr const char* category_of(Severity severity) {
+  return severity == Severity::error ? "logStatusError" : "logStatusWarning";
+}
+using Log = std::function<void(Severity severity, const char* text)>;
+
 /// An instance of a functional mock-up unit: its variables, and the model that joins them.
 class Unit {
 public:
-  Unit(std::string name, ModelInfo info, std::filesystem::path resources, const fmi2CallbackFunctions& functions,
-       bool logging);
+  Unit(ModelInfo info, std::filesystem::path resources, Log log, bool logging);
 
   /// What a saved state holds.
   struct Saved {
@@ -33,18 +41,19 @@ public:
   Values values;
 
   /// Throws std::invalid_argument unless the reference is that of a variable of this kind.
-  const Variable& variable(fmi2ValueReference reference, Kind kind) const;
+  const Variable& variable(ValueReference reference, Kind kind) const;
+  std::size_t variable_count() const { return info_.variables.size(); }
 
   void set_logging(bool on) { logging_ = on; }
   /// Tells the importer and leaves the instance unusable until it is reset.
-  fmi2Status fail(const char* text);
+  void fail(const char* text);
 
   /// A variable has been set: results are found when they are next asked for.
   void changed(Causality causality);
   /// Finds the results. Throws Error for a variable out of range.
   void evaluate();
   /// Of a real output by a real input. The references must be those of such.
-  double derivative(fmi2ValueReference of, fmi2ValueReference by) const;
+  double derivative(ValueReference of, ValueReference by) const;
   /// Finds what derivative() gives. Throws as evaluate.
   void differentiate();
   void reset();
@@ -52,15 +61,14 @@ public:
   void restore(const Saved& saved);
 
 private:
-  void log(fmi2Status status, const char* category, const char* text) const;
+  void log(Severity severity, const char* text) const;
   /// The model with the parameters as they are now.
   Model& model();
   bool has_parameters_of(const Values& other) const;
 
-  std::string name_;
   ModelInfo info_;
   std::filesystem::path resources_;
-  fmi2CallbackFunctions functions_;
+  Log log_;
   bool logging_;
   std::unique_ptr<Model> model_;
   std::optional<Values> applied_;  ///< of which the model has the parameters

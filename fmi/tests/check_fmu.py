@@ -1,13 +1,15 @@
-"""Checks a co-simulation unit against the rules of FMI 2.0 for archive and modelDescription.xml: check_fmu.py FILE.fmu
+"""Checks a co-simulation unit against the rules of FMI for archive and modelDescription.xml: check_fmu.py FILE.fmu
 
-Prints each broken rule and exits with 1 if there is one. The rules are those of sections 2.2 (description), 2.3 (archive)
-and 4.3 (co-simulation) that concern units like ours: no Boolean variables, no states.
+Prints each broken rule and exits with 1 if there is one. The rules are those of FMI 2.0, sections 2.2 (description), 2.3
+(archive) and 4.3 (co-simulation), that concern units like ours: no Boolean variables, no states; fmi3_rules has those of 3.0.
 """
 
 import re
 import sys
 import xml.etree.ElementTree as ElementTree
 import zipfile
+
+import fmi3_rules
 
 ORDER = ["ModelExchange", "CoSimulation", "UnitDefinitions", "TypeDefinitions", "LogCategories", "DefaultExperiment",
          "VendorAnnotations", "ModelVariables", "ModelStructure"]
@@ -145,6 +147,8 @@ def check_structure(structure, variables, report):
 def check_description(text, report):
     """Returns the model identifier."""
     root = ElementTree.fromstring(text)
+    if root.get("fmiVersion") == "3.0":
+        return fmi3_rules.check_description(root, report)
     if root.tag != "fmiModelDescription" or root.get("fmiVersion") != "2.0":
         report("is no description of FMI 2.0")
     tags = [child.tag for child in root]
@@ -168,13 +172,14 @@ def check_description(text, report):
 BINARIES = {"linux64": ".so", "win64": ".dll", "darwin64": ".dylib"}
 
 
-def check_binaries(names, identifier):
-    """Each platform's folder must have the binary of the model identifier, and one of this platform must be there."""
+def check_binaries(names, identifier, binaries=None):
+    """Each platform's folder must have the binary of the model identifier, and one of Linux must be there."""
+    binaries = binaries or BINARIES
     broken = []
     platforms = {name.split("/")[1] for name in names if name.startswith("binaries/") and name != "binaries/"}
-    for platform in sorted(platforms | {"linux64"}):
-        binary = f"binaries/{platform}/{identifier}{BINARIES.get(platform, '')}"
-        if platform not in BINARIES:
+    for platform in sorted(platforms | {next(iter(binaries))}):
+        binary = f"binaries/{platform}/{identifier}{binaries.get(platform, '')}"
+        if platform not in binaries:
             broken.append(f"binaries/{platform} is no platform")
         elif binary not in names:
             broken.append(f"{binary} is missing")
@@ -189,10 +194,12 @@ def check_fmu(path):
             broken.append("the archive is damaged")
         if "modelDescription.xml" not in archive.namelist():
             return broken + ["modelDescription.xml is missing"]
-        identifier = check_description(archive.read("modelDescription.xml"), broken.append)
+        text = archive.read("modelDescription.xml")
+        identifier = check_description(text, broken.append)
+        is_fmi3 = b'fmiVersion="3.0"' in text
         if not (identifier or "").isidentifier():
             broken.append("modelIdentifier must be a name of C")
-        broken += check_binaries(archive.namelist(), identifier)
+        broken += check_binaries(archive.namelist(), identifier, fmi3_rules.BINARIES if is_fmi3 else BINARIES)
         if "documentation/index.html" not in archive.namelist():
             broken.append("documentation/index.html is missing")
         for name in archive.namelist():

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "fmi/unit.hpp"
+
+#include <cstddef>
+#include <exception>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+/// What the calls of both versions of the interface do: they differ in names, types and what else they must have.
+namespace microslip::fmi {
+
+using Stages = std::initializer_list<Stage>;
+constexpr Stages anywhere = {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated};
+constexpr Stages readable = {Stage::initialization, Stage::stepping, Stage::terminated};
+constexpr Stages writable = {Stage::instantiated, Stage::initialization, Stage::stepping};
+
+/// Refusals of arguments leave by this.
+inline void require(bool condition, const char* text) {
+  if (!condition) throw std::invalid_argument(text);
+}
+
+/// Runs a call that is allowed in some stages and may throw; false if the unit has failed.
+template <class Body> bool run(Unit& unit, const char* call, Stages stages, const Body& body) noexcept {
+  try {
+    for (const Stage stage : stages)
+      if (unit.stage == stage) {
+        body(unit);
+        return true;
+      }
+    unit.fail((std::string(call) + " is not allowed at this stage").c_str());
+  } catch (const std::exception& error) {
+    unit.fail(error.what());
+  }
+  return false;
+}
+
+/// Values of variables of a kind; `store(values, reference, k)` puts one into the caller's k-th place. In
+/// initialization mode results follow the inputs; while stepping they stand from the last step.
+template <class Store>
+void get(Unit& unit, Kind kind, const ValueReference vr[], std::size_t count, const Store& store) {
+  for (std::size_t k = 0; k < count; ++k) unit.variable(vr[k], kind);
+  if (unit.stage == Stage::initialization) unit.evaluate();
+  for (std::size_t k = 0; k < count; ++k) store(unit.values, vr[k], k);
+}
+
+/// Sets variables of a kind likewise.
+template <class Store>
+void set(Unit& unit, Kind kind, const ValueReference vr[], std::size_t count, const Store& store) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const Causality causality = unit.variable(vr[k], kind).causality;
+    require(causality == Causality::input || causality == Causality::parameter, "an output cannot be set");
+    require(causality == Causality::input || unit.stage != Stage::stepping,
+            "a parameter cannot be set after initialization");
+    store(unit.values, vr[k], k);
+    unit.changed(causality);
+  }
+}
+
+/// Finds the derivatives of real outputs by real inputs.
+inline void differentiate(Unit& unit, const ValueReference unknowns[], std::size_t unknown_count,
+                          const ValueReference knowns[], std::size_t known_count) {
+  for (std::size_t k = 0; k < unknown_count; ++k)
+    require(unit.variable(unknowns[k], Kind::real).causality == Causality::output,
+            "derivatives are those of real outputs");
+  for (std::size_t k = 0; k < known_count; ++k)
+    require(unit.variable(knowns[k], Kind::real).causality == Causality::input, "derivatives are those by real inputs");
+  unit.differentiate();
+}
+
+/// Changes of outputs by changes of inputs.
+inline void directional_derivative(Unit& unit, const ValueReference unknowns[], std::size_t unknown_count,
+                                   const ValueReference knowns[], std::size_t known_count, const double changes[],
+                                   double result[]) {
+  differentiate(unit, unknowns, unknown_count, knowns, known_count);
+  for (std::size_t i = 0; i < unknown_count; ++i) {
+    result[i] = 0;
+    for (std::size_t k = 0; k < known_count; ++k) result[i] += unit.derivative(unknowns[i], knowns[k]) * changes[k];
+  }
+}
+
+/// The transpose: by inputs, of a sum of outputs with weights.
+inline void adjoint_derivative(Unit& unit, const ValueReference unknowns[], std::size_t unknown_count,
+                               const ValueReference knowns[], std::size_t known_count, const double weights[],
+                               double result[]) {
+  differentiate(unit, unknowns, unknown_count, knowns, known_count);
+  for (std::size_t k = 0; k < known_count; ++k) {
+    result[k] = 0;
+    for (std::size_t i = 0; i < unknown_count; ++i) result[k] += unit.derivative(unknowns[i], knowns[k]) * weights[i];
+  }
+}
+
+/// Keeps the unit's state in a new place, or in that of an older one.
+inline void save(Unit& unit, void** state) {
+  if (*state)
+    *static_cast<Unit::Saved*>(*state) = unit.save();
+  else
+    *state = new Unit::Saved(unit.save());
+}
+
+inline void restore(Unit& unit, void* state) {
+  require(state != nullptr, "there is no state to set");
+  unit.restore(*static_cast<Unit::Saved*>(state));
+}
+
+inline void forget(void** state) {
+  if (!state) return;
+  delete static_cast<Unit::Saved*>(*state);
+  *state = nullptr;
+}
+
+} // namespace microslip::fmi
