@@ -74,9 +74,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   };
   field_option("--field", arguments->fields, "a field as a map; may be given again");
   field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
-  command
-      ->add_option("--cut", arguments->cut,
-                   "tractions with their bound and slip along the row at y [mm], of a patch from its origin")
+  command->add_option("--cut", arguments->cut, "tractions with their bound and slip along the row at y [mm]")
       ->expected(1)
       ->type_name("Y");
   command->add_option("--stresses", arguments->stresses, "stresses inside both bodies in the plane of y [mm]")
@@ -91,9 +89,8 @@ void add_plot_command(CLI::App& program, int& exit_code) {
       ->type_name("OTHER.h5");
   add_json_flag(*command, arguments->json);
   command->footer(
-      "Draws all pictures of the file's kind, or of a rolling contact those that the options ask for. Of a wheel on a\n"
-      "rail fields and cuts have a panel for each patch. Creep curves, convergence and stresses are of two bodies and\n"
-      "computed by the Python module. Prints the names of the PNG files.\n\n"
+      "Draws all pictures of the file's kind, or of a rolling contact those that the options ask for. Creep curves,\n"
+      "convergence and stresses are computed by the Python module. Prints the names of the PNG files.\n\n"
       "Example:\n  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0");
   command->callback([arguments, &exit_code] { exit_code = plot(*arguments); });
 }

@@ -5,13 +5,12 @@ import textwrap
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.contact_cells import EXTERIOR
+from microslip.contact_cells import EXTERIOR, read_cells
 from microslip.cut_picture import nearest_row
 from microslip.field_picture import SEQUENTIAL, field_values
 from microslip.picture_style import (BLACK, BLUE, THEORIES, VERMILION, bodies_of, new_figure, open_axes, put_title, quantity,
                                      shown, the, unit_for)
 from microslip.result_file import ResultError
-from microslip.stored_contact import stored_contacts
 
 TOTALS = (("fx", "$F_x$", "N"), ("fy", "$F_y$", "N"), ("mz", "$M_z$", "N m"), ("slip_area", "slip area", "mm²"),
           ("frictional_power", "frictional power", "W"))
@@ -29,9 +28,8 @@ def comparison_picture(first, second):
     """The figure: two maps to one scale, the middle rows of both, a table of totals with differences."""
     results = {"A": first, "B": second}
     theories = {key: main_theory(result) for key, result in results.items()}
-    contacts = {key: stored_contacts(result, [theories[key]])[0] for key, result in results.items()}
-    cells = {key: contact.cells for key, contact in contacts.items()}
-    values = {key: field_values(result, contacts[key], "traction") for key, result in results.items()}
+    cells = {key: read_cells(result, theories[key]) for key, result in results.items()}
+    values = {key: field_values(result, theories[key], "traction") for key, result in results.items()}
     largest = max(value[cells[key].inside].max(initial=0) for key, value in values.items())
     factor, unit = unit_for(largest, "Pa")
     scale = Normalize(0, factor * largest or 1)

@@ -3,25 +3,21 @@
 import numpy as np
 
 from microslip.contact_cells import ADHESION, SLIP
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, bodies_of, heading, new_figure,
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading, new_figure,
                                      number, open_axes, put_title, the)
 from microslip.result_file import ResultError
-from microslip.stored_contact import rolls_backward, theories_of
 
 
-def cut_picture(result, contacts, y=0.0):
-    """The row nearest to y [mm] of each contact that has points there."""
-    ends = [contact.cells.outline.limits()[2:] for contact in contacts]
-    chosen = [contact for contact, (low, high) in zip(contacts, ends) if low <= y <= high]
-    if not chosen:
-        ranges = {f"{number(low)} to {number(high)} mm" for low, high in ends}
-        raise ResultError(f"the cut at y = {number(y)} mm is outside the contact, which has y of {' and '.join(sorted(ranges))}")
-    figure = new_figure(5.4 * len(chosen), 5.6)
-    put_title(figure, heading("Cut along x", result, theories_of(chosen)))
-    panels = figure.subplots(2, len(chosen), sharex=True, sharey="row", squeeze=False, height_ratios=(1.5, 1))
-    backward = rolls_backward(result)
-    for column, contact in enumerate(chosen):
-        grid = contact.cells
+def cut_picture(result, cells, y=0.0):
+    """The row nearest to y [mm] by each theory."""
+    if not all(abs(y) <= grid.b for grid in cells.values()):
+        raise ResultError(f"the cut at y = {number(y)} mm is outside the contact, |y| <= "
+                          f"{number(min(grid.b for grid in cells.values()))} mm")
+    figure = new_figure(5.4 * len(cells), 5.6)
+    put_title(figure, heading("Cut along x", result, cells))
+    panels = figure.subplots(2, len(cells), sharex=True, sharey="row", squeeze=False, height_ratios=(1.5, 1))
+    backward = result.text("/inputs/direction") == "backward"
+    for column, (theory, grid) in enumerate(cells.items()):
         row = nearest_row(grid, y)
         above, below = panels[:, column]
         draw_tractions(above, grid, row)
@@ -29,7 +25,7 @@ def cut_picture(result, contacts, y=0.0):
         for axes in (above, below):
             open_axes(axes)
             shade(axes, grid, row)
-        above.set_title(f"{contact.label}, y = {number(grid.row_y[row])} mm")
+        above.set_title(f"{THEORIES[theory]}, y = {number(grid.row_y[row])} mm")
         below.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}")
     panels[0, 0].set_ylabel(f"traction on {the(bodies_of(result)[0])} [MPa]")
     panels[1, 0].set_ylabel(rf"slip of {the(bodies_of(result)[0])} [$10^{{-3}}$]")

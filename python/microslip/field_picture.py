@@ -9,10 +9,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 from microslip.contact_cells import MOST_CELLS
-from microslip.picture_style import bodies_of, heading, new_figure, put_title, the, unit_for
+from microslip.picture_style import THEORIES, bodies_of, heading, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
-from microslip.stored_contact import rolls_backward, theories_of
 
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # A sign that is smaller than this share of the other does not count.
@@ -34,45 +33,40 @@ FIELDS = {
 }
 
 
-def field_values(result, contact, name):
-    """The values of a field at the cells of a stored contact, in SI; None if it does not have it."""
+def field_values(result, theory, name):
+    """The values of a field at a theory's cells, in SI; None if the theory does not have it."""
     if name not in FIELDS:
         matches = difflib.get_close_matches(name, FIELDS, 1)
         hint = f"; did you mean '{matches[0]}'?" if matches else ""
         raise ResultError(f"field '{name}' is unknown{hint}, known: {', '.join(FIELDS)}")
     parts = FIELDS[name][2]
-    paths = [f"{contact.folder}/{part}" for part in parts]
+    paths = [f"/{theory}/fields/{part}" for part in parts]
     if any(path not in result for path in paths):
         return None
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
     arrays = result.arrays(paths, dimensions=2, strides=strides)
     if name == "power":
         px, py, sx, sy = arrays
-        return -contact.rolling_speed * (px * sx + py * sy)
+        return -result.number("/inputs/rolling_speed") * (px * sx + py * sy)
     return arrays[0] if len(arrays) == 1 else np.hypot(*arrays)
 
 
-class FieldOfContacts:
-    """A field of each contact that has it, in a unit that suits its size, with one scale of colours for all."""
+class FieldOfTheories:
+    """A field by each theory that has it, in a unit that suits its size, with one scale of colours for all."""
 
-    def __init__(self, result, contacts, name):
-        values = [(contact, field_values(result, contact, name)) for contact in contacts]
-        values = [(contact, value) for contact, value in values if value is not None]
+    def __init__(self, result, cells, name):
+        values = {theory: field_values(result, theory, name) for theory in cells}
+        values = {theory: value for theory, value in values.items() if value is not None}
         if not values:
-            raise ResultError(f"{result.path}: {contacts[0].label} has no field '{name}'" if len(contacts) == 1
-                              else f"{result.path}: none of {', '.join(contact.label for contact in contacts)} has the field '{name}'")
+            raise ResultError(f"{result.path}: no theory has the field '{name}'")
         title, unit, _, self.vanishes = FIELDS[name]
         self.title = title.format(the(bodies_of(result)[0]))
-        self.contacts = [contact for contact, _ in values]
-        inside = np.concatenate([value[contact.cells.inside] for contact, value in values])
+        self.cells = {theory: cells[theory] for theory in values}
+        inside = np.concatenate([value[self.cells[theory].inside] for theory, value in values.items()])
         low, high = (min(inside.min(initial=0), 0), max(inside.max(initial=0), 0))
         factor, self.unit = (1e3, "$10^{-3}$") if unit == "-" else unit_for(max(high, -low), unit)
-        self.values = [factor * value for _, value in values]
+        self.values = {theory: factor * value for theory, value in values.items()}
         self.colours, self.scale = colours_of(factor * low, factor * high)
-
-    def cells(self):
-        """Of each contact."""
-        return [contact.cells for contact in self.contacts]
 
     def label(self):
         """For a scale."""
@@ -93,29 +87,29 @@ def colours_of(low, high):
     return DIVERGING, Normalize(-far, far)
 
 
-def field_map(result, contacts, name):
+def field_map(result, cells, name):
     """The figure of a field as a map."""
-    field = FieldOfContacts(result, contacts, name)
-    figure, panels = contact_panels(result, field.cells(), field.heading(), theories_of(field.contacts))
-    for axes, contact, value in zip(panels, field.contacts, field.values):
-        contact.cells.draw(axes, value, cmap=field.colours, norm=field.scale)
-        axes.set_title(contact.label)
+    field = FieldOfTheories(result, cells, name)
+    figure, panels = contact_panels(result, field.cells, field.heading())
+    for axes, (theory, value) in zip(panels, field.values.items()):
+        field.cells[theory].draw(axes, value, cmap=field.colours, norm=field.scale)
+        axes.set_title(THEORIES[theory])
     figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.8, pad=0.02)
     return figure
 
 
-def field_surface(result, contacts, name):
+def field_surface(result, cells, name):
     """The figure of a field as a surface over the contact."""
-    field = FieldOfContacts(result, contacts, name)
+    field = FieldOfTheories(result, cells, name)
     figure = new_figure(6.2 * len(field.values) + 1, 5.4)
-    put_title(figure, heading(field.heading(), result, theories_of(field.contacts)))
-    backward = rolls_backward(result)
+    put_title(figure, heading(field.heading(), result, field.cells))
+    backward = result.text("/inputs/direction") == "backward"
     panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
-    surfaces = [contact.cells.surface(value, field.vanishes) for contact, value in zip(field.contacts, field.values)]
-    heights = [height for meshes in surfaces for *_, height in meshes]
+    surfaces = {theory: field.cells[theory].surface(value, field.vanishes) for theory, value in field.values.items()}
+    heights = [height for meshes in surfaces.values() for *_, height in meshes]
     low, high = min(0, *(height.min() for height in heights)), max(0, *(height.max() for height in heights))
-    for axes, contact, meshes in zip(panels, field.contacts, surfaces):
-        grid = contact.cells
+    for axes, (theory, meshes) in zip(panels, surfaces.items()):
+        grid = field.cells[theory]
         for x, y, height in meshes:
             colours = matplotlib.colormaps[field.colours](field.scale(height))
             axes.plot_surface(x, y, height, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False)
@@ -129,10 +123,10 @@ def field_surface(result, contacts, name):
         axes.set_xlabel(f"x [mm], rolling {'against' if backward else 'along'} x", labelpad=8)
         axes.set_ylabel("y [mm]", labelpad=8)
         axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
-                            else (1, 1, 0.7), zoom=0.85)
+                            else (1, 1, 0.7), zoom=0.92)
         axes.tick_params(axis="x", labelrotation=0, pad=1)
         axes.locator_params(nbins=6)
         axes.view_init(elev=32, azim=-125)
-        axes.set_title(contact.label)
+        axes.set_title(THEORIES[theory])
     figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.6, pad=0.1)
     return figure

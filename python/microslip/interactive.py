@@ -1,54 +1,39 @@
 """A field over a contact as a surface to turn and zoom, for notebooks and as a page of its own (Debian: python3-plotly)."""
 
-import numpy as np
-
-from microslip.field_picture import FieldOfContacts
+from microslip.contact_cells import read_cells
+from microslip.field_picture import FieldOfTheories
 from microslip.picture_style import THEORIES
 from microslip.result_file import ResultError, ResultFile
-from microslip.stored_contact import stored_contacts
 
 
-def view(path, field="traction", theory=None, patch=None):
+def view(path, field="traction", theory=None):
     """An interactive view of a field of a result file of one rolling contact: a figure of plotly, which notebooks show by
-    themselves and `write_html("view.html")` writes as a page that needs no network. `field`: as in `plot --field`; `theory`, of
-    two bodies: exact, fastsim2, ...; by default the best one that has the field. `patch`, of a wheel on a rail: its number, from
-    1; by default the one with the largest values. ResultError for other files and without plotly."""
+    themselves and `write_html("view.html")` writes as a page that needs no network. `field`: as in `plot --field`; `theory`:
+    exact, fastsim2, ...; by default the best one that has the field. ResultError for other files and without plotly."""
     try:
         from plotly import graph_objects
     except ImportError:
         raise ResultError("interactive views need plotly: install python3-plotly") from None
     with ResultFile(path) as result:
-        contacts = stored_contacts(result)
-        if theory is not None:
-            require_one("theory", theory, [one for one in THEORIES if f"{one}/fields" in result], path)
-            contacts = stored_contacts(result, [theory])
-        if patch is not None:
-            numbers = list(range(1, len(contacts) + 1)) if result.attribute("kind") == "wheel_rail" else []
-            require_one("patch", patch, numbers, path)
-            contacts = [contacts[patch - 1]]
-        shown = FieldOfContacts(result, contacts, field)
+        if result.attribute("kind") != "rolling_contact":
+            raise ResultError(f"{path}: kind '{result.attribute('kind')}': interactive views are of two bodies, what solve makes of a case with [body1] and [body2]")
+        if theory is not None and theory not in result:
+            raise ResultError(f"{path}: no theory '{theory}', there are: {', '.join(one for one in THEORIES if one in result)}")
+        cells = {one: read_cells(result, one) for one in THEORIES if one in result and theory in (None, one)}
+        shown = FieldOfTheories(result, cells, field)
         title = f"{shown.heading()}: {result.attribute('title', 'rolling contact')}"
-        is_patch = result.attribute("kind") == "wheel_rail"
-    # The last theory is the best one.
-    place = int(np.argmax([np.abs(values).max() for values in shown.values])) if is_patch else len(shown.values) - 1
-    return figure_of(graph_objects, shown, place, f"{title}, {shown.contacts[place].label}")
+    name = list(shown.values)[-1]
+    return figure_of(graph_objects, shown, name, f"{title}, {THEORIES[name]}")
 
 
-def require_one(name, value, known, path):
-    """ResultError unless the file has it."""
-    if value not in known:
-        there = f"there are: {', '.join(map(str, known))}" if known else "it has none"
-        raise ResultError(f"{path}: no {name} '{value}', {there}")
-
-
-def figure_of(graph_objects, field, place, title):
+def figure_of(graph_objects, field, theory, title):
     """The surfaces of all parts of the contact, their outlines on the ground."""
-    grid = field.contacts[place].cells
+    grid = field.cells[theory]
     label = plain(field.label())
     scale = {"colorscale": "Viridis" if field.colours.startswith("viridis") else "PuOr", "cmin": field.scale.vmin, "cmax": field.scale.vmax,
              "reversescale": field.colours.endswith("_r")}
     figure = graph_objects.Figure()
-    for number, (x, y, height) in enumerate(grid.surface(field.values[place], field.vanishes)):
+    for number, (x, y, height) in enumerate(grid.surface(field.values[theory], field.vanishes)):
         figure.add_trace(graph_objects.Surface(x=x, y=y, z=height, colorbar={"title": label}, showscale=number == 0, **scale,
                                                hovertemplate="x %{x:.3g} mm<br>y %{y:.3g} mm<br>%{z:.4g}<extra></extra>"))
     for part in grid.outline.parts:

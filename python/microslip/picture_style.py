@@ -62,8 +62,6 @@ def put_title(figure, text):
 
 def bodies_of(result):
     """What pictures call both bodies: those of a wheel on a rail if body 2 is straight where it rolls and body 1 is not."""
-    if result.attribute("kind", "") == "wheel_rail":
-        return "wheel", "rail"
     if any(f"/inputs/rolling_radius_{body}" not in result for body in (1, 2)):
         return "body 1", "body 2"
     upper, lower = (float(result.array(f"/inputs/rolling_radius_{body}", dimensions=0, finite=False)) for body in (1, 2))

@@ -3,7 +3,6 @@
 import argparse
 import contextlib
 import os
-import re
 import sys
 
 import matplotlib
@@ -11,7 +10,7 @@ import matplotlib
 from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
-from microslip.contact_cells import cells_of  # noqa: F401, microslip.plot.cells_of
+from microslip.contact_cells import cells_of, read_cells  # noqa: F401, microslip.plot.cells_of
 from microslip.contact_run_pictures import contact_run_pictures
 from microslip.cut_picture import cut_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
@@ -19,12 +18,11 @@ from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
 from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.model_problem_picture import model_problem_pictures
-from microslip.picture_style import SETTINGS
+from microslip.picture_style import SETTINGS, THEORIES
 from microslip.profile_picture import profile_pictures
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
-from microslip.stored_contact import stored_contacts
 from microslip.subsurface_pictures import subsurface_pictures
 from microslip.sweep_picture import sweep_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
@@ -47,12 +45,9 @@ PICTURES_OF_KIND = {
     "wheelset": wheelset_pictures,
 }
 
-# What there is for other kinds of files.
-OF_OTHER_KINDS = {"--stresses": "; stresses of others are drawn where the case has [interior]",
-                  "--creep-curves": "; microslip sweep varies a creepage of others"}
-
 # What is drawn beside result.h5 of one case or another.
-PICTURES_OF_SOLVE = re.compile(r"(tractions|areas|creep_curve|history|interior(_\d+)?|gap|patches|rail_head|contact_points|forces|wheelset)\.png")
+PICTURES_OF_SOLVE = {"tractions.png", "areas.png", "creep_curve.png", "history.png", "interior.png", "gap.png", "patches.png",
+                     "rail_head.png", "contact_points.png", "forces.png", "wheelset.png"}
 
 
 def pictures(result):
@@ -65,21 +60,15 @@ def pictures(result):
 
 def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
     """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], creep curves for
-    spins [1/m] (empty: chosen from the contact), a comparison with another open result file. Of a wheel on a rail fields and
-    cuts have a panel for each patch, from whose origin y counts; the others are of two bodies."""
-    figures = {}
-    if fields or surfaces or cut is not None:
-        contacts = stored_contacts(result)
-        figures = {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
-        figures.update({f"surface_{name}.png": field_surface(result, contacts, name) for name in surfaces})
+    spins [1/m] (empty: chosen from the contact), a comparison with another open result file."""
+    for one in (result, other):
+        if one and one.attribute("kind") != "rolling_contact":
+            raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': such pictures are of two bodies, what solve makes of a case with [body1] and [body2]")
+    cells = {theory: read_cells(result, theory) for theory in THEORIES if f"{theory}/fields" in result}
+    figures = {f"field_{name}.png": field_map(result, cells, name) for name in fields}
+    figures.update({f"surface_{name}.png": field_surface(result, cells, name) for name in surfaces})
     if cut is not None:
-        figures["cut.png"] = cut_picture(result, contacts, cut)
-    for option, is_asked in (("--creep-curves", spins is not None), ("--convergence", convergence), ("--stresses", stresses is not None),
-                             ("--compare", other is not None)):
-        for one in (result, other):
-            if is_asked and one and one.attribute("kind") != "rolling_contact":
-                raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': {option} is of two bodies, what solve makes of a case with "
-                                  f"[body1] and [body2]{OF_OTHER_KINDS.get(option, '')}")
+        figures["cut.png"] = cut_picture(result, cells, cut)
     if other is not None:
         figures["comparison.png"] = comparison_picture(result, other)
     if spins is not None:
@@ -150,9 +139,9 @@ def save(figure, path, metadata):
 
 def remove_older(folder, drawn):
     """Removes the pictures that an earlier case of `solve` left in the folder and that this one does not have."""
-    for name in set(os.listdir(folder or ".")) - set(drawn):
+    for name in PICTURES_OF_SOLVE - set(drawn):
         path = os.path.join(folder, name)
-        if PICTURES_OF_SOLVE.fullmatch(name) and os.path.isfile(path):
+        if os.path.isfile(path):
             with open(path, "rb") as file:
                 is_ours = b"tEXtSoftware\0microslip " in file.read(1000)
             if is_ours:

@@ -10,11 +10,10 @@ from matplotlib.patches import Patch
 from microslip.contact_cells import HATCH, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
-from microslip.interior_picture import interior_picture, stored_points
+from microslip.interior_picture import interior_picture
 from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
                                      quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
-from microslip.stored_contact import rolls_backward
 
 # The light part of a map of one hue: black arrows stand out on all of it.
 BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
@@ -35,13 +34,20 @@ def rolling_contact_pictures(result):
     if "exact/history" in result:
         figures["history.png"] = history_picture(result)
     if "interior/von_mises" in result:
-        figures["interior.png"] = interior_picture(heading("Von Mises' stress inside the bodies", result), [stored_points(result, "/interior")])
+        figures["interior.png"] = interior_picture(heading("Von Mises' stress inside the bodies", result), [interior_points(result)])
     return figures
+
+
+def interior_points(result):
+    """x, y, z and von Mises' stress of all points that the case asks for."""
+    x, y, z = (result.array(f"/interior/{name}") for name in "xyz")
+    z, y, x = np.meshgrid(z, y, x, indexing="ij")
+    return [values.ravel() for values in (x, y, z, result.array("/interior/von_mises", dimensions=3))]
 
 
 def tractions_picture(result, cells):
     """Traction vectors on body 1 over the traction bound."""
-    figure, panels = contact_panels(result, cells.values(), f"Tractions on {the(bodies_of(result)[0])}", cells)
+    figure, panels = contact_panels(result, cells, f"Tractions on {the(bodies_of(result)[0])}")
     highest = max(grid.bound.max() for grid in cells.values())
     factor, unit = unit_for(1e6 * highest, "Pa")
     scale = Normalize(0, 1e6 * factor * highest or 1)
@@ -61,7 +67,7 @@ def tractions_picture(result, cells):
 
 def areas_picture(result, cells):
     """Adhesion and slip areas with the slip of body 1 over body 2."""
-    figure, panels = contact_panels(result, cells.values(), "Adhesion and slip areas", cells)
+    figure, panels = contact_panels(result, cells, "Adhesion and slip areas")
     longest = max(np.hypot(grid.sx, grid.sy).max() for grid in cells.values())
     for axes, (theory, grid) in zip(panels, cells.items()):
         grid.draw_areas(axes)
@@ -82,23 +88,22 @@ def area_patches(result, theory):
             for name, size in sizes.items()]
 
 
-def contact_panels(result, cells, what, theories=()):
-    """A figure with one panel per contact: axes in mm, its outline and the rolling direction."""
-    true_to_scale = all(grid.true_to_scale() for grid in cells)
-    limits = np.array([grid.outline.limits() for grid in cells])
-    (left, low), (right, high) = limits[:, ::2].min(axis=0), limits[:, 1::2].max(axis=0)
-    half_x, half_y = 1.1 * (right - left) / 2, 1.42 * (high - low) / 2
+def contact_panels(result, cells, what):
+    """A figure with one panel per theory: axes in mm, the ellipse's outline and the rolling direction."""
+    true_to_scale = all(grid.true_to_scale() for grid in cells.values())
+    limits = np.abs([grid.outline.limits() for grid in cells.values()])
+    half_x, half_y = 1.1 * limits[:, :2].max(), 1.42 * limits[:, 2:].max()
     if true_to_scale:
         half_x, half_y = max(half_x, half_y / 1.25), max(half_y, half_x / 1.6)
     width = 4.8
     height = width * (half_y / half_x if true_to_scale else 1)
     figure = new_figure(width * len(cells) + 1.7, height + 1.5, layout="compressed")
-    put_title(figure, heading(what, result, theories))
+    put_title(figure, heading(what, result, cells))
     panels = figure.subplots(1, len(cells), sharey=True, squeeze=False)[0]
-    backward = rolls_backward(result)
-    for axes, one in zip(panels, cells):
-        axes.set_xlim((left + right) / 2 - half_x, (left + right) / 2 + half_x)
-        axes.set_ylim((low + high) / 2 - half_y, (low + high) / 2 + half_y)
+    backward = result.text("/inputs/direction") == "backward"
+    for axes, one in zip(panels, cells.values()):
+        axes.set_xlim(-half_x, half_x)
+        axes.set_ylim(-half_y, half_y)
         axes.set_aspect("equal" if true_to_scale else "auto")
         axes.set_xlabel("x [mm]" if true_to_scale else "x [mm] (not to the scale of y)")
         one.draw_outline(axes)

@@ -11,7 +11,6 @@ import microslip
 from microslip import plot
 from microslip.result_file import ResultError
 from tests.synthetic_results import write_contact_run, write_rolling_contact
-from tests.test_wheel_rail_pictures import write_wheel_rail
 
 # The package lies in share/microslip/python of the folder that has the program in bin.
 PROGRAM = Path(microslip.__file__).parents[4] / "bin" / "microslip"
@@ -164,26 +163,14 @@ class ViewTest(unittest.TestCase):
         figure.write_html(str(page))
         self.assertIn("plotly", page.read_text()[:10_000_000])
 
-    def test_of_a_wheel_on_a_rail_a_patch_is_shown(self):
-        write_wheel_rail(self.path)
-        figure = plot.view(self.path, "pressure", patch=1)
-        self.assertIn("patch 1", figure.layout.title.text)
-        np.testing.assert_array_equal(plot.view(self.path, "pressure").data[0].z, figure.data[0].z)
-        with self.assertRaisesRegex(ResultError, "no patch '2', there are: 1"):
-            plot.view(self.path, patch=2)
-        with self.assertRaisesRegex(ResultError, "no theory 'exact', it has none"):
-            plot.view(self.path, theory="exact")
-
     def test_wishes_that_cannot_be_met(self):
         write_rolling_contact(self.path)
-        with self.assertRaisesRegex(ResultError, "no patch '1', it has none"):
-            plot.view(self.path, patch=1)
         with self.assertRaisesRegex(ResultError, "no theory 'exact'"):
             plot.view(self.path, theory="exact")
         with self.assertRaisesRegex(ResultError, "'heat' is unknown"):
             plot.view(self.path, "heat")
         write_contact_run(self.path)
-        with self.assertRaisesRegex(ResultError, "kind 'contact_run' has no fields"):
+        with self.assertRaisesRegex(ResultError, "of two bodies"):
             plot.view(self.path)
 
 

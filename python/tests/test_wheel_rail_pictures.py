@@ -30,7 +30,6 @@ def write_wheel_rail(path, states=1, side="left", fields=True):
     with h5py.File(path, "w") as file:
         file.attrs.update({"kind": "wheel_rail", "title": "arcs", "version": "0.1.0", "commit": "abc"})
         file["inputs/side"] = side
-        file["patches/rolling_speed"] = np.full(states, 30.0)
         for name in ("force_x", "force_y", "t_gamma", "t_gamma_with_spin", "frictional_power"):
             file[f"wheel/{name}"] = np.linspace(1, 2, states)
         file["patches/state"] = np.arange(states)
@@ -52,14 +51,6 @@ def write_wheel_rail(path, states=1, side="left", fields=True):
             file["fields/0/pressure"] = file["fields/0/bound"][()] / 0.3
 
 
-def write_interior(path):
-    """Stresses below the patch that differ in all points."""
-    with h5py.File(path, "a") as file:
-        for axis, values in {"x": [-1e-3, 0.0, 1e-3], "y": [0.0], "z": [-2e-3, -1e-3, 1e-3, 2e-3]}.items():
-            file[f"interior/0/{axis}"] = values
-        file["interior/0/von_mises"] = 1e8 + 1e7 * np.arange(12.0).reshape(4, 1, 3)
-
-
 class WheelRailPicturesTest(unittest.TestCase):
     def file(self, **what):
         folder = tempfile.TemporaryDirectory()
@@ -76,38 +67,6 @@ class WheelRailPicturesTest(unittest.TestCase):
         self.assertEqual(sorted(self.figures()), ["gap.png", "patches.png", "rail_head.png"])
         self.assertEqual(sorted(self.figures(fields=False)), ["gap.png"])
         self.assertEqual(sorted(self.figures(states=4)), ["contact_points.png", "forces.png"])
-
-    def test_fields_that_are_asked_for_have_a_panel_for_each_patch(self):
-        path = self.file()
-        with h5py.File(path) as file:
-            px, sx, py, sy = (file[f"fields/0/{name}"][()] for name in ("px", "sx", "py", "sy"))
-        figures = plot.figures(path, fields=["px", "power"], surfaces=["pressure"], cut=0.0)
-        self.assertEqual(list(figures), ["field_px.png", "field_power.png", "surface_pressure.png", "cut.png"])
-        panel = figures["field_px.png"].axes[0]
-        self.assertEqual(panel.get_title(), "patch 1")
-        self.assertIn("on the wheel", figures["field_px.png"]._suptitle.get_text())
-        np.testing.assert_allclose(np.unique(panel.images[0].get_array()), np.unique(1e-6 * px), rtol=1e-12, atol=1e-12)
-        power = -30.0 * (px * sx + py * sy)
-        np.testing.assert_allclose(np.unique(figures["field_power.png"].axes[0].images[0].get_array()).max(), 1e-6 * power.max(),
-                                   rtol=1e-12)
-
-    def test_pictures_of_two_bodies_are_refused_with_what_there_is_in_their_place(self):
-        path = self.file()
-        for wanted, words in (({"stresses": 0.0}, r"--stresses is of two bodies.*\[interior\]"), ({"convergence": True}, "--convergence is"),
-                              ({"spins": []}, "--creep-curves is of two bodies.*microslip sweep"), ({"other": path}, "--compare is"),
-                              ({"cut": 9.0}, "outside the contact, which has y of"), ({"fields": ["presure"]}, "did you mean 'pressure'")):
-            with self.assertRaisesRegex(ResultError, words):
-                plot.figures(path, **wanted)
-        with self.assertRaisesRegex(ResultError, "has no fields of a contact: a sweep"):
-            plot.figures(self.file(states=3), fields=["px"])
-
-    def test_stresses_below_a_patch_are_drawn_for_each_body(self):
-        path = self.file()
-        write_interior(path)
-        with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-            figures = plot.pictures(result)
-        titles = [axes.get_title() for axes in figures["interior_1.png"].axes[:2]]
-        self.assertEqual(titles, ["wheel, y = 0 mm", "rail, y = 0 mm"])
 
     def test_curves_over_a_sweep_are_those_of_the_file(self):
         forces = self.figures(states=4)["forces.png"].axes[0]
