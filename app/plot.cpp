@@ -70,14 +70,18 @@ void add_plot_command(CLI::App& program, int& exit_code) {
     command->add_option(name, fields, what)
         ->expected(1)
         ->take_all()
-        ->type_name("pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy");
+        ->type_name("pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess");
   };
   field_option("--field", arguments->fields, "a field as a map; may be given again");
   field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
-  command->add_option("--cut", arguments->cut, "tractions with their bound and slip along the row at y [mm]")
+  command
+      ->add_option("--cut", arguments->cut,
+                   "tractions with their bound and slip along the row at y [mm], on a rail in each patch's own frame")
       ->expected(1)
       ->type_name("Y");
-  command->add_option("--stresses", arguments->stresses, "stresses inside both bodies in the plane of y [mm]")
+  command
+      ->add_option("--stresses", arguments->stresses,
+                   "stresses inside both bodies in the plane of y [mm], on a rail below each patch")
       ->expected(1)
       ->type_name("Y");
   command
@@ -89,8 +93,10 @@ void add_plot_command(CLI::App& program, int& exit_code) {
       ->type_name("OTHER.h5");
   add_json_flag(*command, arguments->json);
   command->footer(
-      "Draws all pictures of the file's kind, or of a rolling contact those that the options ask for. Creep curves,\n"
-      "convergence and stresses are computed by the Python module. Prints the names of the PNG files.\n\n"
+      "Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and stresses are of two\n"
+      "bodies and of wheels on rails in one state, the others of two bodies. Creep curves, convergence and stresses "
+      "are\n"
+      "computed by the Python module. Prints the names of the PNG files.\n\n"
       "Example:\n  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0");
   command->callback([arguments, &exit_code] { exit_code = plot(*arguments); });
 }

@@ -5,12 +5,13 @@ import textwrap
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.contact_cells import EXTERIOR, read_cells
+from microslip.contact_cells import EXTERIOR
 from microslip.cut_picture import nearest_row
 from microslip.field_picture import SEQUENTIAL, field_values
 from microslip.picture_style import (BLACK, BLUE, THEORIES, VERMILION, bodies_of, new_figure, open_axes, put_title, quantity,
                                      shown, the, unit_for)
 from microslip.result_file import ResultError
+from microslip.solved_contacts import by_theory, rolls_backward
 
 TOTALS = (("fx", "$F_x$", "N"), ("fy", "$F_y$", "N"), ("mz", "$M_z$", "N m"), ("slip_area", "slip area", "mm²"),
           ("frictional_power", "frictional power", "W"))
@@ -28,8 +29,9 @@ def comparison_picture(first, second):
     """The figure: two maps to one scale, the middle rows of both, a table of totals with differences."""
     results = {"A": first, "B": second}
     theories = {key: main_theory(result) for key, result in results.items()}
-    cells = {key: read_cells(result, theories[key]) for key, result in results.items()}
-    values = {key: field_values(result, theories[key], "traction") for key, result in results.items()}
+    contacts = {key: by_theory(result)[theories[key]] for key, result in results.items()}
+    cells = {key: contact.cells for key, contact in contacts.items()}
+    values = {key: field_values(result, contacts[key], "traction") for key, result in results.items()}
     largest = max(value[cells[key].inside].max(initial=0) for key, value in values.items())
     factor, unit = unit_for(largest, "Pa")
     scale = Normalize(0, factor * largest or 1)
@@ -45,7 +47,7 @@ def comparison_picture(first, second):
         axes.set_xlim(-half_x, half_x)
         axes.set_ylim(-half_y, half_y)
         axes.set_title(textwrap.fill(f"{key}: {results[key].attribute('title', 'rolling contact')}, {THEORIES[theories[key]]}", 55))
-        axes.set_xlabel(f"x [mm], rolling to the {'left' if results[key].text('/inputs/direction') == 'backward' else 'right'}")
+        axes.set_xlabel(f"x [mm], rolling to the {'left' if rolls_backward(results[key]) else 'right'}")
     panels[0].set_ylabel("y [mm]")
     maps.colorbar(ScalarMappable(norm=scale, cmap=SEQUENTIAL), ax=panels, label=rf"size of the traction $|\mathbf{{p}}|$ [{unit}]",
                   shrink=0.9, pad=0.02)

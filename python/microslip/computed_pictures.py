@@ -12,6 +12,7 @@ import microslip
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading,
                                      new_figure, number, open_axes, put_title, shown, the, unit_for, with_unit)
 from microslip.result_file import ResultError
+from microslip.solved_contacts import read_contacts, rolls_backward
 
 LINE_COLOURS = (BLUE, ORANGE, GREEN, VERMILION, SKY_BLUE, BLACK)
 CURVE_GRID, CURVE_CELLS = 16, 20  # elements and cells across: a picture needs no more
@@ -112,22 +113,23 @@ def convergence_picture(result):
     return figure
 
 
-def tractions_on_grid(result):
-    """The exact theory's elements as a regular grid with the tractions (px, py, pn) on it [Pa].
+def tractions_on_grid(result, folder="/exact/fields"):
+    """The elements of a contact's fields as a regular grid with the tractions (px, py, pn) on it [Pa].
 
-    The leading element of a row has a length of its own; its tractions go to the cells that it covers, by their share.
+    The leading element of a row has a length of its own, and rows may begin anywhere; tractions go to the cells that an
+    element covers, by their share.
     """
     x, y, area, px, py, pn, state = result.arrays(
-        [f"/exact/fields/{name}" for name in ("x", "y", "area", "px", "py", "pressure", "state")], dimensions=2)
+        [f"{folder}/{name}" for name in ("x", "y", "area", "px", "py", "pressure", "state")], dimensions=2)
     my, mx = x.shape
     if my < 2 or mx < 2:
         raise ResultError(f"{result.path}: stresses need at least 2 x 2 elements")
-    dx, dy = abs(x[0, 0] - x[0, -1]) / (mx - 1), (y[-1, 0] - y[0, 0]) / (my - 1)
+    dx, dy = np.ptp(x, axis=1).max() / (mx - 1), (y[-1, 0] - y[0, 0]) / (my - 1)
     # Two columns to spare on each side: a leading element may reach beyond the grid.
-    left = min(x[0, 0], x[0, -1]) - 2.5 * dx
-    grid = microslip.ElementGrid(mx + 4, my, left + dx / 2, y[0, 0], dx, dy)
-    edges = left + dx * np.arange(mx + 5)
-    tractions = np.zeros((3, my, mx + 4))
+    left, columns = x.min() - 2.5 * dx, int(np.ceil(np.ptp(x) / dx - 1e-6)) + 5
+    grid = microslip.ElementGrid(columns, my, left + dx / 2, y[0, 0], dx, dy)
+    edges = left + dx * np.arange(columns + 1)
+    tractions = np.zeros((3, my, columns))
     for row, column in np.argwhere(state != 0):
         half = area[row, column] / dy / 2
         covered = np.clip(np.minimum(edges[1:], x[row, column] + half) - np.maximum(edges[:-1], x[row, column] - half), 0, None)
@@ -135,19 +137,34 @@ def tractions_on_grid(result):
     return grid, tractions
 
 
-def stresses_picture(result, y=0.0):
-    """Von Mises' and the largest shear stress below the contact in the plane of y [mm], the wheel above, the rail below."""
-    if "exact" not in result:
-        raise ResultError(f"{result.path}: stresses need the exact theory")
-    grid, (px, py, pn) = tractions_on_grid(result)
-    a, b = result.number("/hertz/a"), result.number("/hertz/b")
+def stresses_pictures(result, y=0.0):
+    """Stresses below the contact by the exact theory, or below each patch of wheels on rails, by file name."""
+    contacts = read_contacts(result)
+    if set(contacts) <= set(THEORIES):
+        if "exact" not in contacts:
+            raise ResultError(f"{result.path}: stresses need the exact theory")
+        return {"stresses.png": stresses_picture(result, contacts["exact"], "", y)}
+    return {f"stresses_{key.replace(', ', '_').replace(' ', '_')}.png": stresses_picture(result, contact, f", {key}", y)
+            for key, contact in contacts.items()}
+
+
+def material_of(result, body):
+    """The material of a body; on rails both bodies are of one."""
+    which = f"_{body}" if f"/inputs/shear_modulus_{body}" in result else ""
+    return microslip.Material(result.number(f"/inputs/shear_modulus{which}"), result.number(f"/inputs/poisson_ratio{which}"))
+
+
+def stresses_picture(result, contact, which, y):
+    """Von Mises' and the largest shear stress below a contact in the plane of y [mm], the wheel above, the rail below."""
+    grid, (px, py, pn) = tractions_on_grid(result, contact.folder)
+    left, right, *_ = contact.cells.outline.limits()
+    a, b, middle = 1e-3 * contact.cells.a, 1e-3 * contact.cells.b, 1e-3 * (left + right) / 2
     size = np.sqrt(a * b)
-    x, depth = np.linspace(-2 * a, 2 * a, 101), np.linspace(0.75 * grid.dx, 1.6 * size, 46)
+    x, depth = middle + np.linspace(-2 * a, 2 * a, 101), np.linspace(0.75 * grid.dx, 1.6 * size, 46)
     measures = {"von_mises": "von Mises' stress", "tresca": "Tresca's stress, twice the largest shear"}
     sections, peaks = {}, {}
     for body in (1, 2):
-        material = microslip.Material(result.number(f"/inputs/shear_modulus_{body}"), result.number(f"/inputs/poisson_ratio_{body}"))
-        field = microslip.InteriorField(material, body, grid, px=px, py=py, pn=pn)
+        field = microslip.InteriorField(material_of(result, body), body, grid, px=px, py=py, pn=pn)
         sections[body] = field.at(x, 1e-3 * y, depth[:, None])
         layers = microslip.InteriorLayers(field)
         for measure in measures:
@@ -156,19 +173,21 @@ def stresses_picture(result, y=0.0):
     scale, unit = unit_for(largest_of_all, "Pa")
     # To one scale where both directions are of one size.
     to_scale = 1 / 3 < 4 * a / (3.2 * size) < 3
-    figure = new_figure(12, 1.7 + 4.4 * (0.8 * size / a if to_scale else 1), layout="compressed" if to_scale else "constrained")
+    figure = new_figure(12, 2.2 + 4.4 * (0.8 * size / a if to_scale else 1), layout="compressed" if to_scale else "constrained")
     bodies = bodies_of(result)
-    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}, y = {number(y)} mm", result))
-    backward = result.text("/inputs/direction") == "backward"
+    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result))
+    backward = rolls_backward(result)
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
+        axes.axhspan(-1e3 * depth[0], 1e3 * depth[0], facecolor="0.88", hatch="xxxx", edgecolor="0.75", linewidth=0)
         draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
-        axes.plot([-1e3 * a, 1e3 * a], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
+        axes.plot([left, right], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
         axes.set_aspect("equal" if to_scale else "auto")
         largest = [f"{who} {with_unit(peaks[body, measure].value, 'Pa')} at {with_unit(peaks[body, measure].depth, 'm')}"
                    for body, who in zip((1, 2), bodies)]
-        axes.set_title("\n".join([text, "largest: " + largest[0], largest[1]]))
+        axes.set_title("\n".join([text, "largest for all y: " + largest[0], largest[1]]))
         scale_text = "" if to_scale else "\n(not to the scale of z)"
-        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}{scale_text}")
+        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}{scale_text}\n"
+                        f"hatched: nearer to the surface than 3/4 of an element, {with_unit(depth[0], 'm')}, not resolved")
         axes.locator_params(axis="x", nbins=7)
     figure.axes[0].set_ylabel(f"z [mm]: {bodies[0]} above, {bodies[1]} below")
     return figure

@@ -3,21 +3,25 @@
 import numpy as np
 
 from microslip.contact_cells import ADHESION, SLIP
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading, new_figure,
-                                     number, open_axes, put_title, the)
+from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, bodies_of, heading, new_figure,
+                                     label_of, number, open_axes, put_title, the)
 from microslip.result_file import ResultError
+from microslip.solved_contacts import rolls_backward
 
 
-def cut_picture(result, cells, y=0.0):
-    """The row nearest to y [mm] by each theory."""
-    if not all(abs(y) <= grid.b for grid in cells.values()):
-        raise ResultError(f"the cut at y = {number(y)} mm is outside the contact, |y| <= "
-                          f"{number(min(grid.b for grid in cells.values()))} mm")
+def cut_picture(result, contacts, y=0.0):
+    """The row nearest to y [mm] by each theory, or of each patch that has one in its own frame."""
+    reach = {key: one.cells.outline.limits()[2:] for key, one in contacts.items()}
+    cells = {key: one.cells for key, one in contacts.items() if reach[key][0] <= y <= reach[key][1]}
+    if not cells:
+        ranges = dict.fromkeys(f"from {number(low)} to {number(high)} mm" + (f" ({label_of(key)})" if len(reach) > 1 else "")
+                               for key, (low, high) in reach.items())
+        raise ResultError(f"the cut at y = {number(y)} mm is outside the contact, which goes {', '.join(ranges)}")
     figure = new_figure(5.4 * len(cells), 5.6)
     put_title(figure, heading("Cut along x", result, cells))
     panels = figure.subplots(2, len(cells), sharex=True, sharey="row", squeeze=False, height_ratios=(1.5, 1))
-    backward = result.text("/inputs/direction") == "backward"
-    for column, (theory, grid) in enumerate(cells.items()):
+    backward = rolls_backward(result)
+    for column, (key, grid) in enumerate(cells.items()):
         row = nearest_row(grid, y)
         above, below = panels[:, column]
         draw_tractions(above, grid, row)
@@ -25,7 +29,7 @@ def cut_picture(result, cells, y=0.0):
         for axes in (above, below):
             open_axes(axes)
             shade(axes, grid, row)
-        above.set_title(f"{THEORIES[theory]}, y = {number(grid.row_y[row])} mm")
+        above.set_title(f"{label_of(key)}, y = {number(grid.row_y[row])} mm")
         below.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}")
     panels[0, 0].set_ylabel(f"traction on {the(bodies_of(result)[0])} [MPa]")
     panels[1, 0].set_ylabel(rf"slip of {the(bodies_of(result)[0])} [$10^{{-3}}$]")

@@ -1,4 +1,4 @@
-"""A field of a rolling contact as a map or as a surface, theories side by side."""
+"""A field of a rolling contact as a map or as a surface, theories or patches side by side."""
 
 import difflib
 import math
@@ -9,9 +9,10 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 from microslip.contact_cells import MOST_CELLS
-from microslip.picture_style import THEORIES, bodies_of, heading, new_figure, put_title, the, unit_for
+from microslip.picture_style import bodies_of, heading, label_of, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
+from microslip.solved_contacts import rolls_backward
 
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # A sign that is smaller than this share of the other does not count.
@@ -30,42 +31,52 @@ FIELDS = {
     "gap": ("distance of the bodies", "m", ("gap",), False),
     "ux": ("displacement difference $u_x$", "m", ("ux",), False),
     "uy": ("displacement difference $u_y$", "m", ("uy",), False),
+    "friction_work": ("work of friction per metre rolled and area", "N/m²", ("friction_work",), True),
+    "wear_depth": ("depth that a passage wears off", "m", ("wear_depth",), True),
+    "shear_excess": ("traction beyond the yield strength in shear", "Pa", ("shear_excess",), False),
 }
 
 
-def field_values(result, theory, name):
-    """The values of a field at a theory's cells, in SI; None if the theory does not have it."""
+def check_field(name):
+    """Throws for a field that pictures do not know."""
     if name not in FIELDS:
         matches = difflib.get_close_matches(name, FIELDS, 1)
         hint = f"; did you mean '{matches[0]}'?" if matches else ""
         raise ResultError(f"field '{name}' is unknown{hint}, known: {', '.join(FIELDS)}")
-    parts = FIELDS[name][2]
-    paths = [f"/{theory}/fields/{part}" for part in parts]
-    if any(path not in result for path in paths):
-        return None
+
+
+def has_field(result, contact, name):
+    """Whether the file has what a field of a contact is made of."""
+    return all(f"{contact.folder}/{part}" in result for part in FIELDS[name][2])
+
+
+def field_values(result, contact, name):
+    """The values of a field at a contact's cells, in SI."""
+    paths = [f"{contact.folder}/{part}" for part in FIELDS[name][2]]
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
     arrays = result.arrays(paths, dimensions=2, strides=strides)
     if name == "power":
         px, py, sx, sy = arrays
-        return -result.number("/inputs/rolling_speed") * (px * sx + py * sy)
+        return -contact.speed * (px * sx + py * sy)
     return arrays[0] if len(arrays) == 1 else np.hypot(*arrays)
 
 
-class FieldOfTheories:
-    """A field by each theory that has it, in a unit that suits its size, with one scale of colours for all."""
+class FieldOfContacts:
+    """A field of each contact that has it, in a unit that suits its size, with one scale of colours for all."""
 
-    def __init__(self, result, cells, name):
-        values = {theory: field_values(result, theory, name) for theory in cells}
-        values = {theory: value for theory, value in values.items() if value is not None}
+    def __init__(self, result, contacts, name):
+        check_field(name)
+        values = {key: field_values(result, one, name) for key, one in contacts.items() if has_field(result, one, name)}
         if not values:
-            raise ResultError(f"{result.path}: no theory has the field '{name}'")
+            there = [known for known in FIELDS if any(has_field(result, one, known) for one in contacts.values())]
+            raise ResultError(f"{result.path}: does not have the field '{name}', but {', '.join(there)}")
         title, unit, _, self.vanishes = FIELDS[name]
         self.title = title.format(the(bodies_of(result)[0]))
-        self.cells = {theory: cells[theory] for theory in values}
-        inside = np.concatenate([value[self.cells[theory].inside] for theory, value in values.items()])
+        self.cells = {key: contacts[key].cells for key in values}
+        inside = np.concatenate([value[self.cells[key].inside] for key, value in values.items()])
         low, high = (min(inside.min(initial=0), 0), max(inside.max(initial=0), 0))
         factor, self.unit = (1e3, "$10^{-3}$") if unit == "-" else unit_for(max(high, -low), unit)
-        self.values = {theory: factor * value for theory, value in values.items()}
+        self.values = {key: factor * value for key, value in values.items()}
         self.colours, self.scale = colours_of(factor * low, factor * high)
 
     def label(self):
@@ -87,29 +98,29 @@ def colours_of(low, high):
     return DIVERGING, Normalize(-far, far)
 
 
-def field_map(result, cells, name):
+def field_map(result, contacts, name):
     """The figure of a field as a map."""
-    field = FieldOfTheories(result, cells, name)
+    field = FieldOfContacts(result, contacts, name)
     figure, panels = contact_panels(result, field.cells, field.heading())
-    for axes, (theory, value) in zip(panels, field.values.items()):
-        field.cells[theory].draw(axes, value, cmap=field.colours, norm=field.scale)
-        axes.set_title(THEORIES[theory])
+    for axes, (key, value) in zip(panels, field.values.items()):
+        field.cells[key].draw(axes, value, cmap=field.colours, norm=field.scale)
+        axes.set_title(label_of(key))
     figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.8, pad=0.02)
     return figure
 
 
-def field_surface(result, cells, name):
+def field_surface(result, contacts, name):
     """The figure of a field as a surface over the contact."""
-    field = FieldOfTheories(result, cells, name)
-    figure = new_figure(6.2 * len(field.values) + 1, 5.4)
+    field = FieldOfContacts(result, contacts, name)
+    figure = new_figure(6.2 * len(field.values) + 1, 6.0)
     put_title(figure, heading(field.heading(), result, field.cells))
-    backward = result.text("/inputs/direction") == "backward"
+    backward = rolls_backward(result)
     panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
-    surfaces = {theory: field.cells[theory].surface(value, field.vanishes) for theory, value in field.values.items()}
+    surfaces = {key: field.cells[key].surface(value, field.vanishes) for key, value in field.values.items()}
     heights = [height for meshes in surfaces.values() for *_, height in meshes]
     low, high = min(0, *(height.min() for height in heights)), max(0, *(height.max() for height in heights))
-    for axes, (theory, meshes) in zip(panels, surfaces.items()):
-        grid = field.cells[theory]
+    for axes, (key, meshes) in zip(panels, surfaces.items()):
+        grid = field.cells[key]
         for x, y, height in meshes:
             colours = matplotlib.colormaps[field.colours](field.scale(height))
             axes.plot_surface(x, y, height, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False)
@@ -123,10 +134,10 @@ def field_surface(result, cells, name):
         axes.set_xlabel(f"x [mm], rolling {'against' if backward else 'along'} x", labelpad=8)
         axes.set_ylabel("y [mm]", labelpad=8)
         axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
-                            else (1, 1, 0.7), zoom=0.92)
+                            else (1, 1, 0.7), zoom=0.8)
         axes.tick_params(axis="x", labelrotation=0, pad=1)
         axes.locator_params(nbins=6)
         axes.view_init(elev=32, azim=-125)
-        axes.set_title(THEORIES[theory])
+        axes.set_title(label_of(key))
     figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.6, pad=0.1)
     return figure

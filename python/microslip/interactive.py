@@ -1,29 +1,43 @@
 """A field over a contact as a surface to turn and zoom, for notebooks and as a page of its own (Debian: python3-plotly)."""
 
-from microslip.contact_cells import read_cells
-from microslip.field_picture import FieldOfTheories
-from microslip.picture_style import THEORIES
+from microslip.field_picture import FieldOfContacts
+from microslip.picture_style import THEORIES, label_of
 from microslip.result_file import ResultError, ResultFile
+from microslip.solved_contacts import KINDS, read_contacts
 
 
-def view(path, field="traction", theory=None):
-    """An interactive view of a field of a result file of one rolling contact: a figure of plotly, which notebooks show by
-    themselves and `write_html("view.html")` writes as a page that needs no network. `field`: as in `plot --field`; `theory`:
-    exact, fastsim2, ...; by default the best one that has the field. ResultError for other files and without plotly."""
+def view(path, field="traction", theory=None, patch=None):
+    """An interactive view of a field of a result file with fields, of two bodies or of wheels on rails: a figure of plotly,
+    which notebooks show by themselves and `write_html("view.html")` writes as a page that needs no network. `field`: as in
+    `plot --field`; of two bodies `theory`: exact, fastsim2, ..., by default the best one that has the field; of wheels on
+    rails `patch`: "patch 2", "left wheel, patch 1", by default the one with the largest values. ResultError for other files
+    and without plotly."""
     try:
         from plotly import graph_objects
     except ImportError:
         raise ResultError("interactive views need plotly: install python3-plotly") from None
     with ResultFile(path) as result:
-        if result.attribute("kind") != "rolling_contact":
-            raise ResultError(f"{path}: kind '{result.attribute('kind')}': interactive views are of two bodies, what solve makes of a case with [body1] and [body2]")
-        if theory is not None and theory not in result:
-            raise ResultError(f"{path}: no theory '{theory}', there are: {', '.join(one for one in THEORIES if one in result)}")
-        cells = {one: read_cells(result, one) for one in THEORIES if one in result and theory in (None, one)}
-        shown = FieldOfTheories(result, cells, field)
+        kind = result.attribute("kind")
+        if kind not in KINDS:
+            raise ResultError(f"{path}: kind '{kind}' has no fields to view; these kinds have: {', '.join(KINDS)}")
+        contacts = chosen(result, read_contacts(result), theory, patch)
+        shown = FieldOfContacts(result, contacts, field)
         title = f"{shown.heading()}: {result.attribute('title', 'rolling contact')}"
     name = list(shown.values)[-1]
-    return figure_of(graph_objects, shown, name, f"{title}, {THEORIES[name]}")
+    if kind != "rolling_contact":
+        name = max(shown.values, key=lambda key: abs(shown.values[key]).max())
+    return figure_of(graph_objects, shown, name, f"{title}, {label_of(name)}")
+
+
+def chosen(result, contacts, theory, patch):
+    """The contacts of a theory or the patch that is asked for; all if none is."""
+    of_theories = set(contacts) <= set(THEORIES)
+    what, asked, other = ("theory", theory, patch) if of_theories else ("patch", patch, theory)
+    if other is not None:
+        raise ResultError(f"{result.path}: choose by {what}=, one of: {', '.join(contacts)}")
+    if asked is not None and asked not in contacts:
+        raise ResultError(f"{result.path}: no {what} '{asked}', there are: {', '.join(contacts)}")
+    return {key: one for key, one in contacts.items() if asked in (None, key)}
 
 
 def figure_of(graph_objects, field, theory, title):

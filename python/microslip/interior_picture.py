@@ -27,6 +27,13 @@ def interior_picture(title, blocks):
     return figure
 
 
+def interior_points(result, folder):
+    """x, y, z and von Mises' stress of all points that a case asks for."""
+    x, y, z = (result.array(f"{folder}/{name}") for name in "xyz")
+    z, y, x = np.meshgrid(z, y, x, indexing="ij")
+    return [values.ravel() for values in (x, y, z, result.array(f"{folder}/von_mises", dimensions=3))]
+
+
 def panels_of(block):
     """Of a block of points with three directions the planes y = const, nearest to the middle first; of others the block.
     Each body has panels of its own: stresses jump at the surface."""

@@ -47,6 +47,11 @@ PREFIXES_OF = {"Pa": ("Mk", 0.1), "m": ("mµn", 1.0), "N": ("Mkmµn", 1.0)}
 LETTERS_PER_INCH = 9.5
 
 
+def label_of(contact):
+    """What pictures call a contact of a result file: the theory that solved it, or the patch."""
+    return THEORIES.get(contact, contact)
+
+
 def heading(what, result, theories=()):
     """A figure's title: what it shows, the case's title, and which theory is of simpler bodies than the case's."""
     lines = [f"{what}: {result.attribute('title', 'rolling contact')}"]
@@ -62,6 +67,8 @@ def put_title(figure, text):
 
 def bodies_of(result):
     """What pictures call both bodies: those of a wheel on a rail if body 2 is straight where it rolls and body 1 is not."""
+    if result.attribute("kind", "") in ("wheel_rail", "wheelset"):
+        return "wheel", "rail"
     if any(f"/inputs/rolling_radius_{body}" not in result for body in (1, 2)):
         return "body 1", "body 2"
     upper, lower = (float(result.array(f"/inputs/rolling_radius_{body}", dimensions=0, finite=False)) for body in (1, 2))

@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import os
+import re
 import sys
 
 import matplotlib
@@ -10,7 +11,7 @@ import matplotlib
 from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
-from microslip.contact_cells import cells_of, read_cells  # noqa: F401, microslip.plot.cells_of
+from microslip.contact_cells import cells_of  # noqa: F401, microslip.plot.cells_of
 from microslip.contact_run_pictures import contact_run_pictures
 from microslip.cut_picture import cut_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
@@ -18,11 +19,12 @@ from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
 from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.model_problem_picture import model_problem_pictures
-from microslip.picture_style import SETTINGS, THEORIES
+from microslip.picture_style import SETTINGS
 from microslip.profile_picture import profile_pictures
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
+from microslip.solved_contacts import KINDS, read_contacts
 from microslip.subsurface_pictures import subsurface_pictures
 from microslip.sweep_picture import sweep_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
@@ -45,6 +47,10 @@ PICTURES_OF_KIND = {
     "wheelset": wheelset_pictures,
 }
 
+# The options for files with fields of contacts, and those for two bodies alone.
+OPTIONS_OF_CONTACTS = ("--field", "--surface", "--cut", "--stresses")
+OPTIONS_OF_TWO_BODIES = ("--creep-curves", "--convergence", "--compare")
+
 # What is drawn beside result.h5 of one case or another.
 PICTURES_OF_SOLVE = {"tractions.png", "areas.png", "creep_curve.png", "history.png", "interior.png", "gap.png", "patches.png",
                      "rail_head.png", "contact_points.png", "forces.png", "wheelset.png"}
@@ -59,35 +65,49 @@ def pictures(result):
 
 
 def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
-    """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], creep curves for
-    spins [1/m] (empty: chosen from the contact), a comparison with another open result file."""
+    """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], on rails in each
+    patch's own frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact), convergence, and a
+    comparison with another open result file."""
+    asked = {"--field": fields, "--surface": surfaces, "--cut": cut is not None, "--stresses": stresses is not None,
+             "--creep-curves": spins is not None, "--convergence": convergence, "--compare": other}
     for one in (result, other):
-        if one and one.attribute("kind") != "rolling_contact":
-            raise ResultError(f"{one.path}: kind '{one.attribute('kind')}': such pictures are of two bodies, what solve makes of a case with [body1] and [body2]")
-    cells = {theory: read_cells(result, theory) for theory in THEORIES if f"{theory}/fields" in result}
-    figures = {f"field_{name}.png": field_map(result, cells, name) for name in fields}
-    figures.update({f"surface_{name}.png": field_surface(result, cells, name) for name in surfaces})
+        if one:
+            check_options(one, [option for option, wanted in asked.items() if wanted])
+    contacts = read_contacts(result) if fields or surfaces or cut is not None else {}
+    figures = {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
+    figures.update({f"surface_{name}.png": field_surface(result, contacts, name) for name in surfaces})
     if cut is not None:
-        figures["cut.png"] = cut_picture(result, cells, cut)
+        figures["cut.png"] = cut_picture(result, contacts, cut)
     if other is not None:
         figures["comparison.png"] = comparison_picture(result, other)
     if spins is not None:
-        figures["creep_curves.png"] = computed("creep_curves", result, spins)
+        figures["creep_curves.png"] = computed("creep_curves", "creep_curves_picture", result, spins)
     if convergence:
-        figures["convergence.png"] = computed("convergence", result)
+        figures["convergence.png"] = computed("convergence", "convergence_picture", result)
     if stresses is not None:
-        figures["stresses.png"] = computed("stresses", result, stresses)
+        figures.update(computed("stresses", "stresses_pictures", result, stresses))
     return figures
 
 
-def computed(name, *arguments):
-    """A picture that the compiled module computes for."""
+def check_options(result, options):
+    """Throws for options that a file's kind does not have; says which it has."""
+    kind = result.attribute("kind")
+    has = OPTIONS_OF_CONTACTS + (OPTIONS_OF_TWO_BODIES if kind == "rolling_contact" else ()) if kind in KINDS else ()
+    wrong = [option for option in options if option not in has]
+    if wrong:
+        which = f"it has {', '.join(has)}" if has else "without options plot draws what it has"
+        raise ResultError(f"{result.path}: {wrong[0]} is not for a file of kind '{kind}', but for "
+                          f"{'contacts of two bodies' if wrong[0] in OPTIONS_OF_TWO_BODIES else 'contacts of two bodies and wheels on rails'}; {which}")
+
+
+def computed(name, function, *arguments):
+    """Pictures that the compiled module computes for."""
     try:
         import microslip._core  # noqa: F401, computed_pictures uses it
     except ImportError as error:
         raise ResultError(f"{name}.png needs the compiled module of microslip: {error}") from None
     try:
-        return getattr(computed_pictures, f"{name}_picture")(*arguments)
+        return getattr(computed_pictures, function)(*arguments)
     except ValueError as error:
         raise ResultError(f"{name}.png: {error}") from None
 
@@ -139,7 +159,8 @@ def save(figure, path, metadata):
 
 def remove_older(folder, drawn):
     """Removes the pictures that an earlier case of `solve` left in the folder and that this one does not have."""
-    for name in PICTURES_OF_SOLVE - set(drawn):
+    of_patches = {name for name in os.listdir(folder) if re.fullmatch(r"interior_\d+\.png", name)}
+    for name in (PICTURES_OF_SOLVE | of_patches) - set(drawn):
         path = os.path.join(folder, name)
         if os.path.isfile(path):
             with open(path, "rb") as file:
@@ -181,7 +202,7 @@ def numbers(text):
 def parse(arguments):
     """The command line."""
     parser = argparse.ArgumentParser(prog="python3 -m microslip.plot", description="Draws the pictures of a result file, or the pictures "
-                                     "of a rolling contact that the options ask for.")
+                                     "of two bodies, or of wheels on rails, that the options ask for.")
     parser.add_argument("result", metavar="RESULT.h5", help="a file written by microslip")
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for the pictures (default: beside RESULT.h5)")
     parser.add_argument("--field", metavar="NAME", action="append", default=[], help=f"a field as a map: {', '.join(FIELDS)}")

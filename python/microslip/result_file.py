@@ -1,5 +1,8 @@
 """Reads the HDF5 files that microslip writes; whatever is missing or malformed is named in a ResultError."""
 
+import contextlib
+import os
+
 import h5py
 import numpy as np
 
@@ -10,6 +13,7 @@ class ResultError(Exception):
 
 #: The format of result files that this version reads; files from before there was the attribute have it too.
 FORMAT = "1"
+DAMAGED = "cut short or damaged: copy it again, or write it again by the command that made it"
 
 
 def _decoded(value):
@@ -29,7 +33,8 @@ class ResultFile:
             if not h5py.is_hdf5(path):
                 raise ResultError(f"{path}: not a result file (HDF5) of microslip; solve, run, sweep, profile and conicity write "
                                   "them") from None
-            raise ResultError(f"{path}: {error}") from None
+            why = os.strerror(error.errno) if error.errno else DAMAGED
+            raise ResultError(f"{path}: {why}") from None
         found = self.attribute("format", FORMAT)
         if found != FORMAT:
             self._file.close()
@@ -44,10 +49,19 @@ class ResultFile:
     def __contains__(self, name):
         return name in self._file
 
+    @contextlib.contextmanager
+    def _reading(self, name):
+        """Says in words that HDF5 cannot read a part of the file."""
+        try:
+            yield
+        except (OSError, RuntimeError, KeyError):
+            raise ResultError(f"{self.path}: {name} cannot be read; the file is {DAMAGED}") from None
+
     def attribute(self, name, default=None):
         """A root attribute as text."""
-        if name in self._file.attrs:
-            return _decoded(self._file.attrs[name])
+        with self._reading(f"attribute '{name}'"):
+            if name in self._file.attrs:
+                return _decoded(self._file.attrs[name])
         if default is None:
             raise ResultError(f"{self.path}: no attribute '{name}'; was it written by microslip?")
         return default
@@ -63,14 +77,17 @@ class ResultFile:
         return self.group_attribute(group, "assumes") if group in self and "assumes" in self._file[group].attrs else ""
 
     def _dataset(self, name):
-        dataset = self._file.get(name)
+        with self._reading(name):
+            dataset = self._file.get(name)
         if not isinstance(dataset, h5py.Dataset):
             raise ResultError(f"{self.path}: no dataset {name}")
         return dataset
 
     def text(self, name):
         """A scalar dataset as text."""
-        return _decoded(self._dataset(name)[()])
+        dataset = self._dataset(name)
+        with self._reading(name):
+            return _decoded(dataset[()])
 
     def number(self, name):
         """A scalar dataset as a finite number."""
@@ -83,7 +100,8 @@ class ResultFile:
             raise ResultError(f"{self.path}: {name} has shape {dataset.shape} and type {dataset.dtype}, "
                               f"expected {dimensions} dimensions of numbers")
         slices = () if strides is None else tuple(slice(stride // 2, None, stride) for stride in strides)
-        values = np.asarray(dataset[slices])
+        with self._reading(name):
+            values = np.asarray(dataset[slices])
         if finite and not np.all(np.isfinite(values)):
             raise ResultError(f"{self.path}: {name} has values that are not finite")
         return values
@@ -99,7 +117,9 @@ class ResultFile:
 
     def entry(self, name, index):
         """An entry of a dataset, as a number or as text."""
-        value = self._dataset(name)[index]
+        dataset = self._dataset(name)
+        with self._reading(name):
+            value = dataset[index]
         return float(value) if self.is_number(name) else _decoded(value)
 
     def shape(self, name):

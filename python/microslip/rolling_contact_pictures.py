@@ -10,10 +10,11 @@ from matplotlib.patches import Patch
 from microslip.contact_cells import HATCH, SLIP, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
-from microslip.interior_picture import interior_picture
+from microslip.interior_picture import interior_picture, interior_points
 from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
                                      quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
+from microslip.solved_contacts import rolls_backward
 
 # The light part of a map of one hue: black arrows stand out on all of it.
 BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
@@ -34,15 +35,8 @@ def rolling_contact_pictures(result):
     if "exact/history" in result:
         figures["history.png"] = history_picture(result)
     if "interior/von_mises" in result:
-        figures["interior.png"] = interior_picture(heading("Von Mises' stress inside the bodies", result), [interior_points(result)])
+        figures["interior.png"] = interior_picture(heading("Von Mises' stress inside the bodies", result), [interior_points(result, "/interior")])
     return figures
-
-
-def interior_points(result):
-    """x, y, z and von Mises' stress of all points that the case asks for."""
-    x, y, z = (result.array(f"/interior/{name}") for name in "xyz")
-    z, y, x = np.meshgrid(z, y, x, indexing="ij")
-    return [values.ravel() for values in (x, y, z, result.array("/interior/von_mises", dimensions=3))]
 
 
 def tractions_picture(result, cells):
@@ -89,7 +83,7 @@ def area_patches(result, theory):
 
 
 def contact_panels(result, cells, what):
-    """A figure with one panel per theory: axes in mm, the ellipse's outline and the rolling direction."""
+    """A figure with one panel per theory or patch: axes in mm, the ellipse's outline and the rolling direction."""
     true_to_scale = all(grid.true_to_scale() for grid in cells.values())
     limits = np.abs([grid.outline.limits() for grid in cells.values()])
     half_x, half_y = 1.1 * limits[:, :2].max(), 1.42 * limits[:, 2:].max()
@@ -100,7 +94,7 @@ def contact_panels(result, cells, what):
     figure = new_figure(width * len(cells) + 1.7, height + 1.5, layout="compressed")
     put_title(figure, heading(what, result, cells))
     panels = figure.subplots(1, len(cells), sharey=True, squeeze=False)[0]
-    backward = result.text("/inputs/direction") == "backward"
+    backward = rolls_backward(result)
     for axes, one in zip(panels, cells.values()):
         axes.set_xlim(-half_x, half_x)
         axes.set_ylim(-half_y, half_y)

@@ -6,11 +6,13 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, to_rgba
 from matplotlib.patches import Patch
 
-from microslip.contact_cells import ADHESION, EXTERIOR, ContactCells
+from microslip.contact_cells import ADHESION, EXTERIOR
 from microslip.contact_points_picture import draw_contact_points
 from microslip.field_picture import SEQUENTIAL
+from microslip.interior_picture import interior_picture, interior_points
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
                                      put_title, unit_for, with_unit)
+from microslip.solved_contacts import patch_cells
 
 LENGTHS = {"m": ("mm", 1e3)}
 # What lies around the patches on pictures of the rail head [mm].
@@ -29,7 +31,15 @@ def wheel_rail_pictures(result):
         cells = read_patches(result, rail)
         figures["patches.png"] = patches_picture(result, cells)
         figures["rail_head.png"] = rail_head_picture(result, rail, cells)
+        figures.update(interior_pictures(result, len(cells)))
     return figures
+
+
+def interior_pictures(result, patches):
+    """Von Mises' stress at the points that the case asks for, inside the bodies at each patch."""
+    return {f"interior_{k + 1}.png": interior_picture(heading(f"Patch {k + 1}, von Mises' stress inside the bodies", result),
+                                                      [interior_points(result, f"/interior/{k}")])
+            for k in range(patches) if f"interior/{k}/von_mises" in result}
 
 
 class RailHead:
@@ -59,14 +69,7 @@ class RailHead:
 def read_patches(result, rail):
     """The cells of each patch, x along the track and y the length along the rail."""
     place = result.arrays([f"/patches/place_{axis}" for axis in "xyz"])
-    patches = []
-    for k, (x0, y0, z0) in enumerate(1e3 * np.array(place).T):
-        names = ["x", "y", "area", "bound", "px", "py", "sx", "sy", "state"]
-        x, y, area, bound, px, py, sx, sy, state = result.arrays([f"/fields/{k}/{name}" for name in names], dimensions=2)
-        x, y = 1e3 * x + x0, 1e3 * y + rail.nearest(y0, z0)
-        pressure = 1e-6 * result.array(f"/fields/{k}/pressure", dimensions=2)
-        patches.append(ContactCells(x, y, 1e6 * area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, pressure=pressure))
-    return patches
+    return [patch_cells(result, f"/fields/{k}", (x, rail.nearest(y, z))) for k, (x, y, z) in enumerate(1e3 * np.array(place).T)]
 
 
 def frame_of(patches):

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from microslip.contact_cells import ContactCells
 from microslip.picture_style import BLACK, BLUE, VERMILION, heading, new_figure, number, open_axes, put_title, unit_for, with_unit
 from microslip.pressure_picture import pressure_picture
+from microslip.solved_contacts import patch_cells
 from microslip.wheel_rail_pictures import varied
 
 
@@ -20,13 +20,6 @@ def wheelset_pictures(result):
                 angle = float(result.array(f"/{side}/patches/angle")[k])
                 titles.append(f"{side} wheel, patch {k + 1}\n$F_n$ = {with_unit(force, 'N')}, at {number(np.degrees(angle))} degrees")
     return {"patches.png": pressure_picture(heading("Pressure and tractions on the wheels", result), grids, titles)} if grids else {}
-
-
-def patch_cells(result, group):
-    """The cells of a patch in its own frame."""
-    names = ("x", "y", "area", "bound", "px", "py", "sx", "sy", "state", "pressure")
-    x, y, area, bound, px, py, sx, sy, state, pressure = result.arrays([f"{group}/{name}" for name in names], dimensions=2)
-    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, pressure=1e-6 * pressure)
 
 
 def wheelset_picture(result):

@@ -91,7 +91,7 @@ class ChosenPicturesTest(FolderTest):
 
     def test_wishes_that_cannot_be_met(self):
         for wanted, words in (({"fields": ["heat"]}, "'heat' is unknown, known: pressure"),
-                              ({"fields": ["presure"]}, "did you mean 'pressure'"), ({"fields": ["pressure"]}, "no theory has the field 'pressure'"),
+                              ({"fields": ["presure"]}, "did you mean 'pressure'"), ({"fields": ["pressure"]}, "does not have the field 'pressure', but bound, traction, px"),
                               ({"cut": 9.0}, "y = 9 mm is outside"), ({"other": "nowhere.h5"}, "nowhere.h5: no such file")):
             with self.assertRaisesRegex(ResultError, words):
                 self.chosen(**wanted)
@@ -121,8 +121,16 @@ class ChosenPicturesTest(FolderTest):
     def test_other_kinds_are_refused(self):
         with h5py.File(self.path, "a") as file:
             file.attrs["kind"] = "subsurface"
-        with self.assertRaisesRegex(ResultError, "of two bodies"):
+        with self.assertRaisesRegex(ResultError, "--cut is not for a file of kind 'subsurface', but for contacts of two bodies and"):
             self.chosen(cut=0.0)
+
+    def test_a_damaged_file_is_named_in_one_line(self):
+        whole = self.path.read_bytes()
+        for part in (0.1, 0.5, 0.99):
+            self.path.write_bytes(whole[:int(part * len(whole))])
+            code, out, err = self.run_plot(self.path)
+            self.assertEqual((code, out, len(err)), (2, [], 1))
+            self.assertIn(f"{self.path}: cut short or damaged: copy it again", err[0])
 
 
 if __name__ == "__main__":

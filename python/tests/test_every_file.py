@@ -3,13 +3,17 @@
 import subprocess
 import tempfile
 import unittest
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 
 import microslip
 from microslip import plot
-from microslip.result_file import ResultError
+from microslip.computed_pictures import material_of, tractions_on_grid
+from microslip.field_picture import field_values
+from microslip.result_file import ResultError, ResultFile
+from microslip.solved_contacts import read_contacts
 from tests.synthetic_results import write_contact_run, write_rolling_contact
 
 # The package lies in share/microslip/python of the folder that has the program in bin.
@@ -98,10 +102,65 @@ class EveryFileTest(unittest.TestCase):
         self.run_program("solve", self.text("a.toml", self.wheel_on_rail("wheel_on_rail.toml", "")), "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "gap.png", "patches.png", "rail_head.png")
 
+    def test_pictures_that_are_asked_for_of_a_wheel_on_a_rail(self):
+        interior = INTERIOR[INTERIOR.index("[interior]"):]
+        self.run_program("solve", self.text("a.toml", self.wheel_on_rail("wheel_on_rail.toml", interior)), "-o", "a", "--no-pictures")
+        path = self.folder / "a/result.h5"
+        self.expect("a/result.h5", "gap.png", "patches.png", "rail_head.png", "interior_1.png", "interior_2.png")
+        figures = plot.figures(path, fields=["pressure", "wear_depth"], surfaces=["traction"], cut=0.0, stresses=0.0)
+        self.assertEqual(sorted(figures), ["cut.png", "field_pressure.png", "field_wear_depth.png", "stresses_patch_1.png",
+                                           "stresses_patch_2.png", "surface_traction.png"])
+        for figure in figures.values():
+            figure.canvas.draw()
+        titles = [axes.get_title() for axes in figures["field_pressure.png"].axes]
+        self.assertEqual(titles[:2], ["patch 1", "patch 2"])
+        with ResultFile(path) as result:
+            drawn = figures["field_pressure.png"].axes[0].images[0].norm.vmax
+            self.assertAlmostEqual(drawn, 1e-6 * max(result.array(f"/fields/{k}/pressure", dimensions=2).max() for k in (0, 1)))
+            for contact in read_contacts(result).values():  # power is the speed times the work per metre
+                work = field_values(result, contact, "friction_work")
+                np.testing.assert_allclose(field_values(result, contact, "power"), contact.speed * work, rtol=1e-9, atol=1e-6 * work.max())
+        self.refused(path, "--creep-curves is not for a file of kind 'wheel_rail', but for contacts of two bodies; it has --field", spins=[])
+        self.refused(path, r"goes from \S+ to \S+ mm \(patch 1\), from \S+ to \S+ mm \(patch 2\)", cut=99.0)
+        self.refused(path, "did you mean 'wear_depth'", fields=["weardepth"])
+
+    def refused(self, path, words, **chosen):
+        with self.assertRaisesRegex(ResultError, words):
+            plot.figures(path, **chosen)
+
+    @unittest.skipUnless(find_spec("plotly"), "plotly is not installed")
+    def test_a_view_of_a_patch(self):
+        self.run_program("solve", self.text("a.toml", self.wheel_on_rail("wheel_on_rail.toml", "")), "-o", "a", "--no-pictures")
+        path = self.folder / "a/result.h5"
+        with ResultFile(path) as result:
+            largest = [1e-6 * result.array(f"/fields/{k}/pressure", dimensions=2).max() for k in (0, 1)]
+        highest = f"patch {1 + int(np.argmax(largest))}"
+        self.assertIn(highest, plot.view(path, "pressure").layout.title.text)
+        for k in (0, 1):
+            heights = [surface.z.max() for surface in plot.view(path, "pressure", patch=f"patch {k + 1}").data if surface.type == "surface"]
+            self.assertAlmostEqual(max(heights) / largest[k], 1, delta=0.1)
+        for wrong, words in (({"patch": "patch 9"}, "no patch 'patch 9', there are: patch 1, patch 2"),
+                             ({"theory": "exact"}, "choose by patch=, one of: patch 1, patch 2")):
+            with self.assertRaisesRegex(ResultError, words):
+                plot.view(path, **wrong)
+
+    def test_stresses_below_a_patch_are_those_that_the_program_finds(self):
+        interior = "[interior]\nx = [-1e-3, 0.0, 2e-3]\ny = [0.0]\nz = [-3e-3, 2e-3, 4e-3]\n"
+        self.run_program("solve", self.text("a.toml", self.wheel_on_rail("wheel_on_rail.toml", interior)), "-o", "a", "--no-pictures")
+        with ResultFile(self.folder / "a/result.h5") as result:
+            grid, (px, py, pn) = tractions_on_grid(result, "/fields/1")
+            x, z = result.arrays(["/interior/1/x"]) + result.arrays(["/interior/1/z"])
+            expected = result.array("/interior/1/von_mises", dimensions=3)[:, 0]
+            for row, depth in zip(expected, z):
+                body = 1 if depth > 0 else 2
+                field = microslip.InteriorField(material_of(result, body), body, grid, px=px, py=py, pn=pn)
+                np.testing.assert_allclose(field.at(x, 0.0, abs(depth)).von_mises, row, rtol=0.02)
+
     def test_a_wheel_over_a_sweep(self):
         text = self.wheel_on_rail("wheel_on_rail.toml", "\n[sweep]\nlateral = [0.0, 0.003]\n")
         self.run_program("solve", self.text("a.toml", text), "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "contact_points.png", "forces.png")
+        self.refused(self.folder / "a/result.h5", "has no fields; a case of one state, without .sweep.", fields=["pressure"])
 
     def test_a_wheelset(self):
         text = self.wheel_on_rail("wheelset_in_curve.toml", "")
@@ -109,6 +168,8 @@ class EveryFileTest(unittest.TestCase):
         self.expect("a/result.h5", "wheelset.png")
         self.run_program("solve", self.text("a.toml", text[:text.index("[sweep]")]), "-o", "b", "--no-pictures")
         self.expect("b/result.h5", "patches.png")
+        titles = [axes.get_title() for axes in plot.figures(self.folder / "b/result.h5", fields=["slip"])["field_slip.png"].axes]
+        self.assertEqual(titles[:2], ["left wheel, patch 1", "right wheel, patch 1"])
 
     def test_sweeps_of_any_quantities(self):
         for quantities in ('["fx", "fy"]', '["adhesion_area"]'):
@@ -170,7 +231,7 @@ class ViewTest(unittest.TestCase):
         with self.assertRaisesRegex(ResultError, "'heat' is unknown"):
             plot.view(self.path, "heat")
         write_contact_run(self.path)
-        with self.assertRaisesRegex(ResultError, "of two bodies"):
+        with self.assertRaisesRegex(ResultError, "kind 'contact_run' has no fields to view; these kinds have: rolling_contact, wheel_rail"):
             plot.view(self.path)
 
 
