@@ -14,7 +14,8 @@ inline constexpr auto fields<ForceArrays> = std::tuple{Field{"shape", &ForceArra
                                                        Field{"mz", &ForceArrays::mz},
                                                        Field{"adhesion_area", &ForceArrays::adhesion_area},
                                                        Field{"slip_area", &ForceArrays::slip_area},
-                                                       Field{"status", &ForceArrays::status}};
+                                                       Field{"status", &ForceArrays::status},
+                                                       Field{"inputs", &ForceArrays::inputs}};
 template <>
 inline constexpr auto fields<DerivativeArrays> =
     std::tuple{Field{"forces", &DerivativeArrays::forces}, Field{"jacobian", &DerivativeArrays::jacobian}};
@@ -65,8 +66,30 @@ EllipticContact ContactBatch::operator[](std::size_t i) const {
   return contact;
 }
 
+std::vector<std::vector<double>> ContactBatch::inputs() const {
+  const double common[] = {like_.creepage.longitudinal,
+                           like_.creepage.lateral,
+                           like_.creepage.spin,
+                           like_.a,
+                           like_.b,
+                           like_.shear_modulus,
+                           like_.poisson_ratio,
+                           like_.normal_force,
+                           like_.friction.static_coefficient(),
+                           like_.rolling_speed,
+                           like_.dissimilarity};
+  std::vector<std::vector<double>> out;
+  for (std::size_t k = 0; k < columns_.size(); ++k)
+    if (values_[k] == nullptr)
+      out.push_back({common[k]});
+    else
+      out.emplace_back(values_[k], values_[k] + (constant_[k] ? 1 : count_));
+  return out;
+}
+
 ForceArrays::ForceArrays(const ContactBatch& batch)
-    : shape(batch.shape()), fx(batch.count()), fy(fx), mz(fx), adhesion_area(fx), slip_area(fx), status(fx.size()) {}
+    : shape(batch.shape()), fx(batch.count()), fy(fx), mz(fx), adhesion_area(fx), slip_area(fx), status(fx.size()),
+      inputs(batch.inputs()) {}
 
 void ForceArrays::put(std::size_t i, const ContactForces& forces) {
   fx[i] = forces.fx;
@@ -91,6 +114,21 @@ template <class T> auto column(std::vector<T> ForceArrays::*member) {
   };
 }
 
+/// By name, a number or an array that varies.
+py::dict inputs_of(const py::object& self) {
+  const auto& forces = self.cast<const ForceArrays&>();
+  py::dict out;
+  for (std::size_t k = 0; k < forces.inputs.size(); ++k) {
+    const auto& values = forces.inputs[k];
+    const py::str name{std::string(input_names[k])};
+    if (values.size() == 1)
+      out[name] = values[0];
+    else
+      out[name] = view(values, forces.shape, self);
+  }
+  return out;
+}
+
 } // namespace
 
 void bind_contact_batch(py::module_& module) {
@@ -105,6 +143,11 @@ void bind_contact_batch(py::module_& module) {
       .def_property_readonly("slip_area", column(&ForceArrays::slip_area), "Areas in slip, shape (...) [m^2].")
       .def_property_readonly("status", column(&ForceArrays::status),
                              "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
+      .def_property_readonly(
+          "inputs", &inputs_of,
+          "What was given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],\n"
+          "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-] at rest, rolling_speed [m/s],\n"
+          "dissimilarity [-]; by name numbers, or arrays of shape (...) of what varies.")
       .def("__len__", [](const ForceArrays& self) { return self.fx.size(); });
   add_value(force_arrays, {"fx", "fy", "mz", "status"});
   add_labelled_arrays(force_arrays);

@@ -4,6 +4,7 @@
 #include "microslip/contact/elliptic_contact.hpp"
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace microslip::python {
@@ -14,6 +15,12 @@ struct ContactArrays {
   pybind11::object a, b;                        ///< [m]
   pybind11::object shear_modulus, poisson_ratio, normal_force, friction, rolling_speed, dissimilarity;
 };
+
+/// The columns of a batch, in the order of ContactBatch::inputs.
+inline constexpr std::array<std::string_view, 11> input_names = {
+    "creepage_longitudinal", "creepage_lateral", "spin",         "a",        "b",
+    "shear_modulus",         "poisson_ratio",    "normal_force", "friction", "rolling_speed",
+    "dissimilarity"};
 
 /// Many contacts: one that the others are like, and arrays that broadcast by numpy's rules. None: as in that one.
 class ContactBatch {
@@ -26,6 +33,8 @@ public:
   std::size_t count() const { return count_; }
   /// Needs no Python.
   EllipticContact operator[](std::size_t i) const;
+  /// Of each column one number, or as many as there are contacts. Of friction that at rest.
+  std::vector<std::vector<double>> inputs() const;
 
 private:
   EllipticContact like_;
@@ -45,6 +54,7 @@ struct ForceArrays {
   Shape shape;
   std::vector<double> fx, fy, mz, adhesion_area, slip_area;
   std::vector<unsigned char> status;
+  std::vector<std::vector<double>> inputs; ///< as ContactBatch::inputs
 };
 
 /// Forces of many contacts with their derivatives, 3 x 4 for each.

@@ -57,6 +57,8 @@ TYPES_OF_PROPERTIES = {
     "results": "tuple[str, ...]",
     "variables": "tuple[str, ...]",
     "state": "NDArray[numpy.uint8]",
+    "ForceArrays.inputs": "dict[str, Any]",
+    "WheelRailArrays.inputs": "dict[str, Any]",
     "ForceArrays.status": "NDArray[numpy.uint8]",
     "WheelRailArrays.status": "NDArray[numpy.uint8]",
     "WheelsetContacts.status": "NDArray[numpy.uint8]",

@@ -170,6 +170,7 @@ void bind_solution(py::module_& module) {
            "Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without\n"
            "pressures, as those of the simplified theory.")
       .def("_repr_html_", &table);
+  add_labelled_arrays(solution);
   add_value(solution, {"status", "fx", "fy", "mz", "creepage", "grid"});
 }
 

@@ -65,8 +65,12 @@ void add_labelled_arrays(py::object of) {
     };
     of.attr(name) = py::cpp_function(call, py::name(name), py::is_method(of), text);
   };
-  add("to_dataframe", "All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas.");
-  add("to_xarray", "All arrays [SI units] as an xarray.Dataset with their units; needs xarray.");
+  add("to_dataframe",
+      "All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the\n"
+      "numbers that all rows share, what result it is, and the version; needs pandas.");
+  add("to_xarray", "All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without "
+                   "dimensions; in\n"
+                   "attrs what result it is, and the version; needs xarray.");
 }
 
 py::object checked_state(const std::string& name, const py::tuple& state) {

@@ -124,7 +124,7 @@ WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
 
 SolvedStates solve_batch(PythonWheelRail& self, int threads, const py::kwargs& given) {
   const StateArrays states(given, self.bodies.wheelset.nominal_radius);
-  SolvedStates solved{states.shape(), std::vector<WheelRailSolution>(states.count())};
+  SolvedStates solved{states.shape(), std::vector<WheelRailSolution>(states.count()), given};
   self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i) {
     const auto [state, force] = states[i];
     solver.solve(state, force, solved.solutions[i]);
@@ -216,6 +216,24 @@ void bind_patch(py::module_& module) {
   add_value(patch, {"rail_y", "wheel_y", "angle", "normal_force", "fx", "fy", "mz", "status"});
 }
 
+/// By name, a number or an array that varies.
+py::dict inputs_of(const SolvedStates& self) {
+  const auto numpy = py::module_::import("numpy");
+  py::dict out;
+  for (const auto& [name, given] : self.inputs) {
+    const RealArray values = real_array("inputs", py::reinterpret_borrow<py::object>(given));
+    out[name] = values.size() == 1 ? py::object(py::float_(*values.data()))
+                                   : numpy.attr("broadcast_to")(values, py::cast(self.shape)).attr("copy")();
+  }
+  return out;
+}
+
+std::string inputs_text() {
+  std::string text = "The states that were given, by keyword:\n";
+  for (const StateQuantity& q : state_quantities()) text += std::string(q.name) + " [" + std::string(q.unit) + "],\n";
+  return text + "vertical_force [N]; by name numbers, or arrays of shape (...) of what varies.";
+}
+
 std::string table(const WheelRailSolution& self) {
   std::vector<TableRow> rows;
   for (const WheelQuantity& q : wheel_quantities())
@@ -277,6 +295,7 @@ void bind_wheel_solution(py::module_& module) {
             return out;
           },
           "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
+      .def_property_readonly("inputs", &inputs_of, inputs_text().c_str())
       .def("__len__", [](const SolvedStates& self) { return self.solutions.size(); });
   add_description(states, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});
   add_labelled_arrays(states);

@@ -98,6 +98,7 @@ struct PythonWheelRail {
 struct SolvedStates {
   Shape shape;
   std::vector<WheelRailSolution> solutions;
+  pybind11::dict inputs = {}; ///< the numbers of the states by name, as given
 
   std::size_t most_patches() const {
     std::size_t most = 0;

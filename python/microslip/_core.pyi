@@ -352,6 +352,12 @@ class ContactSolution:
         y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.
         Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without
         pressures, as those of the simplified theory."""
+    def to_dataframe(self) -> Any:
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -434,9 +440,11 @@ class CreepCurve:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class CreepForceTable:
     """Forces of Hertzian contacts in steady rolling by interpolation between results of the exact
@@ -526,9 +534,11 @@ class DerivativeArrays:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class ElementGrid:
     """The potential contact: mx x my equal rectangles, x and y ascending. Fields on it have shape (my, mx)."""
@@ -698,9 +708,11 @@ class ExactForceArrays:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class ExactResult:
     """What the exact theory makes of a case."""
@@ -764,13 +776,20 @@ class ForceArrays:
     @property
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
+    @property
+    def inputs(self) -> dict[str, Any]:
+        """What was given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],
+        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-] at rest, rolling_speed [m/s],
+        dissimilarity [-]; by name numbers, or arrays of shape (...) of what varies."""
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class FrictionLaw:
     """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear:
@@ -998,9 +1017,11 @@ class InteriorStates:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class LineContact:
     """Two cylinders with parallel axes, per unit length."""
@@ -1478,9 +1499,11 @@ class SurfaceFields:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class SurfaceStrength:
     """What surfaces bear before they wear or yield; None: not known."""
@@ -1914,13 +1937,49 @@ class WheelRailArrays:
     @property
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
+    @property
+    def inputs(self) -> dict[str, Any]:
+        """The states that were given, by keyword:
+        lateral [m],
+        vertical [m],
+        roll [rad],
+        yaw [rad],
+        forward_velocity [m/s],
+        lateral_velocity [m/s],
+        vertical_velocity [m/s],
+        roll_velocity [rad/s],
+        pitch_velocity [rad/s],
+        yaw_velocity [rad/s],
+        curvature [1/m],
+        deflection_longitudinal [m],
+        deflection_lateral [m],
+        deflection_vertical [m],
+        deflection_roll [rad],
+        deflection_yaw [rad],
+        deflection_longitudinal_velocity [m/s],
+        deflection_lateral_velocity [m/s],
+        deflection_vertical_velocity [m/s],
+        deflection_roll_velocity [rad/s],
+        deflection_pitch_velocity [rad/s],
+        deflection_yaw_velocity [rad/s],
+        deviation_lateral [m],
+        deviation_vertical [m],
+        deviation_roll [rad],
+        deviation_lateral_velocity [m/s],
+        deviation_vertical_velocity [m/s],
+        deviation_roll_velocity [rad/s],
+        longitudinal [m],
+        pitch [rad],
+        vertical_force [N]; by name numbers, or arrays of shape (...) of what varies."""
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class WheelRailDerivativeArrays:
     """Forces on a wheel in many states and their derivatives."""
@@ -2224,9 +2283,11 @@ class WheelsetContacts:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
     def to_dataframe(self) -> Any:
-        """All arrays [SI units] as a pandas.DataFrame, a row for each element; needs pandas."""
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
     def to_xarray(self) -> Any:
-        """All arrays [SI units] as an xarray.Dataset with their units; needs xarray."""
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
 
 class WheelsetDerivatives:
     """Forces on a wheelset and their derivatives."""

@@ -30,6 +30,30 @@ class DataFrameTest(unittest.TestCase):
         derivatives = microslip.Fastsim2().differentiate_batch(contact(), [1e-3, 2e-3])
         np.testing.assert_array_equal(derivatives.to_dataframe().jacobian_2_3, derivatives.jacobian[:, 2, 3])
 
+    def test_inputs_and_units_go_along(self):
+        frame = map_of_forces().to_dataframe()
+        np.testing.assert_array_equal(frame.creepage_longitudinal, [1e-3, 2e-3, 3e-3] * 2)
+        np.testing.assert_array_equal(frame.spin, [0.0] * 3 + [0.4] * 3)
+        self.assertEqual(frame.attrs["scalars"]["normal_force"], contact().normal_force)
+        self.assertEqual(frame.attrs["scalars"]["friction"], contact().friction.static_coefficient)
+        for name, unit in (("fx", "N"), ("mz", "N m"), ("spin", "1/m"), ("a", "m"), ("shear_modulus", "Pa")):
+            self.assertEqual(frame.attrs["units"][name], unit)
+        self.assertEqual((frame.attrs["result"], frame.attrs["version"]), ("ForceArrays", microslip.__version__))
+
+    def test_states_of_wheels_are_inputs(self):
+        frame = wheel_rail().solve_batch(lateral=[0.0, 1e-3], vertical_force=80e3, forward_velocity=30.0).to_dataframe()
+        np.testing.assert_array_equal(frame.lateral, [0.0, 1e-3])
+        self.assertEqual((frame.attrs["scalars"]["vertical_force"], frame.attrs["units"]["vertical_force"]), (80e3, "N"))
+
+    def test_a_solution_has_its_fields_and_totals(self):
+        solution = microslip.EllipticContactSolver(8, 6).solve(contact())
+        frame = solution.to_dataframe()
+        self.assertEqual(len(frame), solution.fields.px.size)
+        self.assertAlmostEqual((frame.area * frame.px).sum() / solution.fx, 1, delta=1e-12)
+        scalars = frame.attrs["scalars"]
+        self.assertEqual((scalars["fx"], scalars["creepage_lateral"], scalars["status"]), (solution.fx, solution.creepage.lateral, "ok"))
+        self.assertEqual((frame.attrs["units"]["fx"], frame.attrs["units"]["frictional_power"]), ("N", "W"))
+
     def test_fields_and_their_states(self):
         fields = microslip.Fastsim2(6, 4).fields(contact()).fields
         frame = fields.to_dataframe()
@@ -46,6 +70,12 @@ class DatasetTest(unittest.TestCase):
         self.assertEqual(data.fx.dims, ("dim_0", "dim_1"))
         np.testing.assert_array_equal(data.mz, forces.mz)
         self.assertEqual((data.mz.attrs["units"], data.status.attrs["flag_meanings"].split()[0]), ("N m", "ok"))
+
+    def test_inputs_that_all_share_have_no_dimensions(self):
+        data = map_of_forces().to_xarray()
+        self.assertEqual((data.normal_force.dims, data.normal_force.attrs["units"], float(data.normal_force)), ((), "N", contact().normal_force))
+        self.assertEqual((data.spin.dims, data.spin.attrs["units"]), (("dim_0", "dim_1"), "1/m"))
+        self.assertEqual(data.attrs["result"], "ForceArrays")
 
     def test_patches_of_wheels_share_a_dimension(self):
         states = wheel_rail().solve_batch(lateral=[0.0, 1e-3], vertical_force=80e3, forward_velocity=30.0)
