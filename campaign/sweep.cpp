@@ -248,14 +248,16 @@ void read_some_case(std::size_t count, const std::function<void(std::size_t inde
 
 template <class Kind> void Sweep::set_up(SweepSpec spec) {
   const auto tables = std::make_shared<const CreepTables>();
-  if (spec.has_units()) {
-    TomlSection::KeyUnits units;
+  TomlSection::KeyUnits units;
+  try {
     read_some_case(spec.count(), [&](std::size_t index) {
       const toml::table written = spec.case_as_written(index);
       Kind::check(TomlSection(written, spec.base_name(), {}, &units), *tables);
     });
-    spec.convert_units(units);
+  } catch (const Error&) {
+    if (spec.has_units()) throw; // else the cases fail one by one
   }
+  spec.convert_units(units);
   spec_ = std::make_shared<const SweepSpec>(std::move(spec));
   const auto columns = std::make_shared<const Columns<typename Kind::Solved>>(chosen(Kind::columns(*spec_), *spec_));
   for (const auto& column : *columns) columns_.push_back(column.of_file);

@@ -119,7 +119,7 @@ private:
         else
           texts.push_back(spec_.text_of(i, k));
       if (parameter.is_number)
-        file_.append(path, numbers, "SI", description);
+        file_.append(path, numbers, parameter.unit, description);
       else
         file_.append(path, texts, description);
     }

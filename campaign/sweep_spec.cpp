@@ -409,6 +409,8 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& 
 
 void SweepSpec::convert_units(const TomlSection::KeyUnits& units) {
   Units converter;
+  for (SweepParameter& parameter : parameters_)
+    if (const auto unit = units.find(parameter.keys.front()); unit != units.end()) parameter.unit = unit->second;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     if (!axes_[k]->has_units()) continue;
     convert(*axes_[k], k, units, converter);

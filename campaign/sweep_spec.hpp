@@ -24,6 +24,7 @@ struct SweepParameter {
   std::string name;              ///< as the file has it: "motion.spin", or keys that take the same value: "a.x, b.x"
   std::vector<std::string> keys; ///< of the case file
   bool is_number = true;         ///< in all cases; texts with units are after convert_units
+  std::string unit = "SI";       ///< of its numbers, known after convert_units
 };
 
 /// What the file of a sweep says: a case, and how its keys vary: on a grid, by a list or in a random sample.

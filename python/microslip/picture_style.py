@@ -54,7 +54,7 @@ def label_of(contact):
 
 def heading(what, result, theories=()):
     """A figure's title: what it shows, the case's title, and which theory is of simpler bodies than the case's."""
-    lines = [f"{what}: {result.attribute('title', 'rolling contact')}"]
+    lines = [": ".join(part for part in (what, result.attribute("title", "rolling contact")) if part)]
     lines += [f"{THEORIES[theory]}: {result.assumption(theory)}" for theory in theories if result.assumption(theory)]
     return "\n".join(lines)
 
@@ -89,7 +89,7 @@ def unit_for(largest, unit):
     """The factor and the name of the unit that numbers up to a largest one are written in: 35 N, 14 kN, 0.3 MPa."""
     base = unit.split("/")[0].split(" ")[0]
     letters, least = PREFIXES_OF.get(base, ("MkmµnG", 1.0))
-    if base not in ("Pa", "m", "N", "W", "J"):
+    if base not in ("Pa", "m", "N", "W", "J") or (base == "m" and unit != base):
         return 1.0, unit
     usable = [(size, letter) for size, letter in PREFIXES if letter in letters and (letter or base != "m")]
     size, letter = next(((size, letter) for size, letter in usable

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
-                                     put_title, unit_for)
+                                     put_title, shown, unit_for)
 from microslip.result_file import ResultError
 
 # What is drawn, of which there are the first three.
@@ -25,15 +25,18 @@ def sweep_pictures(result):
     figure = new_figure(9, 1 + 2.6 * len(forces))
     panels = np.atleast_1d(figure.subplots(len(forces), sharex=True))
     draw = draw_grid if "shape" in result else draw_points
-    for axes, name in zip(panels, forces):
+    columns = [result.array(name, finite=False) for name in forces]
+    largest = max(np.nanmax(np.abs(values), initial=0) for values in columns)
+    for axes, name, values in zip(panels, forces, columns):
         open_axes(axes)
-        values = result.array(name, finite=False)
+        if name in FORCES:
+            values = shown(values, largest)
         factor, unit = unit_for(np.nanmax(np.abs(values), initial=0), result.unit(name))
         axis = draw(axes, result, names, factor * values)
         axes.set_ylabel(f"{name} [{unit}]")
-    panels[-1].set_xlabel(f"{axis} [SI]")
+    panels[-1].set_xlabel(f"{axis} [{scale_of(result, axis)[1]}]")
     if panels[0].get_legend_handles_labels()[0]:
-        panels[0].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        panels[-1].legend(*panels[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.0, -0.2), ncols=2, fontsize=8)
     put_title(figure, heading("Sweep", result))
     return {"sweep.png": figure}
 
@@ -54,10 +57,10 @@ def draw_grid(axes, result, names, force):
     along = names.index(name)
     force = np.moveaxis(force.reshape(shape), along, -1).reshape(-1, shape[along])
     at = np.moveaxis(np.arange(force.size).reshape(shape), along, -1).reshape(-1, shape[along])  # numbers of the cases
-    x = result.array(f"parameters/{name}")[at[0]]
+    x = scale_of(result, name)[0] * result.array(f"parameters/{name}")[at[0]]
     lines = np.unique(np.linspace(0, len(force) - 1, MOST_LINES).round().astype(int))
     for count, line in enumerate(lines):
-        label = ", ".join(f"{one} = {shown(result, one, at[line, 0])}" for place, one in enumerate(names)
+        label = ", ".join(f"{one} = {parameter_text(result, one, at[line, 0])}" for place, one in enumerate(names)
                           if one != name and shape[place] > 1)
         axes.plot(x, force[line], color=COLOURS[count % len(COLOURS)], linestyle="-" if count < len(COLOURS) else "--", label=label)
     if is_logarithmic(x):
@@ -65,10 +68,20 @@ def draw_grid(axes, result, names, force):
     return name
 
 
-def shown(result, name, case):
+def parameter_text(result, name, case):
     """A parameter of a case for a legend."""
     value = result.entry(f"parameters/{name}", case)
-    return number(value) if isinstance(value, float) else value
+    if not isinstance(value, float):
+        return value
+    factor, unit = scale_of(result, name)
+    return number(factor * value) + ("" if unit in ("-", "SI") else f" {unit}")
+
+
+def scale_of(result, name):
+    """The factor and the unit in which a parameter is shown; files of before say only that it is SI."""
+    values = result.array(f"parameters/{name}", finite=False)
+    finite = np.abs(values[np.isfinite(values)])
+    return unit_for(finite.max(initial=0), result.unit(f"parameters/{name}"))
 
 
 def draw_points(axes, result, names, force):
@@ -76,6 +89,6 @@ def draw_points(axes, result, names, force):
     name = next((one for one in names if result.is_number(f"parameters/{one}")), None)
     if name is None:
         raise ResultError(f"{result.path}: no parameter is a number")
-    axes.plot(result.array(f"parameters/{name}"), force, ".", markersize=3, color=BLUE)
+    axes.plot(scale_of(result, name)[0] * result.array(f"parameters/{name}"), force, ".", markersize=3, color=BLUE)
     axes.axhline(0, color=GREY, linewidth=0.8)
     return name

@@ -177,6 +177,14 @@ class EveryFileTest(unittest.TestCase):
             self.run_program("sweep", self.text("a.toml", case), "-o", f"{len(quantities)}.h5")
             self.expect(f"{len(quantities)}.h5", "sweep.png")
 
+    def test_parameters_of_sweeps_have_units(self):
+        case = SWEEP.format(quantities='["fx"]') + HERTZ.split("\n", 1)[1].replace("[", "[case.")
+        case = case.replace("motion.creepage_longitudinal = [1e-4, 1e-3, 2e-3]", 'load.normal_force = ["1 kN", "2 kN"]')
+        self.run_program("sweep", self.text("a.toml", case), "-o", "a.h5")
+        axes = plot.figures(self.folder / "a.h5")["sweep.png"].axes[0]
+        self.assertEqual(axes.get_xlabel(), "load.normal_force [kN]")
+        np.testing.assert_allclose(axes.lines[0].get_xdata(), [1, 2])
+
     def test_profiles_and_conicity(self):
         self.run_program("profile", EXAMPLES / "profiles/s1002.prw", "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "profile.png")

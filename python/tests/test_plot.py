@@ -152,7 +152,7 @@ class CommandLineTest(FolderTest):
     def test_truncated_hdf5(self):
         write_rolling_contact(self.path)
         self.path.write_bytes(self.path.read_bytes()[:5000])
-        self.expect_error("truncated")
+        self.expect_error("cut short or damaged")
 
     def test_unknown_kind(self):
         with h5py.File(self.path, "w") as file:

@@ -20,6 +20,7 @@ def write_sweep(path, shape=None):
         file.attrs.update({"kind": "sweep", "title": "a test", "version": "0.2.0", "commit": "abc", "parameters": "a.word\na.x"})
         file["parameters/a.x"] = x
         file["parameters/a.word"] = [b"one", b"two"][0:1] * 4 + [b"two"] * 4
+        file["parameters/a.x"].attrs["unit"] = "m"
         file["contact/fx"] = np.append((1000 * x + k)[:-1], np.nan)
         file["contact/fx"].attrs["unit"] = "N"
         if shape:
@@ -38,14 +39,25 @@ class SweepPictureTest(unittest.TestCase):
     def test_a_grid_has_a_line_for_each_combination(self):
         (axes,) = self.picture((2, 4))
         self.assertEqual([line.get_label() for line in axes.lines], ["a.word = one", "a.word = two"])
-        np.testing.assert_array_equal(axes.lines[1].get_xdata(), [0, 1, 2, 3])
+        np.testing.assert_array_equal(axes.lines[1].get_xdata(), [0, 1e3, 2e3, 3e3])
         np.testing.assert_allclose(axes.lines[1].get_ydata(), [0.001, 1.001, 2.001, np.nan])
         self.assertEqual(axes.get_ylabel(), "contact/fx [kN]")
+
+    def test_rounding_is_no_curve(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "s.h5"
+            write_sweep(path, (2, 4))
+            with h5py.File(path, "a") as file:
+                file["contact/mz"] = 1e-14 * np.arange(8)
+                file["contact/mz"].attrs["unit"] = "N m"
+            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
+                _, moments = plot.pictures(result)["sweep.png"].axes
+        self.assertEqual({value for line in moments.lines for value in line.get_ydata()}, {0.0})
 
     def test_a_list_has_points_over_its_first_number(self):
         (axes,) = self.picture(None)
         np.testing.assert_allclose(axes.lines[0].get_ydata()[:3], [0, 1, 2])
-        self.assertEqual(axes.get_xlabel(), "a.x [SI]")
+        self.assertEqual(axes.get_xlabel(), "a.x [mm]")
 
     def test_without_a_quantity_there_is_an_error(self):
         with tempfile.TemporaryDirectory() as folder:
