@@ -1,5 +1,6 @@
 #include "app/completion.hpp"
 
+#include "app/init.hpp"
 #include "app/option_text.hpp"
 #include "io/option_words.hpp"
 #include "validation/study.hpp"
@@ -34,6 +35,10 @@ Words study_names() {
 
 Candidates candidates(const CLI::Option& option) {
   const auto value = value_name(option);
+  if (value == "EXAMPLE") {
+    const auto names = example_names();
+    return {.kind = Candidates::Kind::words, .words = Words(names.begin(), names.end())};
+  }
   if (value == "STUDY") return {.kind = Candidates::Kind::words, .words = study_names()};
   if (value == "FOLDER") return {.kind = Candidates::Kind::folders};
   if (value.find('|') != std::string::npos)

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 
 namespace microslip {
+
+/// Names of the case files that `microslip init` writes, first that by default.
+std::vector<std::string_view> example_names();
 
 /// Adds `microslip init`.
 void add_init_command(CLI::App& program);

@@ -16,8 +16,9 @@ namespace {
 
 /// Text as roff takes it, with the characters that a reader may copy as they are.
 std::string roff(const std::string& text) {
-  static const std::map<char, const char*> escapes = {{'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"},
-                                                      {'^', "\\(ha"}, {'~', "\\(ti"}, {'`', "\\(ga"}};
+  static const std::map<char, const char*> escapes = {
+      {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'^', "\\(ha"},
+      {'~', "\\(ti"}, {'`', "\\(ga"}, {'|', "|\\:"}}; // where a long list of words may be broken
   std::string result = text.starts_with('.') ? "\\&" : "";
   for (const char letter : text) {
     const auto escape = escapes.find(letter);

@@ -298,6 +298,26 @@ TEST(Program, WarnsWithoutPythonAndKeepsTheResult) {
   EXPECT_EQ(folder.entries(), (Names{"out", "out/result.h5"}));
 }
 
+TEST(Program, InitWritesEveryExampleWithWhatItNeeds) {
+  const std::filesystem::path originals = MICROSLIP_SOURCE_DIR "/examples";
+  for (const std::string name :
+       {"hertzian_contact", "two_rollers", "starting_to_roll", "wheel_on_rail", "lateral_sweep", "wheelset_in_curve"}) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_program(folder, "init --example " + name + " a.toml").exit_code, 0) << name;
+    EXPECT_EQ(contents(folder / "a.toml"), contents(originals / (name + ".toml")));
+    const Outcome solved = run_program(folder, "solve a.toml --no-pictures");
+    EXPECT_EQ(solved.exit_code, 0) << name << ": " << solved.errors;
+  }
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program(folder, "init --example wheel_rail_sample s.toml").output,
+            "wheel_on_rail.toml\nprofiles/60e1.prr\nprofiles/s1002.prw\ns.toml\n");
+  EXPECT_EQ(run_program(folder, "init --example wheel_on_rail r.toml").output, "r.toml\n"); // profiles are there
+  save(folder / "profiles/60e1.prr", "mine");
+  expect_refused(folder, "init --example lateral_sweep l.toml", "profiles/60e1.prr: is there already");
+  EXPECT_FALSE(std::filesystem::exists(folder / "l.toml"));
+  expect_refused(folder, "init --example wheel_rail x.toml", "did you mean wheel_on_rail?");
+}
+
 TEST(Program, InitWritesTheExampleOnce) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_program(folder, "init").output, "case.toml\n");
@@ -793,7 +813,7 @@ TEST(Program, HelpNamesUnitsAndDefaults) {
   expect_text("hertz", {"R1 R2", "[m]", "[Pa]", "[-]", "[N]"});
   expect_text("batch", {"fastsim|fastsim_half_step|fastsim2|exact|fastrip", "default: fastsim2", "default: 10x10",
                         "default: kalker", "default: second_order", "normal_force [N]", "spin [1/m]", "; required"});
-  expect_text("init", {"default: case.toml"});
+  expect_text("init", {"default: case.toml", "default: hertzian_contact", "wheel_rail_sample"});
   expect_text("run", {"default: results"});
   expect_text("plot", {"[mm]", "[1/m]", "default: beside RESULT.h5", "pressure|bound|"});
   expect_text("profile", {"[m]", "[mm]", "rail|wheel", "default: 0.014"});

@@ -71,8 +71,7 @@ public:
   fmi3Status step(double time, double length = 1e-3) {
     bool event = true, terminate = true, early = true;
     double last = 0;
-    const fmi3Status status =
-        FMI3(fmi3DoStep)(unit, time, length, true, &event, &terminate, &early, &last);
+    const fmi3Status status = FMI3(fmi3DoStep)(unit, time, length, true, &event, &terminate, &early, &last);
     EXPECT_TRUE(status != fmi3OK || (!event && !terminate && !early && last == time + length));
     return status;
   }
@@ -119,8 +118,9 @@ TEST(Fmi3, HasTheNumbersOfFmi2) {
     const std::vector<double> seed(inputs.size(), 1e-6);
     for (const unsigned of : references("output")) {
       double change2 = 0, change3 = 1;
-      EXPECT_EQ(FMI(fmi2GetDirectionalDerivative)(two.unit, &of, 1, inputs.data(), inputs.size(), seed.data(), &change2),
-                fmi2OK);
+      EXPECT_EQ(
+          FMI(fmi2GetDirectionalDerivative)(two.unit, &of, 1, inputs.data(), inputs.size(), seed.data(), &change2),
+          fmi2OK);
       EXPECT_EQ(FMI3(fmi3GetDirectionalDerivative)(three.unit, &of, 1, inputs.data(), inputs.size(), seed.data(),
                                                    seed.size(), &change3, 1),
                 fmi3OK);
