@@ -25,6 +25,7 @@ test -f /usr/share/doc/microslip/copyright
 # what it recommends draws the pictures
 $install python3-h5py python3-matplotlib >/dev/null
 microslip plot results/result.h5 | grep -q tractions.png
+sh "$here/first_pictures.sh"
 
 # programs in C and with CMake against libraries and headers
 $install gcc g++ libc6-dev pkg-config cmake make man-db >/dev/null
