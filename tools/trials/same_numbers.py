@@ -1,5 +1,6 @@
-"""Compares all numbers of two JSON documents but for what tells where they come from, and residuals: same_numbers.py FIRST SECOND"""
+"""Compares all numbers of two JSON documents, or tables of CSV, but for what tells where they come from, and residuals: same_numbers.py FIRST SECOND"""
 
+import csv
 import json
 import sys
 
@@ -23,6 +24,22 @@ def numbers(value, place=""):
         yield place, value
 
 
+def document(name):
+    """What a file holds; fields of a table that are numbers are numbers."""
+    with open(name, encoding="utf-8", newline="") as file:
+        if not name.endswith(".csv"):
+            return json.load(file)
+        return [[number(field) for field in row] for row in csv.reader(file)]
+
+
+def number(field):
+    """A field as a number, if it is one."""
+    try:
+        return float(field)
+    except ValueError:
+        return field
+
+
 def differ(one, other):
     """Whether two values are not the same but for rounding."""
     if isinstance(one, float) and isinstance(other, float):
@@ -33,7 +50,7 @@ def differ(one, other):
 
 def main():
     """The exit code: 0 if all are the same."""
-    first, second = (dict(numbers(json.load(open(name, encoding="utf-8")))) for name in sys.argv[1:3])
+    first, second = (dict(numbers(document(name))) for name in sys.argv[1:3])
     wrong = [f"{place}: {first.get(place)} {second.get(place)}" for place in sorted(first.keys() | second.keys())
              if place not in first or place not in second or differ(first[place], second[place])]
     print(f"{len(first)} values" if not wrong else "\n".join(wrong))
