@@ -279,14 +279,15 @@ TEST(ContactTable, RefusesFilesThatAreNoTables) {
   EXPECT_EQ(message_of("\xef\xbb\xbf"), empty);
   std::string binary;
   for (unsigned i = 0; i < 1000000; ++i) binary += static_cast<char>((i * 7919) >> 3);
-  EXPECT_EQ(message_of(binary).rfind("in.csv:1: ", 0), 0u) << message_of(binary);
+  const std::string no_text = "in.csv: is UTF-16 or no text; it must be UTF-8 or ASCII";
+  EXPECT_EQ(message_of(binary), no_text);
   EXPECT_EQ(message_of(header + binary).rfind("in.csv:2: ", 0), 0u) << message_of(header + binary);
   EXPECT_EQ(message_of(header + std::string(1000000, '1')), "in.csv:2: a line of more than 32 KiB");
-  EXPECT_EQ(message_of(std::string(1000000, '\0')).rfind("in.csv:1: is one column", 0), 0u);
+  EXPECT_EQ(message_of(std::string(1000000, '\0')), no_text);
   EXPECT_EQ(message_of("a b shear_modulus\n1 2 3\n"),
             "in.csv:1: is one column: commas, semicolons or tabs must separate several");
-  EXPECT_EQ(message_of(std::string("\xff\xfe") + "a"), "in.csv: is UTF-16 or no text; it must be UTF-8 or ASCII");
-  EXPECT_EQ(message_of(std::string("a\0,\0b\0\n\0", 8)), "in.csv: is UTF-16 or no text; it must be UTF-8 or ASCII");
+  EXPECT_EQ(message_of(std::string("\xff\xfe") + "a"), no_text);
+  EXPECT_EQ(message_of(std::string("a\0,\0b\0\n\0", 8)), no_text);
 }
 
 TEST(ContactTable, ReadsMoreThanAChunkWithTheRightLineNumbers) {

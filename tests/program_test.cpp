@@ -646,7 +646,7 @@ TEST(Program, BatchRefusesBadTables) {
       expect_refused(folder, "batch " + name + threads, message);
     };
     refused("empty.csv", "microslip: empty.csv: is empty");
-    refused("binary.csv", "microslip: binary.csv:1: ");
+    refused("binary.csv", "microslip: binary.csv: is UTF-16 or no text; it must be UTF-8 or ASCII");
     refused("missing.csv", "microslip: missing.csv:1: column spin: is missing");
     refused("truncated.csv", "truncated.csv:3002: 4 fields, not 9; the file ends in the middle of a line");
     refused("bad.csv", "bad.csv:3002: column poisson_ratio = 0.7 [-]: must be in [0, 0.5]");
