@@ -79,7 +79,7 @@ std::vector<std::string> warnings_of(const SlicedProfile& sliced) {
       else
         warnings.push_back({text, fs::path(sliced.file.slices[k].file).filename().string(), 1});
     }
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = sliced.file.warnings;
   for (const Warning& w : warnings)
     lines.push_back(fmt::format("{} of {} slices, from {} on: {}", w.count, sliced.slices.size(), w.first, w.text));
   return lines;
@@ -110,6 +110,7 @@ void print_document(const fs::path& path, const SlicedProfile& sliced) {
                      {"phase", json_number(wave.phase)}});
   document["slices"] = slices;
   document["waves"] = waves;
+  document["warnings"] = file.warnings;
   const bool is_wheel = file.role == ProfileRole::wheel;
   document["units"] = {{"least_y", "m"},
                        {"greatest_y", "m"},

@@ -9,6 +9,19 @@
 
 namespace microslip {
 
+namespace {
+
+PreparedProfile read_slice(const std::filesystem::path& slices, const std::string& file,
+                           const ProfileFileOptions& options) {
+  try {
+    return read_profile(file, options);
+  } catch (const Error& error) {
+    throw Error(slices.string() + ": " + error.what());
+  }
+}
+
+} // namespace
+
 SlicedProfile read_sliced_profile(const std::filesystem::path& path, ProfileFileOptions options) {
   constexpr double mm = 1e-3;
   SlicesFile file = read_slices(path);
@@ -19,7 +32,7 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, ProfileFile
   std::vector<PreparedProfile> prepared;
   std::vector<ProfileSlice> slices;
   for (const SliceEntry& entry : file.slices) {
-    prepared.push_back(read_profile(entry.file, options));
+    prepared.push_back(read_slice(path, entry.file, options));
     slices.push_back({unit_of_u * entry.u, prepared.back().profile, entry.features});
     for (double& feature : slices.back().features)
       if (feature > 0) feature *= mm;
@@ -42,6 +55,8 @@ PlacedProfile read_placed_profile(const std::filesystem::path& path, const Profi
   PlacedProfile profile{std::move(sliced.slices.front()),
                         std::make_shared<const ProfileSurface>(std::move(sliced.surface))};
   profile.report.source = path.string();
+  profile.report.warnings.insert(profile.report.warnings.begin(), sliced.file.warnings.begin(),
+                                 sliced.file.warnings.end());
   for (const PreparedProfile& slice : sliced.slices)
     for (const std::string& warning : slice.report.warnings)
       if (auto& all = profile.report.warnings; std::find(all.begin(), all.end(), warning) == all.end())

@@ -88,6 +88,9 @@ public:
 
   void end_record() { line_ = {}; }
 
+  /// The number of the next line with values, after the end of a record; none at the end of the text.
+  std::optional<std::size_t> next_number() { return next_line() ? std::optional(number_) : std::nullopt; }
+
 private:
   static std::string_view without_separators(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t,=\r");
@@ -138,6 +141,7 @@ public:
     read_joints();
     read_features();
     read_waves();
+    warn_of_surplus();
     return std::move(file_);
   }
 
@@ -182,6 +186,8 @@ private:
       std::string name = words_.text(is_wheel() ? "WFNAME" : "RFNAME");
       std::replace(name.begin(), name.end(), '\\', '/');
       slice.file = (folder_ / name).string();
+      if (names_slices(name))
+        words_.fail(std::string(is_wheel() ? "WFNAME" : "RFNAME") + " = " + name + ": must be a profile, not slices");
       words_.end_record();
     }
   }
@@ -244,6 +250,13 @@ private:
       words_.end_record();
       file_.waves.push_back(wave);
     }
+  }
+
+  /// The program CONTACT reads no further, either.
+  void warn_of_surplus() {
+    if (const auto line = words_.next_number())
+      file_.warnings.push_back("line " + std::to_string(*line) + " is left out with all that follows: NSLC = " +
+                               std::to_string(file_.slices.size()) + ", and nothing belongs to these slices any more");
   }
 
   SliceWords words_;

@@ -26,6 +26,7 @@ struct SlicesFile {
   SliceMethod method = SliceMethod::interpolating;
   std::vector<int> kinks = {}, accelerations = {}; ///< features, from 0, where direction or curvature may jump
   std::vector<ProfileWave> waves = {};             ///< amplitudes in mm, wavenumbers in rad/mm or orders
+  std::vector<std::string> warnings = {};          ///< of what it leaves out
 
   std::size_t features() const { return slices.front().features.size(); }
 };

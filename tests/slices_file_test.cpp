@@ -81,6 +81,7 @@ TEST(SlicesFile, MistakesAreNamedWithTheirLine) {
             "dir/x.slcs:7: U_SLC = 300: must be at least 0.001 above that of the slice before, 400");
   EXPECT_EQ(wrong("'a/one.prr'", "a/one.prr"), "dir/x.slcs:6: RFNAME must be a file's name between quotes");
   EXPECT_EQ(wrong("'a/one.prr'", "''"), "dir/x.slcs:6: RFNAME is empty");
+  EXPECT_EQ(wrong("'a/one.prr'", "'a/one.slcs'"), "dir/x.slcs:6: RFNAME = a/one.slcs: must be a profile, not slices");
   EXPECT_EQ(wrong("1 P_KINK", "3 P_KINK"), "dir/x.slcs:9: P_KINK = 3: must be a whole number in [1, 2]");
   EXPECT_EQ(wrong("  0.  -1 0 11. 99", "  .1  -1 0 11. 99"),
             "dir/x.slcs:12: U_SLC = 600: must be 500, as the slices' list has it");
@@ -88,6 +89,19 @@ TEST(SlicesFile, MistakesAreNamedWithTheirLine) {
   EXPECT_EQ(wrong(".02 .08", ".02 0"), "dir/x.slcs:16: WAVEL = 0: must be positive");
   EXPECT_EQ(message_of("0 1\n2\n"), "dir/x.slcs:2: NFEAT is missing: the file ends here");
   EXPECT_EQ(message_of(""), "dir/x.slcs:0: U_OFFSET is missing: the file ends here");
+}
+
+/// As CONTACT does it takes files with more slices than they count.
+TEST(SlicesFile, WarnsOfWhatItLeavesOut) {
+  const std::string two = "0 1\n2 NSLC\n0\n1\n0 'a.prr'\n1 'b.prr' remark\n",
+                    third = "% more\n\n2 'c.prr'\n3 'd.prr'\n";
+  EXPECT_TRUE(parse_slices(two + "% the end\n\n", "x.slcs").warnings.empty());
+  EXPECT_TRUE(parse_slices(rail, "x.slcs").warnings.empty());
+  const SlicesFile file = parse_slices(two + third, "x.slcs");
+  EXPECT_EQ(file.slices.size(), 2u);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_EQ(file.warnings[0], "line 9 is left out with all that follows: NSLC = 2, and nothing belongs to these slices "
+                              "any more");
 }
 
 TEST(SlicesFile, WheelsLieWithinATurnOrReachBeyondIt) {
@@ -110,6 +124,7 @@ TEST(SlicesFile, ReadsThoseOfContact) {
   EXPECT_EQ(nose.slices.back().features.back(), 299);
   const SlicesFile flat = read_slices(folder / "cases/S1002_flat.slcw");
   EXPECT_EQ(flat.slices.size(), 258u);
+  EXPECT_TRUE(nose.warnings.empty() && flat.warnings.empty());
   EXPECT_EQ(flat.method, SliceMethod::approximating);
 }
 
