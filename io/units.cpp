@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ constexpr UnitDefinition definitions[] = {
     {"rpm", "6.283185307179586 rad/min"},
     {"N", "kg m s-2"},
     {"kgf", "9.80665 N"},
+    {"kp", "kgf"},
     {"lbf", "4.4482216152605 N"},
     {"kip", "1000 lbf"},
     {"Pa", "N m-2"},
@@ -48,8 +50,8 @@ constexpr UnitDefinition definitions[] = {
     {"%", "0.01"},
 };
 
-constexpr UnitPrefix prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"c", 1e-2},
-                                   {"d", 1e-1}, {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
+constexpr UnitPrefix prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"c", 1e-2}, {"d", 1e-1},
+                                   {"da", 1e1}, {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
 
 /// What messages say of a unit that a value is wanted in: those to choose from, and an example.
 struct Choice {
@@ -89,16 +91,18 @@ const Choice& choice_of(std::string_view unit) {
   return *found;
 }
 
-/// In letters that UDUNITS has in any encoding.
+/// In letters that UDUNITS has in any encoding, without the blanks around signs that it does not take.
 std::string in_ascii(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> others[] = {
       {"\u00b5", "u"}, {"\u03bc", "u"}, {"\u00b0", "deg"}, {"\u00b2", "2"},
-      {"\u00b3", "3"}, {"\u00b7", " "}, {"\u22c5", " "}};
+      {"\u00b3", "3"}, {"\u00b7", "*"}, {"\u22c5", "*"}};
   std::string text(unit.starts_with('/') ? "1" : "");
   text += unit;
   for (const auto& [other, letters] : others)
     for (auto at = text.find(other); at != std::string::npos; at = text.find(other))
       text.replace(at, other.size(), letters);
+  for (const std::string_view sign : {" *", "* ", " /", "/ "})
+    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign)) text.erase(at + sign.find(' '), 1);
   return text;
 }
 
@@ -179,6 +183,14 @@ std::pair<double, std::string_view> split(std::string_view text, const Choice& c
   return {value, trimmed(rest)};
 }
 
+/// The angle [rad] of a slope, of which a text has what follows the first number: ":40" of "1:40".
+std::optional<double> angle_of_slope(double rise, std::string_view rest) {
+  if (!rest.starts_with(':')) return {};
+  const auto run = parse_number(trimmed(rest.substr(1)));
+  if (!run || !(*run > 0)) throw Error("must be a slope such as \"1:40\"");
+  return std::atan(rise / *run);
+}
+
 /// Only temperatures may differ by their zero. Of all that the system knows only what is plain: with other texts
 /// UDUNITS would lose memory.
 UnitSystem::Conversion conversion(const UnitSystem& system, std::string_view name, const Choice& choice) {
@@ -187,7 +199,7 @@ UnitSystem::Conversion conversion(const UnitSystem& system, std::string_view nam
   const auto& symbols = plain.symbols();
   const auto is_known = [&](const std::string& symbol) { return system.knows(symbol); };
   if (!plain.is_plain() || !std::all_of(symbols.begin(), symbols.end(), is_known)) {
-    const auto near = suggestion(name, choice.known());
+    const auto near = suggestion(given, choice.known());
     throw Error("unknown unit " + printable(name) + (near.empty() ? "; " + choice.sentence() : near));
   }
   const bool is_temperature = choice.unit == "deg C";
@@ -224,6 +236,9 @@ double Units::number(std::string_view field, std::string_view text, std::string_
     const Choice& choice = choice_of(unit);
     const auto [value, name] = split(text, choice);
     if (name.empty() && unit == "-") throw Error("must be a number without quotes");
+    if (name.empty() && !std::isfinite(value)) return value; // in any unit, where a field takes it
+    if (unit == "rad")
+      if (const auto angle = angle_of_slope(value, name)) return *angle;
     if (name.empty()) throw Error("has no unit; " + choice.sentence());
     if (name == unit) return value;
     const auto converted = conversion(system(), name, choice);

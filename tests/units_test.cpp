@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -63,6 +64,15 @@ TEST(Units, NumbersAreInTheUnitThatIsWanted) {
       {"1.8 mm/m", "-", 1.8e-3},
       {"inf m", "m", std::numeric_limits<double>::infinity()},
       {"-3 mm", "m", -0.003},
+      {"inf", "m", std::numeric_limits<double>::infinity()},
+      {"-inf", "m", -std::numeric_limits<double>::infinity()},
+      {"800 daN", "N", 8e3},
+      {"10 kp", "N", 98.0665},
+      {"2 kN \u00b7 m", "N m", 2e3},
+      {"2 kN * m", "N m", 2e3},
+      {"36 km / h", "m/s", 10},
+      {"1:20", "rad", std::atan(0.05)},
+      {"-1 : 40", "rad", -std::atan(0.025)},
   };
   for (const auto& [text, unit, value] : texts) EXPECT_DOUBLE_EQ(units.number("field", text, unit), value) << text;
   EXPECT_NEAR(units.number("field", "68 degF", "deg C"), 20, 1e-9);
@@ -114,6 +124,16 @@ TEST(Units, AnUnknownUnitGetsTheNearestRightOne) {
   EXPECT_EQ(error_of("210 Gpa", "Pa"), "load.normal_force = \"210 Gpa\" [Pa]: unknown unit \"Gpa\"; did you mean GPa?");
   EXPECT_EQ(error_of("20 furlongs", "m"), "load.normal_force = \"20 furlongs\" [m]: unknown unit \"furlongs\"; must be "
                                           "in m, mm, um, cm, km, in or ft, e.g. \"460 mm\"");
+}
+
+TEST(Units, ProductsHaveTwoFactorsAndSlopesARun) {
+  for (const char* unit : {"kN\u00b7", "kN*", "kN.", "kN/"})
+    EXPECT_NE(error_of(std::string("80 ") + unit, "N").find("; did you mean kN?"), std::string::npos)
+        << error_of(std::string("80 ") + unit, "N");
+  for (const char* text : {"1:", "1:0", "1:-20", "1:x", "1:20 deg"})
+    EXPECT_NE(error_of(text, "rad").find("]: must be a slope such as \"1:40\""), std::string::npos)
+        << error_of(text, "rad");
+  EXPECT_NE(error_of("1:20", "m").find("unknown unit"), std::string::npos);
 }
 
 TEST(Units, TextIsANumberAndAUnitAndNothingElse) {
