@@ -52,10 +52,7 @@ const std::vector<std::string_view>& CsvLine::split(std::string_view line) {
 
 std::string_view csv_start(std::string_view text, const std::string& name) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  const bool is_marked = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
-  // of which every second byte is zero where letters are those of ASCII
-  if (is_marked || text.substr(0, text.find('\n')).find('\0') != std::string_view::npos)
-    throw Error(name + ": is UTF-16 or no text; it must be UTF-8 or ASCII");
+  if (is_no_utf8(text)) throw Error(name + ": is UTF-16 or no text; it must be UTF-8 or ASCII");
   return text;
 }
 

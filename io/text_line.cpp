@@ -23,6 +23,11 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
+bool is_no_utf8(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+         text.substr(0, text.find('\n')).find('\0') != std::string_view::npos;
+}
+
 std::optional<double> parse_number(std::string_view text) {
   constexpr std::size_t longest = 64; // longer ones are no measured numbers
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -1,6 +1,7 @@
 #include "io/toml_section.hpp"
 
 #include "io/nearest_word.hpp"
+#include "io/text_line.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -75,6 +76,7 @@ std::size_t line_of_assertion(std::string_view text) {
 } // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+  if (is_no_utf8(text)) throw Error(file + ": is UTF-16 or no text; it must be UTF-8 or ASCII");
   refuse_deep_keys(text, file);
   try {
     return toml::parse(text, file);
@@ -217,9 +219,13 @@ void TomlSection::count(std::string_view key, int low, int high, int& value) con
 void TomlSection::counts(std::string_view key, int low, int high, int& first, int& second) const {
   const auto* node = find(key);
   if (node == nullptr) return;
+  if (node->is_integer()) {
+    first = second = whole(key, *node, low, high);
+    return;
+  }
   const auto* list = node->as_array();
   if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() || !list->get(1)->is_integer())
-    throw Error(location(file_, node->source()) + full(key) + ": must be a list of two whole numbers");
+    throw Error(location(file_, node->source()) + full(key) + ": must be a whole number or a list of two");
   first = whole(key, *list->get(0), low, high);
   second = whole(key, *list->get(1), low, high);
 }

@@ -64,7 +64,7 @@ public:
   }
   /// A whole number, which keeps its value if the key is missing.
   void count(std::string_view key, int low, int high, int& value) const;
-  /// A list of two whole numbers, which keep their values if the key is missing.
+  /// A list of two whole numbers, or one for both, which keep their values if the key is missing.
   void counts(std::string_view key, int low, int high, int& first, int& second) const;
 
   /// Runs a check and puts file and line before its message: those of the key, if it is there, or of the table.

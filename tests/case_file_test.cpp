@@ -413,10 +413,25 @@ TEST(CaseFile, NamesWrongTypes) {
   EXPECT_EQ(message_of(with("\"t\"", "1")), "w.toml:1: title: must be text, not a number");
   EXPECT_EQ(message_of("body1 = 3"), "w.toml:1: body1: must be a table, not a number");
   EXPECT_EQ(message_of(with("[load]", "[[load]]")), "w.toml:12: load: must be a table, not a list");
-  for (const auto* grid : {"20", "[20]", "[20, 20, 20]", "[20.0, 20]", "\"20x20\"", "[[20], 20]"})
+  for (const auto* grid : {"20.0", "[20]", "[20, 20, 20]", "[20.0, 20]", "\"20x20\"", "[[20], 20]"})
     EXPECT_EQ(message_of(good + "[solution]\ngrid = " + grid),
-              "w.toml:19: solution.grid: must be a list of two whole numbers")
+              "w.toml:19: solution.grid: must be a whole number or a list of two")
         << grid;
+}
+
+TEST(CaseFile, OneNumberOfElementsIsForBothDirections) {
+  for (const char* grid : {"12", "[12, 12]"}) {
+    const auto options = parse_case(good + "[solution]\ngrid = " + grid, "w.toml").options;
+    EXPECT_EQ(options.mx, 12) << grid;
+    EXPECT_EQ(options.my, 12) << grid;
+  }
+}
+
+TEST(CaseFile, NamesOtherEncodings) {
+  std::string sixteen_bits;
+  for (const char letter : good) sixteen_bits.append({letter, '\0'});
+  for (const char* mark : {"", "\xff\xfe"})
+    EXPECT_EQ(message_of(mark + sixteen_bits), "w.toml: is UTF-16 or no text; it must be UTF-8 or ASCII");
 }
 
 TEST(CaseFile, NamesValuesOutOfRange) {
@@ -442,7 +457,8 @@ TEST(CaseFile, NamesValuesOutOfRange) {
   EXPECT_EQ(message_of(with("0.3\n[motion]", "-0.3\n[motion]")),
             "w.toml:15: friction.coefficient = -0.3 [-]: must be in [0, 10]");
   EXPECT_EQ(message_of(good + "spin = inf"), "w.toml:18: motion.spin = inf [1/m]: must be finite");
-  for (const auto* grid : {"[0, 20]", "[20, 0]", "[2001, 20]", "[20, 10000]", "[-1, 20]", "[20, 9223372036854775807]"})
+  for (const auto* grid :
+       {"0", "2001", "[0, 20]", "[20, 0]", "[2001, 20]", "[20, 10000]", "[-1, 20]", "[20, 9223372036854775807]"})
     EXPECT_NE(message_of(good + "[solution]\ngrid = " + grid).find("[-]: must be in [1, 2000]"), std::string::npos)
         << grid;
 }

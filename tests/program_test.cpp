@@ -762,7 +762,7 @@ TEST(Program, RefusesBadCaseFiles) {
   refused("[40, 40]", "[40, 10000]", "solution.grid = 10000 [-]: must be in [1, 2000]");
   refused("0.0018", "nan", "motion.creepage_longitudinal = nan [-]: must be finite");
   save(folder / "w.toml", std::string(1000, '\0'));
-  expect_refused(folder, "solve w.toml", "w.toml:1: ");
+  expect_refused(folder, "solve w.toml", "w.toml: is UTF-16 or no text; it must be UTF-8 or ASCII");
   expect_refused(folder, "solve none.toml", "none.toml: cannot be read: No such file or directory");
 }
 
