@@ -215,6 +215,9 @@ void SweepSpec::add(const Entry& entry, bool has_count) {
   } else {
     fail(entry.place, entry.name + ": must be a list of values or { from = ..., to = ... }");
   }
+  if (entry.name.starts_with("sweep."))
+    fail(entry.place,
+         entry.name + ": names no key that cases have; vary the key itself, e.g. wheel" + entry.name.substr(5));
   parameters_.push_back({entry.name, keys_of(entry.name), is_number});
   axes_.push_back(std::make_shared<Axis>(std::move(axis)));
 }

@@ -56,7 +56,13 @@ Track read_track(const TomlSection& section, const Variables& variables) {
   section.allow(keys);
   Track track;
   track.cant = section.between("cant", "rad", -0.5, 0.5, track.cant);
-  if (section.has("roller_radius")) track.roller_radius = section.between("roller_radius", "m", -100, 100);
+  if (section.has("roller_radius")) {
+    track.roller_radius = section.between("roller_radius", "m", -100, 100);
+    section.at("roller_radius", [&] {
+      if (track.roller_radius == 0)
+        throw Error("track.roller_radius = 0 [m]: must not be 0; without it there are rails");
+    });
+  }
   if (section.has("rail_y") || section.has("rail_z")) {
     section.one_of("gauge", "rail_y");
     track.rail_origin = {section.between("rail_y", "m", 0, 3), section.between("rail_z", "m", -1, 1)};
@@ -322,7 +328,15 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
 WheelRailSetting read_setting(const TomlSection& root, const Variables& variables, const CreepTables& tables) {
   TomlSection::Words sections = {"title",    "track",    "rail",     "wheelset", "wheel",
                                  "material", "friction", "solution", "interior", "sweep"};
-  if (is_wheelset_case(root)) sections.insert(sections.end(), {"right_rail", "right_wheel"});
+  const bool is_wheelset = is_wheelset_case(root);
+  if (is_wheelset) sections.insert(sections.end(), {"right_rail", "right_wheel"});
+  for (const char* section : {"right_rail", "right_wheel"})
+    root.at(section, [&] {
+      if (!is_wheelset && root.has(section))
+        throw Error("[" + std::string(section) +
+                    "] is of a wheelset, with side = \"both\" in [wheel]; the profiles of "
+                    "one wheel are in [rail] and [wheelset]");
+    });
   root.allow(sections);
   const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
                     wheelset = root.required_section("wheelset");

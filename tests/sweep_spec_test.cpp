@@ -39,6 +39,11 @@ void expect_refused(const std::string& text, const std::string& what) {
   }
 }
 
+TEST(SweepSpec, KeysOfACasesOwnSweepAreNone) {
+  expect_refused(std::string("[grid]\nsweep.lateral = [0.0, 0.001]\n") + inside,
+                 "s.toml:2: sweep.lateral: names no key that cases have; vary the key itself, e.g. wheel.lateral");
+}
+
 TEST(SweepSpec, GridsVaryTheLastKeyFastestInTheOrderOfTheFile) {
   const SweepSpec spec(
       std::string("[grid]\nz.z = [1, 2]\n\"a.a\" = { from = 0, to = 1, count = 3 }\nm.b = [7]\n") + inside, "s.toml");

@@ -99,6 +99,29 @@ TEST_F(VaryingProfileCase, NamesWhatIsWrong) {
   EXPECT_NE(
       message(with_part(wheel_rail_text, "[rail]", "roller_radius = 1000\n[rail]")).find("must be in [-100, 100]"),
       std::string::npos);
+  EXPECT_NE(message(with_part(wheel_rail_text, "[rail]", "roller_radius = 0.0\n[rail]"))
+                .find("track.roller_radius = 0 [m]: must not be 0; without it there are rails"),
+            std::string::npos);
+}
+
+TEST_F(VaryingProfileCase, SaysWhoseTheRightSideIs) {
+  for (const std::string section : {"right_rail", "right_wheel"}) {
+    const auto what = message(wheel_rail_text + "[" + section + "]\n" + rail_line + "\n");
+    EXPECT_NE(what.find("[" + section + "] is of a wheelset, with side = \"both\" in [wheel]"), std::string::npos)
+        << what;
+  }
+}
+
+TEST_F(VaryingProfileCase, WarnsOfSlicesBeyondTheirNumber) {
+  write("more.slcs", "0 1\n2\n0\n1\n0 '60e1.prr'\n1000 '60e1.prr'\n2000 '60e1.prr'\n");
+  const auto warnings = [&](const char* slices) {
+    return parse_wheel_rail_case(with_slices(wheel_rail_text, slices), name()).rail.report.warnings;
+  };
+  const auto with_more = warnings("more.slcs"), without = warnings("same.slcs");
+  ASSERT_EQ(with_more.size(), without.size() + 1);
+  EXPECT_EQ(with_more[0].rfind("line 7 is left out", 0), 0u) << with_more[0];
+  write("gap.slcs", "0 1\n2\n0\n1\n0 '60e1.prr'\n1000 'none.prr'\n");
+  EXPECT_NE(message(with_slices(wheel_rail_text, "gap.slcs")).find("gap.slcs: "), std::string::npos);
 }
 
 TEST_F(VaryingProfileCase, HasARightSideOfItsOwn) {
