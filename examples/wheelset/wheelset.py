@@ -189,6 +189,8 @@ def growth_of_run(lateral, start=1.0):
 
 
 def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: wheelset.py PATH/libmicroslip_c.so")
     law = ContactLaw(sys.argv[1])
     critical = critical_speed(law)
     print(f"Critical speed: {critical:.3f} m/s by eigenvalues")
