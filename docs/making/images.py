@@ -54,6 +54,12 @@ SOURCES = (
            {"contact_points.png": "contact_points.png", "wheel_forces.png": "forces.png"}),
     Source("microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025 -o {folder}",
            {"conicity.png": "conicity.png", "wheelset_contact_points.png": "contact_points.png"}),
+    Source("build/release/bin/wheelset {folder} && /usr/bin/python3 examples/wheelset/plot.py {folder}",
+           {"wheelset.png": "wheelset.png"}),
+    Source("build/release/bin/wheelset_on_profiles examples/profiles {folder} && /usr/bin/python3 examples/wheelset/plot.py {folder}",
+           {"wheelset_on_profiles.png": "wheelset.png"}, slow=True),
+    Source("/usr/bin/python3 examples/wear/wear.py {folder} && /usr/bin/python3 examples/wear/plot.py {folder}",
+           {"wear.png": "wear.png"}, slow=True),
     Source("tools/explorer && SCREENSHOTS={folder} sh explorer/tests/page.sh build/release/bin/microslip "
            "build/explorer/page examples/profiles explorer/page", {"explorer.png": "Contact_1400.png"}, slow=True),
     study("model-problem", "model_problem.png"),

@@ -9,9 +9,6 @@ import numpy as np
 from images import IMAGES, ROOT, SOURCES, TOLERANCE, difference
 from matplotlib.figure import Figure
 
-# Drawn by examples, not by the program.
-OF_EXAMPLES = {"wear.png", "wheelset.png", "wheelset_on_profiles.png"}
-
 
 class ImagesTest(unittest.TestCase):
     def setUp(self):
@@ -40,7 +37,7 @@ class ImagesTest(unittest.TestCase):
     def test_every_picture_has_its_command(self):
         drawn = [picture for source in SOURCES for picture in source.pictures]
         self.assertEqual(len(set(drawn)), len(drawn))
-        self.assertEqual(set(drawn) | OF_EXAMPLES, {path.name for path in IMAGES.glob("*.png")})
+        self.assertEqual(set(drawn), {path.name for path in IMAGES.glob("*.png")})
 
     def test_every_picture_is_on_a_page(self):
         pages = "".join(page.read_text() for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))])
