@@ -31,7 +31,10 @@ double turn_at(std::span<const ProfilePoint> points, std::size_t k) {
 }
 
 std::vector<ProfilePoint> without_zigzags(std::span<const ProfilePoint> points, double angle) {
-  const auto turns_back = [&](std::size_t k) { return std::abs(turn_at(points, k)) > angle; };
+  // Ends do not turn, whatever the angle.
+  const auto turns_back = [&](std::size_t k) {
+    return k > 0 && k + 1 < points.size() && std::abs(turn_at(points, k)) > angle;
+  };
   std::vector<ProfilePoint> kept;
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (turns_back(k) && turns_back(k + 1)) {
