@@ -127,8 +127,9 @@ std::string Explorer::answer(std::string_view text) {
 
 Json Explorer::call(const Request& request) {
   constexpr std::pair<std::string_view, Json (Explorer::*)(const Request&)> calls[] = {
-      {"solve", &Explorer::solve},     {"creep_curve", &Explorer::creep_curve}, {"transient", &Explorer::transient},
-      {"profile", &Explorer::profile}, {"conicity", &Explorer::conicity},       {"version", &Explorer::version}};
+      {"solve", &Explorer::solve},         {"radii", &Explorer::radii},     {"creep_curve", &Explorer::creep_curve},
+      {"transient", &Explorer::transient}, {"profile", &Explorer::profile}, {"conicity", &Explorer::conicity},
+      {"version", &Explorer::version}};
   std::vector<std::string_view> names;
   for (const auto& [name, member] : calls) names.push_back(name);
   const std::string name = request.text("call");
@@ -163,6 +164,18 @@ Json Explorer::solve(const Request& request) {
   Json all = document(given, model.input, solve_case(model.input, model.solver), fields);
   if (!is_full) all.erase("profiles"); // which do not change while a wheel is dragged
   return all;
+}
+
+/// The upper body whose contact with a flat one, of the case's material and under its load, is an ellipse.
+Json Explorer::radii(const Request& request) {
+  request.allow({"case", "a", "b"});
+  const RollingCase input = CaseText(request, case_name_).rolling_case(tables_);
+  const auto material = combine(input.body1.material, input.body2.material);
+  const double normal_force = hertz_contact(input).normal_force;
+  const GapCurvatures gap = hertz_from_ellipse(request.number("a"), request.number("b"), material, normal_force).gap;
+  return {{"rolling_radius", json_number(0.5 / gap.x)}, // h = x^2/(2R) + ...
+          {"transverse_radius", json_number(0.5 / gap.y)},
+          {"units", {{"rolling_radius", "m"}, {"transverse_radius", "m"}}}};
 }
 
 Json Explorer::creep_curve(const Request& request) {

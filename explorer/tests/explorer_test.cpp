@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <sstream>
@@ -169,6 +170,26 @@ TEST_F(ExplorerTest, SolvesAnEllipseAsTheProgramDoes) {
   Json found = result({{"call", "solve"}, {"case", text}});
   for (const char* changing : {"created", "case_text", "command_line"}) expected.erase(changing), found.erase(changing);
   EXPECT_EQ(found, expected);
+}
+
+/// The contact of the radii has the ellipse that was asked for.
+TEST_F(ExplorerTest, FindsRadiiOfAnEllipse) {
+  for (const double ratio : {0.02, 0.5, 1.0, 30.0}) {
+    const double b = 4e-3, a = ratio * b;
+    const Json radii = result({{"call", "radii"}, {"case", ellipse_case()}, {"a", a}, {"b", b}});
+    RollingCase input = parse_case(ellipse_case(), "case.toml");
+    input.body1.rolling_radius = radii["rolling_radius"].get<double>();
+    input.body1.transverse_radius = radii["transverse_radius"].get<double>();
+    input.body2.rolling_radius = input.body2.transverse_radius = std::numeric_limits<double>::infinity();
+    const HertzContact hertz = hertz_contact(input);
+    EXPECT_NEAR(hertz.a, a, 1e-10 * a);
+    EXPECT_NEAR(hertz.b, b, 1e-10 * b);
+  }
+  const auto refused = [&](double a) {
+    return refusal({{"call", "radii"}, {"case", ellipse_case()}, {"a", a}, {"b", 4e-3}});
+  };
+  EXPECT_TRUE(refused(-1e-3).starts_with("a = -0.001 [m]: ")) << refused(-1e-3);
+  EXPECT_TRUE(refused(1e4).starts_with("a/b = ")) << refused(1e4);
 }
 
 /// The totals are the sums of the fields.

@@ -33,6 +33,7 @@ const requests = [
   { call: "solve", case: ellipse, fields: true },
   { call: "solve", case: ellipse + "\n[interior]\nx = [-0.002, 0.0]\ny = [0.0]\nz = [-0.001, -0.004]\n", fields: true, extent: "solution" },
   { call: "solve", case: classical, extent: "solution" },
+  { call: "radii", case: ellipse, a: 0.005, b: 0.003 },
   { call: "creep_curve", case: ellipse, variable: "spin", from: 0, to: 1, count: 5 },
   { call: "creep_curve", case: quick, variable: "creepage_lateral", from: 0, to: 0.01, count: 5 },
   { call: "transient", case: shifted },
