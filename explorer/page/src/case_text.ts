@@ -33,7 +33,7 @@ function friction(state: ContactState): Record<string, Entry> {
 }
 
 export function contactCase(state: ContactState, theory: "exact" | "fastsim2" | "table", more: Record<string, Entry> = {}): string {
-  const values = Object.fromEntries(Object.entries(state.values).filter(([key]) => !key.startsWith("friction.")));
+  const values = Object.fromEntries(Object.entries(state.values).filter(([key]) => !/^(friction|ellipse)\./.test(key)));
   const grid: Record<string, Entry> = theory === "table" ? {} : { "solution.grid": [state.elements, state.elements] };
   return toToml("A contact of the explorer", { ...withBothBodies(values), ...friction(state), "solution.theory": theory, ...grid, ...more });
 }

@@ -2,6 +2,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { element } from "./elements.ts";
 
 export interface Curve { name: string; colour: string; values: (number | null)[]; dash?: number[]; points?: boolean }
 export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number }
@@ -11,8 +12,10 @@ export class Chart {
   #plot: uPlot | undefined;
   #drawn = "";
   #content: ChartContent | undefined;
+  readonly #remark = element("p", { class: "message", role: "status" });
 
   constructor(readonly root: HTMLElement, readonly height = 220) {
+    root.append(this.#remark);
     new ResizeObserver(() => {
       if (this.#plot && this.root.clientWidth > 0) this.#plot.setSize({ width: this.root.clientWidth, height: this.height });
     }).observe(root);
@@ -20,13 +23,23 @@ export class Chart {
 
   get content(): ChartContent | undefined { return this.#content; }
 
-  draw(content: ChartContent): void {
+  /** The remark stands below the curves: what of them is not there. */
+  draw(content: ChartContent, remark = ""): void {
     this.#content = content;
+    this.#remark.textContent = remark;
     const data = [content.x, ...content.curves.map((curve) => curve.values)] as uPlot.AlignedData;
     const drawn = JSON.stringify([content.xLabel, content.yLabel, content.curves.map(({ name, colour }) => [name, colour])]);
     if (this.#plot && drawn === this.#drawn) this.#plot.setData(data);
     else this.#make(content, data);
     this.#drawn = drawn;
+  }
+
+  /** No curves, and why there are none. */
+  refuse(why: string): void {
+    this.#plot?.destroy();
+    this.#plot = undefined;
+    this.#content = undefined;
+    this.#remark.textContent = why;
   }
 
   #make(content: ChartContent, data: uPlot.AlignedData): void {
@@ -47,7 +60,7 @@ export class Chart {
       ],
       axes: [{ ...axis, label: content.xLabel, size: 44, labelSize: 18 }, { ...axis, label: content.yLabel, size: 60, labelSize: 18 }],
       hooks: { draw: [(plot) => { this.#markPresent(plot); }] },
-    }, data, this.root);
+    }, data, (plot, show) => { this.root.prepend(plot.root); show(); });
   }
 
   #markPresent(plot: uPlot): void {

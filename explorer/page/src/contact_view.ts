@@ -1,14 +1,14 @@
-// A contact of two bodies by their radii: tractions, slip, creep curves, stresses, by three theories side by side.
+// A contact of two bodies by their radii or by its ellipse: tractions, slip, creep curves, stresses, by three theories side by side.
 
 import { contactCase, toPython } from "./case_text.ts";
 import { Chart, type Curve } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core, Reply } from "./core.ts";
 import { loadScript } from "./core.ts";
-import { button, element, fillTable, save, type Row } from "./elements.ts";
-import { drawMap, rowHeight, yAt, type MapContent } from "./field_map.ts";
-import { Choice, Field, refuseAt, type FieldSpec } from "./fields.ts";
-import type { ContactState } from "./state.ts";
+import { button, element, fillRemarks, fillTable, save, sentence, type Row } from "./elements.ts";
+import { clearMap, drawMap, rowHeight, yAt, type MapContent } from "./field_map.ts";
+import { Choice, Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
+import type { ContactState, Values } from "./state.ts";
 import { digits } from "./units.ts";
 
 interface SurfaceFields {
@@ -17,14 +17,15 @@ interface SurfaceFields {
 }
 interface TheoryResult {
   fx: number; fy: number; mz: number; adhesion_area: number; slip_area: number; frictional_power: number;
-  status: string; reason?: string; fields?: SurfaceFields;
+  status: string; fields?: SurfaceFields;
 }
 interface SolveResult {
   hertz: { a: number; b: number; peak_pressure: number; approach: number };
-  exact?: TheoryResult; fastsim2?: TheoryResult; table?: TheoryResult; warnings: string[];
+  exact?: TheoryResult; fastsim2?: TheoryResult; table?: TheoryResult; warnings: string[]; reason?: string;
   interior?: Record<string, number[]>;
 }
-interface CurveResult { value: number[]; fx: number[]; fy: number[]; mz: number[] }
+interface CurveResult { value: number[]; fx: number[]; fy: number[]; mz: number[]; status: string[] }
+interface Radii { rolling_radius: number; transverse_radius: number }
 type Theory = "exact" | "fastsim2" | "table";
 declare const microslipTable: string;
 
@@ -42,7 +43,9 @@ const groups: Record<string, FieldSpec[]> = {
     { key: "motion.spin", label: "spin", kind: "spin", unit: "1/m", from: -3, to: 3, step: 0.02 },
     { key: "motion.rolling_speed", label: "rolling speed", kind: "speed", unit: "km/h", from: 1, to: 400, step: 1 },
   ],
-  Radii: [
+  Bodies: [
+    { key: "ellipse.a", label: "half length a, in rolling", kind: "length", unit: "mm", from: 0.5, to: 15, step: 0.05 },
+    { key: "ellipse.b", label: "half width b, across", kind: "length", unit: "mm", from: 0.5, to: 15, step: 0.05 },
     { key: "body1.rolling_radius", label: "upper body, in rolling", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
     { key: "body1.transverse_radius", label: "upper body, across", kind: "length", unit: "mm" },
     { key: "body2.rolling_radius", label: "lower body, in rolling", kind: "length", unit: "mm" },
@@ -53,6 +56,13 @@ const groups: Record<string, FieldSpec[]> = {
     { key: "body1.poisson_ratio", label: "Poisson's ratio", kind: "number", unit: "", from: 0, to: 0.5, step: 0.01 },
   ],
 };
+/** An upper body on a flat one. */
+function onFlat({ rolling_radius, transverse_radius }: Radii): Values {
+  return {
+    "body1.rolling_radius": rolling_radius, "body1.transverse_radius": transverse_radius,
+    "body2.rolling_radius": Infinity, "body2.transverse_radius": Infinity,
+  };
+}
 const frictionFields: FieldSpec[] = [
   { key: "friction.coefficient", label: "coefficient", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
   { key: "friction.kinetic_coefficient", label: "at large slip", kind: "number", unit: "", from: 0.02, to: 0.6, step: 0.01 },
@@ -67,17 +77,24 @@ export class ContactView {
   readonly #stress = element("canvas", { class: "map small", role: "img" });
   readonly #numbers = element("table", { class: "numbers" });
   readonly #message = element("p", { class: "message", role: "alert" });
+  readonly #remarks = element("ul", { class: "remarks", role: "status" });
+  readonly #stressMessage = element("p", { class: "message", role: "status" });
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
+  readonly #radiiFound = element("p", { class: "hint", role: "status" });
   readonly #cutChart: Chart;
   readonly #curveChart: Chart;
   readonly #choices: { set: (state: ContactState) => void }[] = [];
   #solved: SolveResult | undefined;
   #ofTable: TheoryResult | undefined;
+  /** What is not as it should be with the result of each theory, or why there is none. */
+  #remarksOf: Partial<Record<Theory, string[]>> = {};
   #interior: Record<string, number[]> | undefined;
   #hasTable = false;
   #drawn: MapContent | undefined;
   #curves: Partial<Record<Theory, CurveResult>> = {};
+  #curveRemarks: string[] = [];
+  #curveRun = 0; // of runs that overtake each other the last one draws
   #later = 0;
 
   constructor(readonly core: Core, public state: ContactState, readonly changed: () => void) {
@@ -87,11 +104,11 @@ export class ContactView {
     this.root = element("section", { class: "view", "aria-label": "Contact" },
       element("div", { class: "controls" }, ...this.#controls()),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, ...this.#mapChoices(), this.map, this.#message, this.#time),
+        element("div", { class: "panel wide" }, ...this.#mapChoices(), this.map, this.#message, this.#remarks, this.#time),
         element("div", { class: "panel" }, element("h3", {}, "Forces on the upper body"), this.#numbers, this.#tableButton(), this.#spoken),
         element("div", { class: "panel" }, element("h3", {}, "Along the dashed cut"), cut),
         element("div", { class: "panel" }, element("h3", {}, "Creep curves"), this.#variableChoice(), curve),
-        element("div", { class: "panel" }, element("h3", {}, "Stresses in the lower body, below y = 0"), this.#stressChoice(), this.#stress)));
+        element("div", { class: "panel" }, element("h3", {}, "Stresses in the lower body, below y = 0"), this.#stressChoice(), this.#stress, this.#stressMessage)));
     this.map.addEventListener("pointerdown", (event) => { this.#moveCut(event); });
     this.map.addEventListener("pointermove", (event) => { if (event.buttons) this.#moveCut(event); });
     this.map.addEventListener("keydown", (event) => {
@@ -107,11 +124,15 @@ export class ContactView {
     this.state = state;
     for (const field of this.fields) field.set(state.values[field.spec.key]!);
     for (const choice of this.#choices) choice.set(state);
-    this.#showLaw();
+    this.#showFields();
   }
 
   /** The fast theory first, then the exact one; curves and stresses once nothing has changed for a while. */
   solve(): void {
+    void this.#settleRadii().then((settled) => { if (settled) this.#solveSettled(); });
+  }
+
+  #solveSettled(): void {
     void this.#ask("fastsim2").then((drawn) => (drawn ? this.#ask("exact") : false)).then((drawn) => { if (drawn) this.#restLater(); });
     if (this.#hasTable) void this.#askTable();
   }
@@ -145,20 +166,27 @@ export class ContactView {
     const laws = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially" };
     const law = new Choice("law", laws, this.state.law, (value) => {
       this.state.law = value;
-      this.#showLaw();
+      this.#showFields();
       this.solve();
       this.changed();
     });
     this.#choices.push({ set: (state) => { law.set(state.law); } });
-    const all = Object.entries(groups).map(([name, specs]) => group(name, ...specs.map(made)));
+    const given = new Choice("given by", { radii: "radii", ellipse: "its ellipse" }, this.state.given, (way) => { this.#give(way as ContactState["given"]); });
+    this.#choices.push({ set: (state) => { given.set(state.given); } });
+    const all = Object.entries(groups).map(([name, specs]) =>
+      name === "Bodies" ? group(name, given.root, ...specs.map(made), this.#radiiFound) : group(name, ...specs.map(made)));
     all.splice(2, 0, group("Friction", law.root, ...frictionFields.map(made)));
-    this.#showLaw();
+    this.#showFields();
     return all;
   }
 
-  #showLaw(): void {
+  #showFields(): void {
     for (const field of this.fields.filter(({ spec }) => spec.key.startsWith("friction.")))
       field.root.hidden = (field.spec.key === "friction.coefficient") !== (this.state.law === "coulomb");
+    const ofEllipse = this.state.given === "ellipse";
+    for (const field of this.fields.filter(({ spec }) => /^ellipse|_radius$/.test(spec.key)))
+      field.root.hidden = field.spec.key.startsWith("ellipse.") !== ofEllipse;
+    this.#radiiFound.hidden = !ofEllipse;
   }
 
   #choice<Key extends "shown" | "theory" | "variable" | "stress">(label: string, key: Key, words: Record<ContactState[Key], string>, then: () => void): HTMLElement {
@@ -204,6 +232,35 @@ export class ContactView {
     return load;
   }
 
+  /** Of an ellipse the core finds the radii, under the load and of the material that are set; whether there are radii. */
+  async #settleRadii(): Promise<boolean> {
+    const { state } = this, { values } = state;
+    if (state.given !== "ellipse") return true;
+    const anyBodies = { ...state, values: { ...values, ...onFlat({ rolling_radius: 1, transverse_radius: 1 }) } };
+    const reply = await this.core.ask<Radii>("radii", {
+      call: "radii", case: contactCase(anyBodies, "fastsim2"), a: values["ellipse.a"], b: values["ellipse.b"],
+    });
+    if (!reply || state !== this.state) return false;
+    if (reply.error) reply.error.message = reply.error.message.replace(/^(request\.)?([ab])(?=[ :])/, "ellipse.$2");
+    if (this.#refused(reply)) return false;
+    Object.assign(values, onFlat(reply.result!));
+    const { rolling_radius, transverse_radius } = reply.result!;
+    this.#radiiFound.textContent =
+      `That is, under this load, an upper body of radii ${digits(rolling_radius * 1e3)} mm in rolling and ${digits(transverse_radius * 1e3)} mm across, on a flat one.`;
+    return true;
+  }
+
+  /** The other way to give the contact, which stays the same one. */
+  #give(way: ContactState["given"]): void {
+    const { values } = this.state;
+    this.state.given = way;
+    if (way === "ellipse" && this.#solved) Object.assign(values, { "ellipse.a": this.#solved.hertz.a, "ellipse.b": this.#solved.hertz.b });
+    for (const field of this.fields) if (/^ellipse|_radius$/.test(field.spec.key)) field.set(values[field.spec.key]!);
+    this.#showFields();
+    this.solve();
+    this.changed();
+  }
+
   /** Whether a newer request has not taken this one's place. */
   async #ask(theory: "fastsim2" | "exact"): Promise<boolean> {
     const reply = await this.core.ask<SolveResult>(`contact ${theory}`, {
@@ -211,6 +268,7 @@ export class ContactView {
     });
     if (!reply || this.#refused(reply)) return false;
     const found = reply.result!;
+    this.#remarksOf[theory] = remarksOn(found, theory);
     const exact = theory === "fastsim2" ? this.#solved?.exact : found.exact;
     this.#solved = { ...found, ...(exact ? { exact } : {}) };
     if (theory === this.state.theory || theory === "exact" || !exact) this.draw();
@@ -220,14 +278,16 @@ export class ContactView {
 
   async #askTable(): Promise<void> {
     const reply = await this.core.ask<SolveResult>("contact table", { call: "solve", case: contactCase(this.state, "table") });
-    this.#ofTable = reply?.result?.table;
+    if (!reply) return;
+    this.#ofTable = reply.result?.table;
+    this.#remarksOf.table = reply.result ? remarksOn(reply.result, "table") : [`table: ${sentence(withoutPlace(reply.error!.message))}`];
     this.#showNumbers();
   }
 
   #refused(reply: Reply<unknown>): boolean {
-    const message = reply.error?.message ?? "";
-    this.#message.textContent = refuseAt(this.fields, message) ? "The picture is that of the last case without errors." : message;
-    if (!message) this.#message.textContent = "";
+    const message = reply.error?.message ?? "", named = refuseAt(this.fields, message);
+    this.root.classList.toggle("old", message !== "");
+    this.#message.textContent = message && `${named ? "" : `${sentence(withoutPlace(message))} `}${showsLast}`;
     return message !== "";
   }
 
@@ -239,14 +299,16 @@ export class ContactView {
   async #askCurves(): Promise<void> {
     const { variable } = this.state, present = this.state.values[`motion.${variable}`]!;
     const reach = variable === "spin" ? Math.max(1, 1.2 * Math.abs(present)) : Math.max(0.005, 1.2 * Math.abs(present));
-    const wanted: Theory[] = ["fastsim2", ...(this.#hasTable ? (["table"] as const) : []), "exact"];
-    this.#curves = {};
+    const wanted: Theory[] = ["fastsim2", ...(this.#hasTable ? (["table"] as const) : []), "exact"], run = ++this.#curveRun;
+    const found: Partial<Record<Theory, CurveResult>> = {}, remarks: string[] = [];
     for (const theory of wanted) {
       const reply = await this.core.ask<CurveResult>("curve", {
         call: "creep_curve", case: contactCase(this.state, theory), variable, from: -reach, to: reach, count: 41,
       });
-      if (!reply?.result) return;
-      this.#curves[theory] = reply.result;
+      if (!reply || run !== this.#curveRun) return;
+      if (reply.result) found[theory] = reply.result;
+      remarks.push(...(reply.result ? remarksOnCurve(reply.result, theory) : [`${theories[theory].name}: ${sentence(withoutPlace(reply.error!.message))}`]));
+      [this.#curves, this.#curveRemarks] = [found, remarks];
       this.#drawCurves(present);
     }
   }
@@ -257,15 +319,15 @@ export class ContactView {
     const curves: Curve[] = [];
     for (const theory of ["exact", "fastsim2", "table"] as const) {
       const found = this.#curves[theory], { name, colour } = theories[theory];
-      if (found) curves.push({ name, colour, values: found[force].map((value) => value / 1e3), ...(theory === "exact" ? {} : { dash: [7, 4] }) });
+      if (found) curves.push({ name, colour, values: found[force].map((value, i) => (found.status[i] === "ok" ? value / 1e3 : null)), ...(theory === "exact" ? {} : { dash: [7, 4] }) });
     }
     const first = Object.values(this.#curves)[0];
-    if (!first) return;
+    if (!first) { this.#curveChart.refuse(this.#curveRemarks.join(" ")); return; }
     const unit = variable === "spin" ? "1/m" : "%", name = { creepage_longitudinal: "longitudinal creepage", creepage_lateral: "lateral creepage", spin: "spin" }[variable];
     this.#curveChart.draw({
       x: first.value.map((value) => value * scale), xLabel: `${name} [${unit}]`, yLabel: `${force === "fx" ? "Fx" : "Fy"} [kN]`,
       curves, present: present * scale,
-    });
+    }, this.#curveRemarks.join(" "));
   }
 
   async #askStress(): Promise<void> {
@@ -276,14 +338,15 @@ export class ContactView {
       call: "solve", fields: true, extent: "solution",
       case: contactCase({ ...this.state, elements: 20 }, "exact", { "interior.x": x, "interior.y": [0], "interior.z": z }),
     });
-    if (!reply?.result?.interior) return;
-    this.#interior = reply.result.interior;
+    if (!reply) return;
+    this.#interior = reply.result?.interior;
+    this.#stressMessage.textContent = reply.result ? whyNot(reply.result, "exact").join(" ") : `No stresses: ${sentence(withoutPlace(reply.error!.message))}`;
     this.#drawStress();
   }
 
   #drawStress(): void {
     const interior = this.#interior;
-    if (!interior) return;
+    if (!interior) { clearMap(this.#stress, "no stresses"); return; }
     const { x, z } = interior as { x: number[]; z: number[] }, { stress } = this.state;
     const cells = {
       x: z.flatMap(() => x), y: z.flatMap((depth) => x.map(() => depth)), width: z.flatMap(() => x.map(() => x[1]! - x[0]!)),
@@ -318,7 +381,6 @@ export class ContactView {
     this.#drawCut(f, b);
     this.#drawStress();
     this.#showNumbers();
-    if (theory.status !== "ok") this.#message.textContent = theory.reason ?? theory.status;
   }
 
   #drawCut(f: SurfaceFields, b: number): void {
@@ -344,8 +406,9 @@ export class ContactView {
     const columns = [solved.exact, solved.fastsim2, this.#hasTable ? this.#ofTable : undefined];
     const heads = ["exact", "FASTSIM2", ...(this.#hasTable ? ["table"] : [])];
     const row = (name: string, unit: string, value: (of: TheoryResult) => number): Row => ({
-      name, unit, values: columns.slice(0, heads.length).map((of) => (of ? digits(value(of)) : "…")),
+      name, unit, values: columns.slice(0, heads.length).map((of, i) => (of ? digits(value(of)) : i === 2 && this.#remarksOf.table ? "–" : "…")),
     });
+    fillRemarks(this.#remarks, Object.values(this.#remarksOf).flat());
     const { a, b, peak_pressure } = solved.hertz;
     const all = (value: number) => heads.map((_, i) => (i === 0 ? digits(value) : ""));
     fillTable(this.#numbers, heads, [
@@ -382,4 +445,20 @@ export class ContactView {
     this.draw();
     this.changed();
   }
+}
+
+/** Why a theory did not come to its end, if so. */
+function whyNot(found: SolveResult, theory: Theory): string[] {
+  const status = found[theory]?.status ?? "ok";
+  return status === "ok" ? [] : [sentence(`${theories[theory].name}: ${found.reason ?? status.replaceAll("_", " ")}`)];
+}
+
+function remarksOn(found: SolveResult, theory: Theory): string[] {
+  return [...found.warnings.map(sentence), ...whyNot(found, theory)];
+}
+
+/** Points of a curve that are left out. */
+function remarksOnCurve({ status }: CurveResult, theory: Theory): string[] {
+  const others = status.filter((one) => one !== "ok"), why = [...new Set(others)].join(", ").replaceAll("_", " ");
+  return others.length ? [`${theories[theory].name}: ${String(others.length)} of ${String(status.length)} points are left out, ${why}.`] : [];
 }

@@ -26,6 +26,16 @@ export function fillTable(table: HTMLTableElement, heads: string[], rows: Row[])
   table.replaceChildren(element("thead", {}, head), element("tbody", {}, ...body));
 }
 
+/** With a full stop. */
+export function sentence(text: string): string {
+  return /[.!?]$/.test(text) ? text : `${text}.`;
+}
+
+/** Shows sentences below each other; none: nothing. */
+export function fillRemarks(list: HTMLElement, sentences: string[]): void {
+  list.replaceChildren(...[...new Set(sentences)].map((sentence) => element("li", {}, sentence)));
+}
+
 /** Gives the browser a file to save. */
 export function save(name: string, content: Blob | string, type = "text/plain"): void {
   const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));

@@ -171,6 +171,12 @@ function drawScale(context: CanvasRenderingContext2D, { colour }: MapContent): v
   context.textAlign = "left";
 }
 
+/** Nothing to draw, and what is missing for screen readers. */
+export function clearMap(canvas: HTMLCanvasElement, missing: string): void {
+  fitToScreen(canvas);
+  canvas.setAttribute("aria-label", missing);
+}
+
 export function drawMap(canvas: HTMLCanvasElement, content: MapContent): void {
   const context = fitToScreen(canvas);
   if (canvas.clientWidth === 0 || !content.cells.state.some((state) => state > 0)) return;

@@ -95,10 +95,17 @@ export class Choice {
   set(value: string): void { this.#select.value = value; }
 }
 
+/** What the core says, without the line of a case file that nobody sees. */
+export function withoutPlace(message: string): string {
+  return message.replace(/^case\.toml:(\d+: )?/, "").trim();
+}
+
+export const showsLast = "Faint pictures and numbers are those of the last case without errors.";
+
 /** Shows "case.toml:15: friction.coefficient = -0.3 [-]: must be in [0, 10]" at the field that it names, and returns whether one is named. */
 export function refuseAt(fields: Field[], message: string): boolean {
   for (const field of fields) field.refuse("");
   const named = fields.find((field) => message.includes(field.spec.key));
-  named?.refuse(message.replace(/^case\.toml:(\d+: )?/, ""));
+  named?.refuse(withoutPlace(message));
   return named !== undefined;
 }

@@ -4,11 +4,11 @@ import { railCase } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, fillTable, save } from "./elements.ts";
-import { drawMap, fitToScreen, rowHeight } from "./field_map.ts";
-import { Field, refuseAt, type FieldSpec } from "./fields.ts";
+import { button, element, fillRemarks, fillTable, save, sentence } from "./elements.ts";
+import { clearMap, drawMap, fitToScreen, rowHeight } from "./field_map.ts";
+import { Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
 import { RailHead, type Patch } from "./rail_head.ts";
-import type { RailState } from "./state.ts";
+import { initialState, type RailState, type Values } from "./state.ts";
 import { digits } from "./units.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
@@ -17,7 +17,7 @@ interface Outline { y: number[]; z: number[] }
 interface PatchFields { x: number[]; y: number[]; width: number[]; pressure: number[]; px: number[]; py: number[]; state: number[] }
 interface WheelResult {
   wheel: Record<string, (number | string)[]>;
-  patches: Record<string, number[]>;
+  patches?: Record<string, number[]>; // none where wheel and rail do not touch
   outlines: { rail: Outline; wheel: Outline };
   fields?: PatchFields[];
   status: string; reason?: string; warnings: string[];
@@ -41,6 +41,8 @@ const specs: FieldSpec[] = [
   { key: "wheelset.nominal_radius", label: "wheel radius", kind: "length", unit: "mm" },
   { key: "wheelset.flange_back_distance", label: "between flange backs", kind: "length", unit: "mm" },
 ];
+/** What running depends on: no load, speed, friction or place of the wheel. */
+const ofRunning = ["track.cant", "track.gauge", "wheelset.nominal_radius", "wheelset.flange_back_distance"];
 const largestFile = 20e6; // [bytes] beyond which a dropped file is no profile
 
 export class RailView {
@@ -54,12 +56,14 @@ export class RailView {
   readonly #time = element("p", { class: "time" });
   readonly #names = element("p", { class: "names" });
   readonly #remarks = element("p", { class: "hint", role: "status" });
+  readonly #warnings = element("ul", { class: "remarks", role: "status" });
   readonly #radii: Chart;
   readonly #conicity: Chart;
   readonly #head: RailHead;
   #solved: Partial<Record<Level, WheelResult>> = {};
   #running: Conicity | undefined;
   #runningOf = "";
+  #noRunning = ""; // why there is no conicity
   #later = 0;
   #grabbed: { x: number; y: number; lateral: number; yaw: number } | undefined;
 
@@ -73,7 +77,7 @@ export class RailView {
       element("div", { class: "pictures" },
         element("div", { class: "panel wide" },
           element("p", { class: "hint" }, "Drag the wheel sideways; with Shift, or up and down, turn it. Arrow keys do the same."),
-          this.section, this.#message, this.#time),
+          this.section, this.#message, this.#warnings, this.#time),
         element("div", { class: "panel" }, element("h3", {}, "Forces on the left wheel"), this.#numbers, this.#spoken),
         element("div", { class: "panel" }, element("h3", {}, "Pressure on the rail head"), head),
         element("div", { class: "panel" }, element("h3", {}, "Largest patch: pressure and tractions"), this.#patchMap),
@@ -220,33 +224,38 @@ export class RailView {
       call: "solve", case: railCase(this.state, level), files: this.#files(), fields: true, extent: level === "exact" ? "solution" : "full",
     });
     if (!reply) return false;
-    const message = reply.error?.message ?? "";
-    const named = refuseAt(this.fields, message);
-    this.#message.textContent = message && !named ? message : "";
+    const message = reply.error?.message ?? "", named = refuseAt(this.fields, message);
+    this.root.classList.toggle("old", message !== "");
+    this.#message.textContent = message && `${named ? "" : `${sentence(withoutPlace(message))} `}${showsLast}`;
     if (message) return false;
     const found = reply.result!;
     this.#solved[level] = { ...found, outlines: found.outlines ?? this.#solved.fastsim2?.outlines };
     if (level === "fastsim2") delete this.#solved.exact;
     this.#time.textContent = `${level === "exact" ? "exact" : "FASTSIM2"}: ${digits(1e3 * (reply.time ?? 0))} ms`;
-    if (found.status !== "ok") this.#message.textContent = found.reason ?? found.status.replaceAll("_", " ");
     this.draw();
     return true;
   }
 
   async #askConicity(): Promise<void> {
-    const asked = railCase({ ...this.state, values: { ...this.state.values, "wheel.lateral": 0, "wheel.yaw": 0 } }, "fastsim2");
+    const { values } = this.state, running: Values = Object.fromEntries(ofRunning.map((key) => [key, values[key]!]));
+    const asked = railCase({ ...this.state, values: { ...initialState().rail.values, ...running } }, "fastsim2");
     const of = asked + JSON.stringify(this.state.files);
     if (of !== this.#runningOf) {
       const reply = await this.core.ask<Conicity>("conicity", { call: "conicity", case: asked, files: this.#files() });
-      if (!reply?.result) return;
+      if (!reply) return;
       this.#running = reply.result;
+      this.#noRunning = reply.error ? sentence(withoutPlace(reply.error.message)) : "";
       this.#runningOf = of;
     }
     this.#drawRunning();
   }
 
   #drawRunning(): void {
-    if (!this.#running) return;
+    if (!this.#running) {
+      this.#radii.refuse(this.#noRunning);
+      this.#conicity.refuse(this.#noRunning);
+      return;
+    }
     const over = this.#running.over_lateral_displacement, present = 1e3 * this.state.values["wheel.lateral"]!;
     this.#radii.draw({
       x: over.map(({ lateral }) => lateral * 1e3), xLabel: "lateral position [mm]", yLabel: "rL − rR [mm]", present,
@@ -267,7 +276,8 @@ export class RailView {
     this.#head.show(outlines.rail, patches);
     this.#drawPatch(patches);
     this.#showNumbers();
-    if (this.#running) this.#drawRunning();
+    fillRemarks(this.#warnings, remarksOn(solved));
+    this.#drawRunning();
   }
 
   /** Looking along the track: the track's left at the left, so y grows to the left. */
@@ -313,7 +323,7 @@ export class RailView {
   #drawPatch(patches: Patch[]): void {
     const [largest] = [...patches].filter(({ fields }) => fields).sort((one, other) => other.normal_force - one.normal_force);
     const f = largest?.fields;
-    if (!f) return;
+    if (!f) { clearMap(this.#patchMap, "no patch"); return; }
     const size = Math.max(...f.px.map((px, k) => Math.hypot(px, f.py[k]!)), 1e-30);
     drawMap(this.#patchMap, {
       cells: { ...f, height: rowHeight(f.y) }, colour: { values: f.pressure, unit: "MPa", scale: 1e-6, signed: false },
@@ -337,8 +347,13 @@ export class RailView {
   }
 }
 
+/** Warnings of a result, and why it is not one to rely on. */
+function remarksOn({ warnings, status, reason }: WheelResult): string[] {
+  return [...warnings, ...(status === "ok" ? [] : [reason ?? status.replaceAll("_", " ")])].map(sentence);
+}
+
 function patchesOf(solved: WheelResult): Patch[] {
-  const { patches, fields } = solved;
+  const { patches = {}, fields } = solved;
   return (patches.normal_force ?? []).map((normal_force, i) => ({
     normal_force, place_x: patches.place_x![i]!, place_y: patches.place_y![i]!, place_z: patches.place_z![i]!, angle: patches.angle![i]!,
     rail_y: patches.rail_y![i]!, peak_pressure: patches.peak_pressure![i]!, fields: fields?.[i],

@@ -4,9 +4,9 @@ import { startCase, toPython } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, save } from "./elements.ts";
+import { button, element, fillRemarks, save, sentence } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
-import { Field, refuseAt, type FieldSpec } from "./fields.ts";
+import { Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
 import type { StartState } from "./state.ts";
 import { digits } from "./units.ts";
 
@@ -15,7 +15,7 @@ interface Frame {
   px: number[]; py: number[]; sx: number[]; sy: number[]; state: number[];
 }
 interface Transient {
-  hertz: { a: number; b: number }; x: number[]; y: number[]; bound: number[]; frames: Frame[]; status: string; reason?: string;
+  hertz: { a: number; b: number }; x: number[]; y: number[]; bound: number[]; frames: Frame[]; status: string; warnings: string[];
 }
 
 const specs: FieldSpec[] = [
@@ -33,6 +33,7 @@ export class StartView {
   readonly fields: Field[] = [];
   readonly #map = element("canvas", { class: "map", role: "img" });
   readonly #message = element("p", { class: "message", role: "alert" });
+  readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #spoken = element("p", { "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
   readonly #slider = element("input", { type: "range", min: "0", max: "0", step: "1", "aria-label": "distance rolled" });
@@ -61,7 +62,7 @@ export class StartView {
       element("div", { class: "controls" }, element("fieldset", {}, element("legend", {}, "Contact"), ...made),
         element("p", { class: "hint" }, "At rest the forces are put on: slip begins all around the edge (Cattaneo). Then the bodies roll: slip moves to the trailing edge, and after about one length of the contact rolling is steady (Carter).")),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#message, this.#time),
+        element("div", { class: "panel wide" }, element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#message, this.#remarks, this.#time),
         element("div", { class: "panel" }, element("h3", {}, "Along y = 0"), cut),
         element("div", { class: "panel" }, element("h3", {}, "Creepage that the force takes"), history)));
   }
@@ -74,12 +75,13 @@ export class StartView {
   solve(): void {
     void this.core.ask<Transient>("transient", { call: "transient", case: startCase(this.state) }).then((reply) => {
       if (!reply) return;
-      const message = reply.error?.message ?? "";
-      const named = refuseAt(this.fields, message);
-      this.#message.textContent = message && !named ? message : "";
+      const message = reply.error?.message ?? "", named = refuseAt(this.fields, message);
+      this.root.classList.toggle("old", message !== "");
+      this.#message.textContent = message && `${named ? "" : `${sentence(withoutPlace(message))} `}${showsLast}`;
       if (!reply.result) return;
       this.#found = reply.result;
-      if (reply.result.status !== "ok") this.#message.textContent = reply.result.reason ?? reply.result.status;
+      const { warnings, status } = reply.result;
+      fillRemarks(this.#remarks, [...warnings, ...(status === "ok" ? [] : [`ends at the first frame that is ${status.replaceAll("_", " ")}`])].map(sentence));
       this.#time.textContent = `exact theory, ${reply.result.frames.length} frames: ${digits(1e3 * (reply.time ?? 0))} ms`;
       this.#slider.max = String(reply.result.frames.length - 1);
       this.#drawHistory();

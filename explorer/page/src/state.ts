@@ -4,6 +4,7 @@ export type Values = Record<string, number>; // by section.key of the case file,
 
 export interface ContactState {
   values: Values;
+  given: "radii" | "ellipse"; // of which the radii follow
   law: string;
   shown: "tractions" | "adhesion and slip" | "slip" | "pressure" | "px" | "py";
   theory: "exact" | "fastsim2";
@@ -32,10 +33,10 @@ export function initialState(): State {
     view: "contact",
     contact: {
       values: {
-        ...bodies, "friction.coefficient": 0.3, "friction.kinetic_coefficient": 0.2, "friction.drop": 0.1, "friction.half_velocity": 1,
+        ...bodies, "ellipse.a": 0.006, "ellipse.b": 0.004, "friction.coefficient": 0.3, "friction.kinetic_coefficient": 0.2, "friction.drop": 0.1, "friction.half_velocity": 1,
         "motion.creepage_longitudinal": 0.0012, "motion.creepage_lateral": 0.0006, "motion.spin": 0.4, "motion.rolling_speed": 30,
       },
-      law: "coulomb", shown: "tractions", theory: "exact", elements: 24, variable: "creepage_longitudinal", cut: 0, stress: "von_mises",
+      given: "radii", law: "coulomb", shown: "tractions", theory: "exact", elements: 24, variable: "creepage_longitudinal", cut: 0, stress: "von_mises",
     },
     rail: {
       values: {

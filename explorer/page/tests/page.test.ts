@@ -56,6 +56,12 @@ async function field(page: Page, key: string, text: string): Promise<void> {
   await input.blur();
 }
 
+async function railField(page: Page, key: string, text: string): Promise<void> {
+  const input = page.locator(`#rail-${key.replaceAll(".", "-")}`);
+  await input.fill(text);
+  await input.press("Enter");
+}
+
 async function saved(page: Page, name: string): Promise<string> {
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name, exact: true }).click();
@@ -161,6 +167,126 @@ test("empty, absurd and misread fields are refused where they stand", async () =
   await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").waitFor(); // the reader's own words
   await field(page, "friction.coefficient", "0.3");
   await page.getByText("must be in").waitFor({ state: "detached" }).catch(() => page.getByText("must be in").waitFor({ state: "hidden" }));
+  await page.close();
+});
+
+test("a contact by its ellipse: the program finds that ellipse under any load, links keep it, others are refused", async () => {
+  const { page, errors } = await opened();
+  await row(page, "longitudinal force Fx");
+  const [a] = await row(page, "half length a", 1);
+  await page.getByLabel("given by").selectOption("ellipse");
+  near(Number(await page.locator("#contact-ellipse-a").inputValue()), a!);
+  assert.ok(await page.locator("#contact-body1-rolling_radius").isHidden());
+  await field(page, "ellipse.a", "7.5");
+  await field(page, "ellipse.b", "3 mm");
+  await field(page, "load.normal_force", "60");
+  await page.waitForFunction(() => [...document.querySelectorAll("section:not([hidden]) .numbers tr")].some((tr) => tr.textContent === "ellipse, half length a7.5mm"));
+  await page.waitForTimeout(1500);
+  const [fx] = await row(page, "longitudinal force Fx");
+  const result = solvedByProgram(await saved(page, "case as TOML"));
+  near(result.hertz!.a!, 7.5e-3);
+  near(result.hertz!.b!, 3e-3);
+  near(result.hertz!.normal_force!, 60e3);
+  near(fx! * 1e3, result.exact!.fx!);
+  await page.waitForTimeout(600);
+  const second = await opened(new URL(page.url()).hash);
+  assert.equal(await second.page.getByLabel("given by").inputValue(), "ellipse");
+  assert.equal(await second.page.locator("#contact-ellipse-b").inputValue(), "3");
+  assert.equal((await row(second.page, "longitudinal force Fx"))[0], fx);
+  await second.page.close();
+  await field(page, "ellipse.a", "-1");
+  await page.getByText("ellipse.a = -0.001 [m]: must be positive and finite").waitFor();
+  await field(page, "ellipse.a", "100 m"); // a/b = 33333, which is a line
+  await page.getByText("ellipse.a = -0.001").waitFor({ state: "hidden" });
+  await field(page, "ellipse.a", "1000 m");
+  await page.getByText(/a\/b = .* must be in/).waitFor();
+  await field(page, "ellipse.a", "7.5");
+  await page.getByText(/a\/b = .* must be in/).waitFor({ state: "hidden" });
+  await page.getByLabel("given by").selectOption("radii");
+  assert.equal(await page.locator("#contact-body2-rolling_radius").inputValue(), "inf");
+  assert.equal((await row(page, "longitudinal force Fx"))[0], fx);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("warnings of results stand beside them, in all views, as long as they hold", async () => {
+  const { page, errors } = await opened();
+  const warned = page.locator("section:not([hidden]) .remarks");
+  await row(page, "longitudinal force Fx");
+  assert.equal(await warned.textContent(), "");
+  await field(page, "load.normal_force", "800 MN");
+  await warned.getByText(/approach .* is too large for a half-space/).waitFor();
+  await field(page, "load.normal_force", "80");
+  await warned.waitFor({ state: "hidden" });
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await railField(page, "wheel.lateral", "12");
+  await warned.getByText(/surface turns by .* within a flat patch/).waitFor();
+  await railField(page, "wheel.lateral", "-300");
+  await warned.getByText("wheel and rail do not touch").waitFor();
+  await railField(page, "wheel.lateral", "3");
+  await warned.waitFor({ state: "hidden" });
+  await page.getByRole("tab", { name: "Start and stop" }).click();
+  await page.locator("#start-load-normal_force").fill("800 MN");
+  await page.locator("#start-load-normal_force").press("Enter");
+  await warned.getByText("is too large for a half-space").waitFor({ timeout: 60000 });
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("what is refused leaves no picture that looks like the answer", async () => {
+  const { page, errors } = await opened("", undefined, countRequests);
+  const panel = (name: string) => page.locator("section:not([hidden]) .panel", { hasText: name });
+  const old = page.locator("section.old:not([hidden])");
+  await panel("Creep curves").locator("canvas").waitFor();
+  await panel("Stresses").locator("canvas[aria-label*=von_mises]").waitFor();
+  await field(page, "friction.coefficient", "-0.3");
+  await page.getByText("those of the last case without errors").waitFor();
+  await old.waitFor();
+  await page.getByLabel("over").selectOption("spin"); // asks for curves and stresses of the case that is refused
+  await panel("Creep curves").getByText(/FASTSIM2: friction.coefficient = -0.3/).waitFor();
+  assert.equal(await panel("Creep curves").locator("canvas").count(), 0);
+  await panel("Stresses").getByText(/No stresses: friction.coefficient = -0.3/).waitFor();
+  await panel("Stresses").locator("canvas[aria-label='no stresses']").waitFor();
+  await field(page, "friction.coefficient", "0.3");
+  await panel("Creep curves").locator("canvas").waitFor();
+  await panel("Stresses").locator("canvas[aria-label*=von_mises]").waitFor();
+  assert.equal(await old.count(), 0);
+  assert.equal(await page.getByText("No stresses").count(), 0);
+  await page.getByRole("button", { name: /add the creep-force table/ }).click();
+  await row(page, "longitudinal force Fx", 3);
+  await field(page, "body2.transverse_radius", "3"); // an ellipse longer than those of the table
+  await page.locator("section:not([hidden]) .remarks").getByText(/^table: a\/b = .* is beyond the creep-force table's range/).waitFor();
+  await panel("Creep curves").getByText("table: 41 of 41 points are left out, out of range").waitFor();
+  await panel("Creep curves").locator("canvas").waitFor(); // of the other theories
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await panel("Equivalent conicity").locator("canvas").waitFor();
+  await railField(page, "track.gauge", "1420");
+  await panel("Equivalent conicity").getByText("fewer than two values").waitFor();
+  assert.equal(await panel("Equivalent conicity").locator("canvas").count(), 0);
+  await railField(page, "track.gauge", "1435");
+  await panel("Equivalent conicity").locator("canvas").waitFor();
+  await page.getByRole("tab", { name: "Start and stop" }).click();
+  await page.getByText("at rest, forces put on").waitFor({ timeout: 60000 });
+  await page.locator("#start-friction-coefficient").fill("-1");
+  await page.locator("#start-friction-coefficient").press("Enter");
+  await old.getByText("those of the last case without errors").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("conicity is asked anew only where what it depends on changes", async () => {
+  const { page } = await opened("", undefined, countRequests);
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await page.locator("section:not([hidden]) .panel", { hasText: "Equivalent conicity" }).locator("canvas").waitFor();
+  const asked = () => page.evaluate(() => (window as unknown as Counting).asked.splice(0));
+  await asked();
+  for (const [key, text] of [["wheel.vertical_force", "60"], ["wheel.forward_velocity", "200"], ["friction.coefficient", "0.4"], ["wheel.lateral", "1"], ["wheel.yaw", "1"]] as const)
+    await railField(page, key, text);
+  await page.waitForTimeout(1500);
+  const others = await asked();
+  assert.ok(others.includes("solve") && !others.includes("conicity"), others.join(", "));
+  await railField(page, "track.gauge", "1433");
+  await page.waitForFunction(() => (window as unknown as Counting).asked.includes("conicity"));
   await page.close();
 });
 
