@@ -1,6 +1,7 @@
 // A contact's fields drawn on a canvas: cells in colours, traction or slip as arrows.
 
 import { adhesion, ofSigned, ofSize, slip } from "./colours.ts";
+import type { CellPart } from "./row_edge.ts";
 import { digits } from "./units.ts";
 
 export interface Cells {
@@ -13,6 +14,7 @@ export interface MapContent {
   colour: { values: number[]; unit: string; scale: number; signed: boolean } | "state";
   arrows?: { x: number[]; y: number[]; longest: number };
   outline?: { a: number; b: number };
+  parts?: CellPart[]; // of the cells, where there is no such outline
   cutAt?: number; // y [m]
 }
 
@@ -57,15 +59,33 @@ export function fitToScreen(canvas: HTMLCanvasElement): CanvasRenderingContext2D
   return context;
 }
 
+function styleOf({ cells, colour }: MapContent): (k: number) => string {
+  if (colour === "state") return (k) => (cells.state[k] === 2 ? slip : adhesion);
+  const largest = Math.max(...colour.values.map(Math.abs), Number.MIN_VALUE);
+  return (k) => (colour.signed ? ofSigned(colour.values[k]! / largest) : ofSize(colour.values[k]! / largest));
+}
+
+function fillParts(context: CanvasRenderingContext2D, content: MapContent, parts: CellPart[], { at }: Place): void {
+  const style = styleOf(content);
+  context.lineWidth = 0.6;
+  for (const { k, low, high, y } of parts) {
+    context.beginPath();
+    for (const [px, py] of [[low[0], y[0]], [low[1], y[0]], [high[1], y[1]], [high[0], y[1]]] as const) context.lineTo(...at(px, py));
+    context.closePath();
+    context.fillStyle = context.strokeStyle = style(k);
+    context.fill();
+    context.stroke(); // over the seams
+  }
+}
+
 /** Each cell enlarged by `more` of its size on all sides. */
-function fillCells(context: CanvasRenderingContext2D, { cells, colour }: MapContent, { scale, at }: Place, more: number): void {
-  const largest = colour === "state" ? 1 : Math.max(...colour.values.map(Math.abs), Number.MIN_VALUE);
+function fillCells(context: CanvasRenderingContext2D, content: MapContent, { scale, at }: Place, more: number): void {
+  const { cells } = content, style = styleOf(content);
   for (let k = 0; k < cells.x.length; ++k) {
     if (cells.state[k] === 0) continue;
     const width = cells.width[k]! * (1 + 2 * more), height = cells.height * (1 + 2 * more);
     const [px, py] = at(cells.x[k]! - width / 2, cells.y[k]! + height / 2);
-    if (colour === "state") context.fillStyle = cells.state[k] === 2 ? slip : adhesion;
-    else context.fillStyle = colour.signed ? ofSigned(colour.values[k]! / largest) : ofSize(colour.values[k]! / largest);
+    context.fillStyle = style(k);
     context.fillRect(px, py, width * scale + 0.6, height * scale + 0.6);
   }
 }
@@ -80,7 +100,8 @@ function drawCells(context: CanvasRenderingContext2D, content: MapContent, where
     context.clip();
     fillCells(context, content, where, 1);
   }
-  fillCells(context, content, where, 0);
+  if (content.parts) fillParts(context, content, content.parts, where);
+  else fillCells(context, content, where, 0);
   context.restore();
 }
 

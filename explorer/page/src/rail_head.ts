@@ -3,7 +3,8 @@
 import * as three from "three";
 import { ofSize } from "./colours.ts";
 import { element } from "./elements.ts";
-import { fitToScreen } from "./field_map.ts";
+import { fitToScreen, rowHeight } from "./field_map.ts";
+import { cellsUpToTheEdge } from "./row_edge.ts";
 
 export interface Patch {
   normal_force: number; place_x: number; place_y: number; place_z: number; angle: number; rail_y: number; peak_pressure: number;
@@ -18,15 +19,10 @@ const length = 0.06; // of the rail that is shown [m]
 function cellsOf(patches: Patch[]): Cell[] {
   return patches.flatMap(({ fields, place_x, place_y, place_z, angle }) => {
     if (!fields) return [];
-    const rows = [...new Set(fields.y)].sort((one, other) => one - other);
-    const height = rows.length > 1 ? (rows.at(-1)! - rows[0]!) / (rows.length - 1) : 1e-3;
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)], raised = 2e-4;
     const at = (x: number, y: number): [number, number, number] => [place_x + x, place_y + y * cos - raised * sin, place_z + y * sin + raised * cos];
-    return fields.x.flatMap((x, k) => {
-      if (fields.state[k] === 0) return [];
-      const [y, half] = [fields.y[k]!, fields.width[k]! / 2];
-      return [{ pressure: fields.pressure[k]!, corners: [[-half, -1], [half, -1], [half, 1], [-half, 1]].map(([dx, dy]) => at(x + dx!, y + (dy! * height) / 2)) }];
-    });
+    return cellsUpToTheEdge(fields, rowHeight(fields.y)).map(({ k, low, high, y }) =>
+      ({ pressure: fields.pressure[k]!, corners: [at(low[0], y[0]), at(low[1], y[0]), at(high[1], y[1]), at(high[0], y[1])] }));
   });
 }
 

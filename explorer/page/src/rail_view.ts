@@ -8,6 +8,7 @@ import { button, element, fillRemarks, fillTable, save, sentence } from "./eleme
 import { clearMap, drawMap, fitToScreen, rowHeight } from "./field_map.ts";
 import { Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
 import { RailHead, type Patch } from "./rail_head.ts";
+import { cellsUpToTheEdge } from "./row_edge.ts";
 import { initialState, type RailState, type Values } from "./state.ts";
 import { digits } from "./units.ts";
 
@@ -325,8 +326,9 @@ export class RailView {
     const f = largest?.fields;
     if (!f) { clearMap(this.#patchMap, "no patch"); return; }
     const size = Math.max(...f.px.map((px, k) => Math.hypot(px, f.py[k]!)), 1e-30);
+    const height = rowHeight(f.y);
     drawMap(this.#patchMap, {
-      cells: { ...f, height: rowHeight(f.y) }, colour: { values: f.pressure, unit: "MPa", scale: 1e-6, signed: false },
+      cells: { ...f, height }, parts: cellsUpToTheEdge(f, height), colour: { values: f.pressure, unit: "MPa", scale: 1e-6, signed: false },
       arrows: { x: f.px, y: f.py, longest: size },
     });
     this.#patchMap.setAttribute("aria-label", `largest patch, peak pressure ${digits(largest.peak_pressure / 1e6)} MPa`);

@@ -7,6 +7,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { cellsUpToTheEdge } from "../src/row_edge.ts";
 import { chromium, type Browser, type Download, type Page } from "playwright-core";
 
 const { MICROSLIP_PAGE: folder = "", MICROSLIP: named = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
@@ -77,6 +78,22 @@ function near(found: number, wanted: number): void {
 function solvedByProgram(file: string): Record<string, Record<string, number & number[]>> {
   return JSON.parse(execFileSync(program, ["solve", file, "--json"], { cwd: scratch, encoding: "utf8", stdio: "pipe", maxBuffer: 1e9 })) as Record<string, Record<string, number & number[]>>;
 }
+
+test("cells are drawn up to the edge of their contact: of Hertz's pressure on rows up to his ellipse", () => {
+  const a = 6, b = 4, n = 40, [dx, dy] = [(2 * a) / n, (2 * b) / n];
+  for (const [shift, rise] of [[0, 0], [0.3, 0.2], [-0.45, 0.49]] as const) { // of the grid, by shares of an element
+    const at = Array.from({ length: (n + 2) ** 2 }, (_, k) => [((k % (n + 2)) - n / 2 - 0.5 + shift) * dx, (Math.floor(k / (n + 2)) - n / 2 - 0.5 + rise) * dy] as const);
+    const level = (x: number, y: number) => 1 - (x / a) ** 2 - (y / b) ** 2;
+    const parts = cellsUpToTheEdge({
+      x: at.map(([x]) => x), y: at.map(([, y]) => y), width: at.map(() => dx), pressure: at.map(([x, y]) => Math.sqrt(Math.max(level(x, y), 0))),
+      state: at.map(([x, y]) => (level(x, y) > 0 ? 1 : 0)),
+    }, dy);
+    const area = parts.reduce((sum, { low, high, y }) => sum + ((low[1] - low[0] + high[1] - high[0]) / 2) * (y[1] - y[0]), 0);
+    assert.ok(Math.abs(area / (Math.PI * a * b) - 1) < 5e-3, `${area} of ${Math.PI * a * b}`);
+    const outmost = Math.min(...parts.flatMap(({ low, high, y }) => [...low.map((x) => level(x, y[0])), ...high.map((x) => level(x, y[1]))]));
+    assert.ok(outmost > -0.02, `a corner at level ${outmost}`); // of whole elements it is -0.06
+  }
+});
 
 test("opens from a file, asks nothing of a network, and its forces are the program's", async () => {
   const { page, errors, requests } = await opened();
