@@ -109,7 +109,7 @@ def check_variables(variables, units, report):
         check_value(name, values[0], initial, causality, units, report)
 
 
-# Names by the variable naming convention "structured" (section 2.2.9): a.b[1].c
+# Names by the variable naming convention "structured" (FMI 2.0, section 2.2.9; the same in 3.0): a.b[1].c
 STRUCTURED = re.compile(r"[A-Za-z_]\w*(\[\d+(,\d+)*\])?(\.[A-Za-z_]\w*(\[\d+(,\d+)*\])?)*")
 
 
@@ -147,6 +147,8 @@ def check_structure(structure, variables, report):
 def check_description(text, report):
     """Returns the model identifier."""
     root = ElementTree.fromstring(text)
+    if root.get("variableNamingConvention") == "structured":
+        check_names(root.iterfind("ModelVariables/*"), report)
     if root.get("fmiVersion") == "3.0":
         return fmi3_rules.check_description(root, report)
     if root.tag != "fmiModelDescription" or root.get("fmiVersion") != "2.0":
@@ -162,8 +164,6 @@ def check_description(text, report):
     units = {unit.get("name") for unit in root.iterfind("UnitDefinitions/Unit")}
     variables = list(root.find("ModelVariables"))
     check_variables(variables, units, report)
-    if root.get("variableNamingConvention") == "structured":
-        check_names(variables, report)
     check_structure(root.find("ModelStructure"), variables, report)
     return root.find("CoSimulation").get("modelIdentifier")
 

@@ -86,9 +86,10 @@ class CheckFmuTest(unittest.TestCase):
         self.assertEqual(faults(both[0], "binaries/win32s/unit.dll"), ["binaries/win32s is no platform"])
 
     def test_structured_names_have_their_syntax(self):
-        structured = self.good.replace('variableNamingConvention="flat"', 'variableNamingConvention="structured"')
-        self.assertEqual(self.faults(structured.replace('name="spin"', 'name="patch[1].spin"')), "")
-        self.assertIn("no structured name", self.faults(structured.replace('name="spin"', 'name="patch[1]..spin"')))
+        for good in (self.good, self.good3):
+            structured = good.replace('variableNamingConvention="flat"', 'variableNamingConvention="structured"')
+            self.assertEqual(self.faults(structured.replace('name="spin"', 'name="patch[1].spin"')), "")
+            self.assertIn("no structured name", self.faults(structured.replace('name="spin"', 'name="patch[1]..spin"')))
 
 
 if __name__ == "__main__":

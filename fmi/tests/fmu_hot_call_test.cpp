@@ -1,7 +1,7 @@
 // A step of a unit without new parameters, and its derivatives, take no memory and no lock, write nothing and throw
 // nothing. MICROSLIP_HOT_INPUT is varied.
 
-#include "fmi/tests/importer.hpp"
+#include "fmi/tests/importer3.hpp"
 #include "tests/call_counters.hpp"
 
 #include <cmath>
@@ -10,15 +10,10 @@
 namespace microslip::fmi {
 namespace {
 
-TEST(FmuHotCall, AStepTakesNoMemoryNorLock) {
+TEST(FmuHotCall, AStepByFmi2TakesNoMemoryNorLock) {
   Instance instance;
   instance.initialize();
-  std::vector<fmi2ValueReference> inputs, outputs;
-  for (const auto& [name, causality] : description().causalities) {
-    if (description().types.at(name) != "Real") continue;
-    if (causality == "input") inputs.push_back(description().references.at(name));
-    if (causality == "output") outputs.push_back(description().references.at(name));
-  }
+  const auto inputs = references("input"), outputs = references("output");
   ASSERT_GE(inputs.size(), 5U);
   ASSERT_GE(outputs.size(), 3U);
   const fmi2ValueReference varied = description().references.at(MICROSLIP_HOT_INPUT);
@@ -42,6 +37,42 @@ TEST(FmuHotCall, AStepTakesNoMemoryNorLock) {
     }
   });
   EXPECT_EQ(failed, 0);
+  EXPECT_GT(sum, 0);
+}
+
+TEST(FmuHotCall, AStepByFmi3TakesNoMemoryNorLock) {
+  Instance3 instance;
+  ASSERT_NE(instance.unit, nullptr) << instance.messages.last;
+  instance.initialize();
+  const auto inputs = references("input"), outputs = references("output");
+  ASSERT_GE(inputs.size(), 5U);
+  ASSERT_GE(outputs.size(), 3U);
+  const fmi3ValueReference varied = description().references.at(MICROSLIP_HOT_INPUT);
+  const std::vector<double> seed(inputs.size(), 1e-6), weights(outputs.size(), 1);
+  std::vector<double> values(outputs.size()), changes(outputs.size()), slopes(inputs.size());
+  const auto set = FMI3(fmi3SetFloat64);
+  const auto get = FMI3(fmi3GetFloat64);
+  const auto step = FMI3(fmi3DoStep);
+  const auto directional = FMI3(fmi3GetDirectionalDerivative);
+  const auto adjoint = FMI3(fmi3GetAdjointDerivative);
+  double sum = 0;
+  int failed = 0;
+  expect_silent([&] {
+    for (int k = 0; k < 100; ++k) {
+      const double value = 1e-4 * (k - 50);
+      bool event = false, terminate = false, early = false;
+      double last = 0;
+      failed += set(instance.unit, &varied, 1, &value, 1) != fmi3OK;
+      failed += step(instance.unit, k * 1e-3, 1e-3, true, &event, &terminate, &early, &last) != fmi3OK;
+      failed += get(instance.unit, outputs.data(), outputs.size(), values.data(), values.size()) != fmi3OK;
+      failed += directional(instance.unit, outputs.data(), outputs.size(), inputs.data(), inputs.size(), seed.data(),
+                            seed.size(), changes.data(), changes.size()) != fmi3OK;
+      failed += adjoint(instance.unit, outputs.data(), outputs.size(), inputs.data(), inputs.size(), weights.data(),
+                        weights.size(), slopes.data(), slopes.size()) != fmi3OK;
+      sum += std::abs(values[1]) + std::abs(changes[0]) + std::abs(slopes[0]);
+    }
+  });
+  EXPECT_EQ(failed, 0) << instance.messages.last;
   EXPECT_GT(sum, 0);
 }
 
