@@ -1,5 +1,5 @@
 // The core in a worker: requests go in as JSON, replies come out. Of the requests of one channel only the newest waits, and
-// while the page is hidden all of them do.
+// while the page is hidden all of them do. As long as one of them is under way the page is marked as busy.
 
 /** What explorer_core.js defines; its text runs in the worker. */
 declare const microslipCore: ((...args: unknown[]) => unknown) | undefined;
@@ -84,7 +84,16 @@ export class Core {
     });
   }
 
+  #markBusy(): void {
+    document.body.ariaBusy = String(this.#running !== undefined || this.#waiting.size > 0);
+  }
+
   #next(): void {
+    this.#startNext();
+    this.#markBusy();
+  }
+
+  #startNext(): void {
     if (this.#running || document.hidden) return;
     const [first] = this.#waiting;
     if (!first) return;
