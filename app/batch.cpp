@@ -59,14 +59,15 @@ struct BatchArguments {
   bool json = false;
 };
 
-/// MXxMY, e.g. 10x10.
+/// MXxMY, e.g. 10x20, or M for both directions.
 void parse_grid(const std::string& text, int largest, int& mx, int& my) {
   const char *begin = text.data(), *end = begin + text.size();
-  const auto first = std::from_chars(begin, end, mx);
-  const bool has_separator = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-  const auto second = has_separator ? std::from_chars(first.ptr + 1, end, my) : first;
-  if (!has_separator || second.ec != std::errc() || second.ptr != end)
-    throw Error("--grid = " + printable(text) + ": must be two whole numbers, e.g. 10x10");
+  auto number = std::from_chars(begin, end, mx);
+  my = mx;
+  if (number.ec == std::errc() && number.ptr != end && *number.ptr == 'x')
+    number = std::from_chars(number.ptr + 1, end, my);
+  if (number.ec != std::errc() || number.ptr != end)
+    throw Error("--grid = " + printable(text) + ": must be one or two whole numbers, e.g. 10 or 10x20");
   require_count("--grid", mx, 1, largest);
   require_count("--grid", my, 1, largest);
 }
@@ -496,7 +497,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
       ->add_option("--table", arguments->table,
                    "a creep-force table made by `microslip table make`; default: the one that microslip has")
       ->type_name("FILE");
-  option("--grid", arguments->grid, "MXxMY", "cells or elements across the ellipse along x and y");
+  option("--grid", arguments->grid, "MXxMY", "cells or elements across the ellipse along x and y, or M of both");
   option("--bound", arguments->bound, choices<TractionBound>(),
          "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");
   option("--flexibility", arguments->flexibility, choices<FlexibilityModel>(),

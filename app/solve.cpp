@@ -97,9 +97,9 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.add_quantity("adhesion_area", solution, percent(t.adhesion_area, area));
   table.add_quantity("slip_area", solution, percent(t.slip_area, area));
   table.add_quantity("frictional_power", solution);
-  table.add("discretisation error of fx", simplified.grid_error.fx, "mu Fn");
-  table.add("discretisation error of fy", simplified.grid_error.fy, "mu Fn");
-  table.add("discretisation error of mz", simplified.grid_error.mz, "mu Fn sqrt(a b)");
+  table.add("discretisation error of fx", simplified.discretisation_error.fx, "mu Fn");
+  table.add("discretisation error of fy", simplified.discretisation_error.fy, "mu Fn");
+  table.add("discretisation error of mz", simplified.discretisation_error.mz, "mu Fn sqrt(a b)");
   table.add("status", {std::string(to_string(solution.report.status))});
   if (const auto assumption = simplified_assumption(input); !assumption.empty()) table.add("assumes", {assumption});
   table.print();
@@ -109,17 +109,17 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
 struct TheoryColumn {
   std::string name;
   const ContactSolution* solution;
-  GridError grid_error = {}; ///< NaN where there was nothing to compare with
+  DiscretisationError discretisation_error = {}; ///< NaN where there was nothing to compare with
 };
 
 /// The theory that the case asks for and, where it is there, the simplified one beside it.
 std::vector<TheoryColumn> theory_columns(const RollingCase& input, const RollingContactResult& result) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<TheoryColumn> columns;
-  if (result.exact) columns.push_back({"exact", &result.exact->contact, result.exact->grid_error});
+  if (result.exact) columns.push_back({"exact", &result.exact->contact, result.exact->discretisation_error});
   if (result.table) columns.push_back({"table", &result.table->solution, {none, none, none}});
   if (const auto& simplified = result.simplified)
-    columns.push_back({simplified_name(input), &simplified->solution, simplified->grid_error});
+    columns.push_back({simplified_name(input), &simplified->solution, simplified->discretisation_error});
   return columns;
 }
 
@@ -149,9 +149,9 @@ public:
   }
 
   /// An error that `value` takes from the grid errors.
-  void add_error(const std::string& name, const std::string& unit, double GridError::*value) {
+  void add_error(const std::string& name, const std::string& unit, double DiscretisationError::*value) {
     std::vector<std::string> texts;
-    for (const TheoryColumn& column : columns_) texts.push_back(error_text(column.grid_error.*value));
+    for (const TheoryColumn& column : columns_) texts.push_back(error_text(column.discretisation_error.*value));
     table_.add(name, texts, unit);
   }
 
@@ -181,9 +181,9 @@ void add_totals(SideBySide& rows, const EllipticContact& contact) {
     rows.add("mz", "mu Fn sqrt(a b)", [&](const Totals& t) { return t.mz / moment; });
   }
   for (const auto* name : {"adhesion_area", "slip_area", "frictional_power"}) rows.add(name);
-  rows.add_error("discretisation error of fx", "mu Fn", &GridError::fx);
-  rows.add_error("discretisation error of fy", "mu Fn", &GridError::fy);
-  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &GridError::mz);
+  rows.add_error("discretisation error of fx", "mu Fn", &DiscretisationError::fx);
+  rows.add_error("discretisation error of fy", "mu Fn", &DiscretisationError::fy);
+  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &DiscretisationError::mz);
 }
 
 /// What the simplified theory, or a table, lets aside.

@@ -27,7 +27,7 @@ EllipticContact similar(EllipticContact contact) {
   return contact;
 }
 
-GridError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
+DiscretisationError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
   if (limit == 0) return {};
   const auto length = std::sqrt(contact.a * contact.b);
@@ -38,7 +38,7 @@ GridError difference(const EllipticContact& contact, const ContactForces& a, con
 template <class Solver> SimplifiedResult solve_simplified(const EllipticContact& contact, Solver solver, Solver finer) {
   SimplifiedResult result;
   result.solution = solver.fields(contact);
-  result.grid_error = difference(contact, result.solution.forces(), finer.solve(contact));
+  result.discretisation_error = difference(contact, result.solution.forces(), finer.solve(contact));
   result.curve = creep_curve(contact, simplified_curve_points, [&](const auto& moved) { return solver.solve(moved); });
   return result;
 }
@@ -91,13 +91,13 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   EllipticContactSolver solver(options);
   ExactResult result;
   result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
-  result.grid_error = {nan, nan, nan};
+  result.discretisation_error = {nan, nan, nan};
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
   if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion, rest).gap;
   if (coarser.mx == options.mx && coarser.my == options.my) return result;
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
-  result.grid_error = difference(contact, result.contact.forces(), coarse.forces());
+  result.discretisation_error = difference(contact, result.contact.forces(), coarse.forces());
   return result;
 }
 
@@ -110,7 +110,7 @@ ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& c
   options.mx = options.my = result.limit->elements;
   result.contact.fields.gap =
       EllipticContactSolver(options).deformed_gap(contact, {}, essential_part(progress, 0.8, 0.9)).gap;
-  result.grid_error = difference(contact, result.contact.forces(), result.limit->coarser);
+  result.discretisation_error = difference(contact, result.contact.forces(), result.limit->coarser);
   return result;
 }
 
@@ -230,11 +230,15 @@ void write_inputs(ResultWriter& file, const RollingCase& input, const EllipticCo
   write_solution(file, input);
 }
 
-void write_tolerances(ResultWriter& file, const std::string& theory, const GridError& error, const std::string& cells) {
-  const std::string what = ": difference to the grid with " + cells + " in each direction";
-  file.scalar("tolerances/" + theory + "/grid_fx", error.fx, "mu Fn", "discretisation error of fx" + what);
-  file.scalar("tolerances/" + theory + "/grid_fy", error.fy, "mu Fn", "discretisation error of fy" + what);
-  file.scalar("tolerances/" + theory + "/grid_mz", error.mz, "mu Fn sqrt(a b)", "discretisation error of mz" + what);
+void write_tolerances(ResultWriter& file, const std::string& theory, const DiscretisationError& error,
+                      const std::string& cells) {
+  const auto write = [&](const std::string& force, double value, const std::string& unit) {
+    file.scalar("tolerances/" + theory + "/discretisation_error_" + force, value, unit,
+                "discretisation error of " + force + ": difference to the grid with " + cells + " in each direction");
+  };
+  write("fx", error.fx, "mu Fn");
+  write("fy", error.fy, "mu Fn");
+  write("mz", error.mz, "mu Fn sqrt(a b)");
 }
 
 ResultWriter::Shape shape_of(const Elements& elements) {
@@ -418,7 +422,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   if (const auto& exact = result.exact) {
     write_theory(file, "exact", exact->contact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
-    write_tolerances(file, "exact", exact->grid_error, "half the elements");
+    write_tolerances(file, "exact", exact->discretisation_error, "half the elements");
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
@@ -432,7 +436,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     const auto name = simplified_name(input);
     write_theory(file, name, simplified->solution);
     write_assumption(file, name, simplified_assumption(input));
-    write_tolerances(file, name, simplified->grid_error, "twice the cells");
+    write_tolerances(file, name, simplified->discretisation_error, "twice the cells");
     write_curve(file, name, simplified->curve);
     write_curve_point(file, simplified->curve, result.contact.creepage);
   }

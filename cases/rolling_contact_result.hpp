@@ -13,7 +13,7 @@
 namespace microslip {
 
 /// How far totals are from those on another grid; NaN where there is none, as for a single element.
-struct GridError {
+struct DiscretisationError {
   double fx = 0, fy = 0; ///< in units of mu Fn
   double mz = 0;         ///< in units of mu Fn sqrt(a b)
 };
@@ -21,17 +21,17 @@ struct GridError {
 /// What the simplified theory makes of a case.
 struct SimplifiedResult {
   ContactSolution solution;
-  GridError grid_error; ///< to the grid with twice the cells in each direction
+  DiscretisationError discretisation_error; ///< to the grid with twice the cells in each direction
   CreepCurve curve;
 };
 
 /// What the exact theory makes of a case.
 struct ExactResult {
   ContactSolution contact;
-  GridError grid_error;                 ///< to the grid with half the elements in each direction
-  std::optional<AccurateContact> limit; ///< if an accuracy is asked for; `contact` is its finest then
-  std::vector<InteriorState> interior;  ///< at the case's points inside the bodies
-  std::optional<CreepCurve> curve;      ///< if it converges for steady rolling
+  DiscretisationError discretisation_error; ///< to the grid with half the elements in each direction
+  std::optional<AccurateContact> limit;     ///< if an accuracy is asked for; `contact` is its finest then
+  std::vector<InteriorState> interior;      ///< at the case's points inside the bodies
+  std::optional<CreepCurve> curve;          ///< if it converges for steady rolling
 };
 
 /// What a creep-force table makes of a case.

@@ -49,7 +49,7 @@ TEST(ProgramJson, SolveHasTheNumbersOfTheResultFile) {
   EXPECT_EQ(json.at("files"), Names{"out/result.h5"});
   for (const std::string path :
        {"hertz/a", "inputs/normal_force", "inputs/tolerance", "exact/fx", "exact/mz", "exact/residual", "fastsim2/fy",
-        "tolerances/exact/grid_fx", "tolerances/fastsim2/grid_mz"}) {
+        "tolerances/exact/discretisation_error_fx", "tolerances/fastsim2/discretisation_error_mz"}) {
     EXPECT_EQ(json.at(Json::json_pointer("/" + path)), file.values<double>(path, H5T_NATIVE_DOUBLE).at(0)) << path;
     EXPECT_EQ(json.at("units").at(path), file.attribute(path, "unit")) << path;
   }
@@ -90,9 +90,9 @@ TEST(ProgramJson, OneElementHasNoErrorEstimate) {
   auto text = contents(example);
   save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[1, 1]"));
   const auto json = document(folder, "solve c.toml -o out --no-pictures");
-  for (const char* name : {"grid_fx", "grid_fy", "grid_mz"})
+  for (const char* name : {"discretisation_error_fx", "discretisation_error_fy", "discretisation_error_mz"})
     EXPECT_EQ(json.at("tolerances").at("exact").at(name), "nan") << name;
-  EXPECT_GT(json.at("tolerances").at("fastsim2").at("grid_fx").get<double>(), 0);
+  EXPECT_GT(json.at("tolerances").at("fastsim2").at("discretisation_error_fx").get<double>(), 0);
 }
 
 /// Moduli in MPa: the ellipse is larger than the wheel, and the reader is told what to check.

@@ -36,8 +36,9 @@ inline constexpr auto fields<BodyInput> =
                Field{"transverse_radius", &BodyInput::transverse_radius}, Field{"material", &BodyInput::material},
                Field{"creep", &BodyInput::creep}, Field{"thermal", &BodyInput::thermal}};
 template <>
-inline constexpr auto fields<GridError> =
-    std::tuple{Field{"fx", &GridError::fx}, Field{"fy", &GridError::fy}, Field{"mz", &GridError::mz}};
+inline constexpr auto fields<DiscretisationError> =
+    std::tuple{Field{"fx", &DiscretisationError::fx}, Field{"fy", &DiscretisationError::fy},
+               Field{"mz", &DiscretisationError::mz}};
 template <>
 inline constexpr auto fields<CreepCurve> =
     std::tuple{Field{"variable", &CreepCurve::variable}, Field{"unit", &CreepCurve::unit},
@@ -45,13 +46,14 @@ inline constexpr auto fields<CreepCurve> =
                Field{"point_value", &CreepCurve::point_value}};
 template <>
 inline constexpr auto fields<SimplifiedResult> =
-    std::tuple{Field{"solution", &SimplifiedResult::solution}, Field{"grid_error", &SimplifiedResult::grid_error},
+    std::tuple{Field{"solution", &SimplifiedResult::solution},
+               Field{"discretisation_error", &SimplifiedResult::discretisation_error},
                Field{"curve", &SimplifiedResult::curve}};
 template <>
 inline constexpr auto fields<ExactResult> =
-    std::tuple{Field{"solution", &ExactResult::contact}, Field{"grid_error", &ExactResult::grid_error},
-               Field{"limit", &ExactResult::limit}, Field{"interior", &ExactResult::interior},
-               Field{"curve", &ExactResult::curve}};
+    std::tuple{Field{"solution", &ExactResult::contact},
+               Field{"discretisation_error", &ExactResult::discretisation_error}, Field{"limit", &ExactResult::limit},
+               Field{"interior", &ExactResult::interior}, Field{"curve", &ExactResult::curve}};
 template <>
 inline constexpr auto fields<TableResult> =
     std::tuple{Field{"solution", &TableResult::solution}, Field{"curve", &TableResult::curve}};
@@ -259,10 +261,11 @@ void bind_curve(py::module_& module) {
 }
 
 void bind_theories(py::module_& module) {
-  auto error = py::class_<GridError>(module, "GridError", "How far totals are from those on another grid.");
-  error.def_readonly("fx", &GridError::fx, "In units of mu Fn [-].")
-      .def_readonly("fy", &GridError::fy, "In units of mu Fn [-].")
-      .def_readonly("mz", &GridError::mz, "In units of mu Fn sqrt(a b) [-].");
+  auto error =
+      py::class_<DiscretisationError>(module, "DiscretisationError", "How far totals are from those on another grid.");
+  error.def_readonly("fx", &DiscretisationError::fx, "In units of mu Fn [-].")
+      .def_readonly("fy", &DiscretisationError::fy, "In units of mu Fn [-].")
+      .def_readonly("mz", &DiscretisationError::mz, "In units of mu Fn sqrt(a b) [-].");
   add_value(error, {"fx", "fy", "mz"});
 
   py::class_<SimplifiedResult> simplified(module, "SimplifiedResult", "What the simplified theory makes of a case.");
@@ -270,18 +273,20 @@ void bind_theories(py::module_& module) {
       .def_property_readonly(
           "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
-      .def_readonly("grid_error", &SimplifiedResult::grid_error, "To the grid with twice the cells [-].")
+      .def_readonly("discretisation_error", &SimplifiedResult::discretisation_error,
+                    "To the grid with twice the cells [-].")
       .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
-  add_value(simplified, {"solution", "grid_error"});
+  add_value(simplified, {"solution", "discretisation_error"});
 
   py::class_<ExactResult> exact(module, "ExactResult", "What the exact theory makes of a case.");
   exact.def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
       .def_property_readonly(
           "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
-      .def_readonly("grid_error", &ExactResult::grid_error, "To the grid with half the elements [-].")
+      .def_readonly("discretisation_error", &ExactResult::discretisation_error,
+                    "To the grid with half the elements [-].")
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
       .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
-  add_value(exact, {"solution", "grid_error", "limit"});
+  add_value(exact, {"solution", "discretisation_error", "limit"});
 
   py::class_<TableResult> table(module, "TableResult", "What a creep-force table makes of a case.");
   table.def_readonly("solution", &TableResult::solution, "The ContactSolution, without fields.")

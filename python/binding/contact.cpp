@@ -103,6 +103,13 @@ void bind_elliptic_contact(py::module_& module) {
                   "rolling_speed"_a = 1.0,
                   "From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as "
                   "above.")
+      .def(
+          "check", [](const EllipticContact& self) { check(self); },
+          "Raises Error, which names field, value and range, if a field is out of range: solvers answer such a\n"
+          "contact with Status.invalid_input and NaN.")
+      .def(
+          "check_simplified", [](const EllipticContact& self) { check_simplified(self); },
+          "The same for the simplified theory, in which dissimilarity must be 0.")
       .def_readwrite("a", &EllipticContact::a, "Semi-axis along the rolling direction [m], > 0.")
       .def_readwrite("b", &EllipticContact::b, "Lateral semi-axis [m], > 0.")
       .def_readwrite("shear_modulus", &EllipticContact::shear_modulus, "Combined G [Pa], > 0.")

@@ -540,6 +540,20 @@ class DerivativeArrays:
         """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
         attrs what result it is, and the version; needs xarray."""
 
+class DiscretisationError:
+    """How far totals are from those on another grid."""
+    @property
+    def fx(self) -> float:
+        """In units of mu Fn [-]."""
+    @property
+    def fy(self) -> float:
+        """In units of mu Fn [-]."""
+    @property
+    def mz(self) -> float:
+        """In units of mu Fn sqrt(a b) [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class ElementGrid:
     """The potential contact: mx x my equal rectangles, x and y ascending. Fields on it have shape (my, mx)."""
     def __init__(self, mx: int, my: int, x0: float, y0: float, dx: float, dy: float) -> None:
@@ -593,6 +607,11 @@ class EllipticContact:
     @staticmethod
     def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> EllipticContact:
         """From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as above."""
+    def check(self) -> None:
+        """Raises Error, which names field, value and range, if a field is out of range: solvers answer such a
+        contact with Status.invalid_input and NaN."""
+    def check_simplified(self) -> None:
+        """The same for the simplified theory, in which dissimilarity must be 0."""
     @property
     def a(self) -> float:
         """Semi-axis along the rolling direction [m], > 0."""
@@ -723,7 +742,7 @@ class ExactResult:
     def forces(self) -> ContactForces:
         """The totals, as ContactForces."""
     @property
-    def grid_error(self) -> GridError:
+    def discretisation_error(self) -> DiscretisationError:
         """To the grid with half the elements [-]."""
     @property
     def limit(self) -> AccurateContact | None:
@@ -861,20 +880,6 @@ class GaugePoint:
     @property
     def reaches_height(self) -> bool:
         """Whether the profile reaches down to the gauge's height."""
-    def to_dict(self) -> dict[str, Any]:
-        """All fields [SI units] as a dict; arrays are copies."""
-
-class GridError:
-    """How far totals are from those on another grid."""
-    @property
-    def fx(self) -> float:
-        """In units of mu Fn [-]."""
-    @property
-    def fy(self) -> float:
-        """In units of mu Fn [-]."""
-    @property
-    def mz(self) -> float:
-        """In units of mu Fn sqrt(a b) [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -1401,7 +1406,7 @@ class SimplifiedResult:
     def forces(self) -> ContactForces:
         """The totals, as ContactForces."""
     @property
-    def grid_error(self) -> GridError:
+    def discretisation_error(self) -> DiscretisationError:
         """To the grid with twice the cells [-]."""
     @property
     def curve(self) -> CreepCurve:

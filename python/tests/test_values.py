@@ -39,7 +39,7 @@ def values():
         microslip.Fastsim2().solve(contact()), microslip.Fastsim2().differentiate(contact()), microslip.Fastsim2(6, 5).fields(contact()),
         solved, solved.history[0], solver.differentiate(contact()), microslip.AccurateContactSolver(0.05).solve(contact()),
         grid, normal, tangential, field.at([0, 1e-3], 0, 1e-3),
-        microslip.InteriorLayers(field).find_largest(np.linspace(1e-3, 5e-3, 5)), result.exact.curve, result.exact.grid_error,
+        microslip.InteriorLayers(field).find_largest(np.linspace(1e-3, 5e-3, 5)), result.exact.curve, result.exact.discretisation_error,
         result, result.exact, result.simplified, microslip.Fastsim2().solve_batch(contact(), [[1e-4, 1e-3]], spin=[[0.0], [0.4]]),
         microslip.Fastsim2().differentiate_batch(contact(), [1e-4, 1e-3]), solver.solve_batch(contact(), [1e-4, 1e-3]),
         microslip.parse_case(CASE), microslip.parse_case(CASE).body1, microslip.PatchRolling(pair, grid, gap, normal_force=80e3).solve(0.3, (1e-3, 0, 0)),
@@ -163,6 +163,14 @@ class DissimilarityTest(unittest.TestCase):
         self.assertEqual(batch.forces.fx[1], alone)
         self.assertNotEqual(batch.forces.fx[0], alone)
 
+    def test_a_contact_out_of_range_names_its_field(self):
+        contact = self.made(1e-3)
+        contact.check()
+        contact.a = -1
+        with self.assertRaisesRegex(microslip.Error, r"^a = -1 \[m\]: must be positive"):
+            contact.check()
+        self.assertRegex(microslip.EllipticContactSolver(4, 4).solve(contact).reason, r"^a = -1 \[m\]: must be positive")
+
     def test_what_cannot_honour_it_refuses_it(self):
         grid = microslip.ElementGrid.across_ellipse(self.hertz.a, self.hertz.b, 8, 8, 3)
         with self.assertRaisesRegex(microslip.Error, r"dissimilarity = 0\.\d+ \[-\]: must be 0"):
@@ -176,6 +184,8 @@ class DissimilarityTest(unittest.TestCase):
             batch = solver.solve_batch(self.made(1e-3), dissimilarity=[0, 0.1])
             self.assertEqual(batch.status.tolist(), [microslip.Status.ok, microslip.Status.invalid_input])
             self.assertTrue(np.isnan(batch.fx[1]))
+            with self.assertRaisesRegex(microslip.Error, r"dissimilarity = 0\.\d+ \[-\]: must be 0 in the simplified theory"):
+                self.made(1e-3).check_simplified()
             self.assertRegex(solver.fields(self.made(1e-3)).reason, r"dissimilarity = 0\.\d+ \[-\]: must be 0 in the simplified theory")
 
     def test_the_normal_problem_is_right_for_any(self):
