@@ -65,14 +65,24 @@ LD_LIBRARY_PATH="$linux/c" ./first_contact >here.txt
 grep -q "[0-9]" here.txt
 cmp there.txt here.txt
 
-# the units, step by step beside those of Linux
+# the units by FMI 2.0 and 3.0, step by step beside those of Linux
 cc -I"$root" "$root/fmi/tests/step_unit.c" -o step -ldl
 x86_64-w64-mingw32-gcc-posix -I"$root" "$root/fmi/tests/step_unit.c" -o step.exe
+# STANDARD FOLDER PLATFORM_HERE PLATFORM_THERE URI_HERE URI_THERE, of the unit and value references at hand
+compare() {
+  cmp "$linux/fmi/$2/modelDescription.xml" "$build/fmi/$2/modelDescription.xml"
+  token=$(sed -nE 's/.*(guid|instantiationToken)="([^"]*)".*/\2/p' "$linux/fmi/$2/modelDescription.xml")
+  # shellcheck disable=SC2086
+  ./step "$1" "$linux/fmi/$2/binaries/$3/$unit.so" "$token" "$5$linux/fmi/$2/resources/" $references >here.txt
+  # shellcheck disable=SC2086
+  wine ./step.exe "$1" "Z:$build/fmi/$2/binaries/$4/$unit.dll" "$token" "$6Z:$build/fmi/$2/resources/" $references |
+    tr -d '\r' >there.txt
+  test -s here.txt
+  cmp here.txt there.txt
+}
 step() {
   unit=$1 file=$linux/fmi/$1/modelDescription.xml
   shift
-  cmp "$file" "$build/fmi/$unit/modelDescription.xml"
-  guid=$(sed -n 's/.*guid="\([^"]*\)".*/\1/p' "$file")
   references=
   for name in "$@"; do
     reference=$(sed -n "s/.*name=\"${name%%=*}\" valueReference=\"\([0-9]*\)\".*/\1/p" "$file")
@@ -80,13 +90,8 @@ step() {
     case $name in *=*) reference=$reference=${name#*=} ;; esac
     references="$references $reference"
   done
-  # shellcheck disable=SC2086
-  ./step "$linux/fmi/$unit/binaries/linux64/$unit.so" "$guid" "file://$linux/fmi/$unit/resources" $references >here.txt
-  # shellcheck disable=SC2086
-  wine ./step.exe "Z:$build/fmi/$unit/binaries/win64/$unit.dll" "$guid" "file:///Z:$build/fmi/$unit/resources" $references |
-    tr -d '\r' >there.txt
-  test -s here.txt
-  cmp here.txt there.txt
+  compare 2 "$unit" linux64 win64 file:// file:///
+  compare 3 "${unit}_fmi3" x86_64-linux x86_64-windows "" ""
 }
 step microslip_tangential creepage_longitudinal=0.001 spin=0.1 fx fy mz
 step microslip_wheel_rail state.lateral=0.003 state.vertical=-0.0001 state.forward_velocity=20 state.pitch_velocity=43.5 \
