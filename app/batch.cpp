@@ -51,7 +51,8 @@ struct BatchArguments {
   fs::path errors;        ///< empty: none are listed
   bool skip_bad = false;
   fs::path table; ///< empty: the table that microslip has
-  std::string theory = "fastsim2", grid = "10x10", direction = "forward", precision = "double";
+  std::string theory = "fastsim2", direction = "forward", precision = "double";
+  std::string grid;                             ///< empty: not given
   std::string bound, flexibility, coefficients; ///< of the simplified theory; empty: not given
   std::string discretisation, elements;         ///< of the exact theory; empty: not given
   std::optional<double> tolerance;              ///< of the exact theory
@@ -70,6 +71,10 @@ void parse_grid(const std::string& text, int largest, int& mx, int& my) {
     throw Error("--grid = " + printable(text) + ": must be one or two whole numbers, e.g. 10 or 10x20");
   require_count("--grid", mx, 1, largest);
   require_count("--grid", my, 1, largest);
+}
+
+std::string grid_of(const BatchArguments& arguments) {
+  return arguments.grid.empty() ? "10x10" : arguments.grid;
 }
 
 using Given = std::pair<const char*, bool>;
@@ -95,7 +100,7 @@ Method method_of(const BatchArguments& arguments) {
            "needs the simplified theory, e.g. --theory fastsim2");
   else
     refuse({{"--tolerance", arguments.tolerance.has_value()}}, "needs --theory exact");
-  parse_grid(arguments.grid, exact ? most_elements : most_cells, method.mx, method.my);
+  parse_grid(grid_of(arguments), exact ? most_elements : most_cells, method.mx, method.my);
   read("--bound", arguments.bound, method.bound);
   read("--flexibility", arguments.flexibility, method.flexibility);
   read("--discretisation", arguments.discretisation, method.discretisation);
@@ -312,6 +317,7 @@ std::unique_ptr<TableSolver> make_table_solver(const BatchArguments& arguments) 
   refuse({{"--bound", !arguments.bound.empty()},
           {"--flexibility", !arguments.flexibility.empty()},
           {"--coefficients", !arguments.coefficients.empty()},
+          {"--grid", !arguments.grid.empty()},
           {"--discretisation", !arguments.discretisation.empty()},
           {"--elements", !arguments.elements.empty()},
           {"--precision", arguments.precision != "double"},
@@ -443,7 +449,7 @@ void print_document(const BatchArguments& arguments, const Batch& work) {
   auto document = json_document("batch");
   document["input"] = arguments.input.string();
   document["theory"] = arguments.theory;
-  document["grid"] = arguments.grid;
+  if (arguments.theory != "table") document["grid"] = grid_of(arguments);
   document["contacts"] = work.solver().contacts();
   document["contacts_unsolved"] = work.solver().contacts_unsolved();
   document["bad_rows"] = work.bad_count();
@@ -497,7 +503,8 @@ void add_batch_command(CLI::App& program, int& exit_code) {
       ->add_option("--table", arguments->table,
                    "a creep-force table made by `microslip table make`; default: the one that microslip has")
       ->type_name("FILE");
-  option("--grid", arguments->grid, "MXxMY", "cells or elements across the ellipse along x and y, or M of both");
+  option("--grid", arguments->grid, "MXxMY",
+         "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
   option("--bound", arguments->bound, choices<TractionBound>(),
          "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");
   option("--flexibility", arguments->flexibility, choices<FlexibilityModel>(),

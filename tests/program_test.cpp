@@ -667,6 +667,7 @@ TEST(Program, BatchRefusesBadOptions) {
   for (const auto* grid : {"ten", "10x", "x10", "10x10x10", "axb", "10,10", "99999999999x1"})
     refused(std::string("--grid=") + grid, "must be one or two whole numbers, e.g. 10 or 10x20");
   refused("--theory fastsim3", "did you mean fastsim?");
+  refused("--theory table --grid 10", "--grid: cannot be combined with --theory table");
   refused("--bound parabolik", "did you mean parabolic?");
   refused("--flexibility two", "must be three, one or blended");
   refused("--threads 0", "--threads = 0 [-]: must be in [1, 1024]");

@@ -108,7 +108,9 @@ static void step3(const char* binary, const char* token, const char* resources, 
 
 int main(int count, char** arguments) {
   if (count < 6) return 2;
-  if (strcmp(arguments[1], "3") == 0) step3(arguments[2], arguments[3], arguments[4], count - 5, arguments + 5);
-  else step2(arguments[2], arguments[3], arguments[4], count - 5, arguments + 5);
+  if (strcmp(arguments[1], "3") == 0)
+    step3(arguments[2], arguments[3], arguments[4], count - 5, arguments + 5);
+  else
+    step2(arguments[2], arguments[3], arguments[4], count - 5, arguments + 5);
   return 0;
 }

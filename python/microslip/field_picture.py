@@ -42,7 +42,7 @@ def check_field(name):
     if name not in FIELDS:
         matches = difflib.get_close_matches(name, FIELDS, 1)
         hint = f"; did you mean '{matches[0]}'?" if matches else ""
-        raise ResultError(f"field '{name}' is unknown{hint}, known: {', '.join(FIELDS)}")
+        raise ResultError(f"field '{name}' is unknown, known: {', '.join(FIELDS)}{hint}")
 
 
 def has_field(result, contact, name):
