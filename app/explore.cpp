@@ -66,12 +66,14 @@ Json start_of(const std::vector<fs::path>& files) {
   return {{"files", profiles}};
 }
 
+/// By RFC 8089: file:///home/me/a.html, file:///C:/a.html.
 std::string file_address(const fs::path& file) {
-  std::string address = "file://";
-  for (const char letter : fs::absolute(file).generic_string()) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) ||
-                          std::string_view("/-._~").find(letter) != std::string_view::npos;
-    address += is_plain ? std::string(1, letter) : fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+  const std::u8string path = fs::absolute(file).generic_u8string();
+  std::string address = path.starts_with(u8'/') ? "file://" : "file:///";
+  for (const char8_t letter : path) {
+    const bool is_plain =
+        std::isalnum(letter) || std::string_view("/-._~:").find(static_cast<char>(letter)) != std::string_view::npos;
+    address += is_plain ? std::string(1, static_cast<char>(letter)) : fmt::format("%{:02X}", unsigned(letter));
   }
   return address;
 }
