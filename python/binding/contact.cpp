@@ -22,6 +22,12 @@ FrictionLaw friction_from(const py::object& friction) {
   }
 }
 
+double coulomb_coefficient_from(const py::object& friction) {
+  const FrictionLaw law = friction_from(friction);
+  if (law.kind() != FrictionLaw::Kind::coulomb) throw Error("friction: must be a coefficient or Coulomb's law here");
+  return law.kinetic_coefficient();
+}
+
 Creepage creepage_from(const py::object& creepage) {
   if (py::isinstance<Creepage>(creepage)) return creepage.cast<Creepage>();
   try {

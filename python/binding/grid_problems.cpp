@@ -275,9 +275,9 @@ void bind_patch(py::module_& module) {
           "The normal problem's NormalSolution.")
       .def(
           "solve",
-          [](Problem& self, double friction, const py::object& creepage, Force force_x, Force force_y,
+          [](Problem& self, const py::object& friction, const py::object& creepage, Force force_x, Force force_y,
              double rolling_speed, double tolerance) {
-            PatchRollingMotion motion{.friction = friction,
+            PatchRollingMotion motion{.friction = coulomb_coefficient_from(friction),
                                       .creepage = creepage_from(creepage),
                                       .force_x = force_x,
                                       .force_y = force_y,
@@ -291,7 +291,8 @@ void bind_patch(py::module_& module) {
           },
           "friction"_a, "creepage"_a, py::kw_only(), "force_x"_a = py::none(), "force_y"_a = py::none(),
           "rolling_speed"_a = 1.0, "tolerance"_a = 1e-6,
-          "friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,\n"
+          "friction mu [-] > 0, or Coulomb's FrictionLaw; creepages and spin [-], [-], [1/m] about the grid's origin; "
+          "force_x,\n"
           "force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the\n"
           "frictional power; tolerance of the relative residual [-]. Returns ContactSolution.");
 }

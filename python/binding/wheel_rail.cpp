@@ -2,6 +2,7 @@
 
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
+#include "binding/contact.hpp"
 #include "binding/damage.hpp"
 #include "binding/long_work.hpp"
 #include "binding/profile.hpp"
@@ -75,6 +76,7 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
     for (py::ssize_t k = 0; k < angles.size(); ++k) all.push_back({angles.data()[k], coefficients.data()[k]});
     return all;
   }
+  if (py::isinstance<FrictionLaw>(friction)) return {{0, coulomb_coefficient_from(friction)}};
   const RealArray number = real_array("friction", friction);
   if (number.size() != 1) throw Error("friction: must be a number or a pair of arrays, angles and coefficients");
   return {{0, *number.data()}};

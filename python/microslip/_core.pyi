@@ -1140,8 +1140,8 @@ class PatchRolling:
     @property
     def normal(self) -> NormalSolution:
         """The normal problem's NormalSolution."""
-    def solve(self, friction: float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, rolling_speed: float = 1.0, tolerance: float = 1e-06) -> ContactSolution:
-        """friction mu [-] > 0; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,
+    def solve(self, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, rolling_speed: float = 1.0, tolerance: float = 1e-06) -> ContactSolution:
+        """friction mu [-] > 0, or Coulomb's FrictionLaw; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,
         force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the
         frictional power; tolerance of the relative residual [-]. Returns ContactSolution."""
 
@@ -1732,7 +1732,7 @@ class WheelDimensions:
 
 class WheelRail:
     """A wheel on a rail by their profiles: finds the patches and solves them. May be used from many threads, one call at a time."""
-    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, side: Literal["left", "right"] = 'left', material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: FrictionLaw | float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
         """The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both
         bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays
         (angles [rad], coefficients) of surfaces that rise to the field side; theory "exact" with grid
@@ -2341,7 +2341,7 @@ class WheelsetGeometry:
 
 class WheelsetOnTrack:
     """Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling speed for a torque. May be used from many threads, one call at a time."""
-    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
+    def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: FrictionLaw | float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
         """The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with
         profiles of its own, given as those of a left one. tolerance [-] is that of forces and moments over the
         load. Error for values out of range and profiles that do not fit the track or the wheelset."""

@@ -47,6 +47,10 @@ class GridProblemsTest(unittest.TestCase):
         self.assertAlmostEqual(patch.forces.fx / exact.forces.fx, 1, delta=0.01)
         self.assertAlmostEqual((patch.fields.px * patch.fields.area).sum() / patch.forces.fx, 1, places=12)
         self.assertEqual(rolling.normal.pressure.shape, (24, 28))
+        law = rolling.solve(microslip.FrictionLaw.coulomb(0.3), (0.0018, 0.0006, 0.4))
+        self.assertEqual(law.forces.fx, patch.forces.fx)
+        with self.assertRaisesRegex(microslip.Error, "friction: must be a coefficient or Coulomb's law here"):
+            rolling.solve(microslip.FrictionLaw.linear(0.2, (0.1, 1.0)), (0.0018, 0, 0))
         given = rolling.solve(0.3, (0, 0, 0), force_x=-5e3)
         self.assertAlmostEqual(given.forces.fx / -5e3, 1, places=5)
 

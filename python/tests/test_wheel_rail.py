@@ -159,6 +159,9 @@ class WheelRailTest(unittest.TestCase):
     def test_friction_may_depend_on_the_inclination(self):
         plain = self.pair.solve(**STATE)
         self.assertEqual(wheel_rail(friction=([-1.0, 1.0], [0.3, 0.3])).solve(**STATE).force_x, plain.force_x)
+        self.assertEqual(wheel_rail(friction=microslip.FrictionLaw.coulomb(0.3)).solve(**STATE).force_x, plain.force_x)
+        with self.assertRaisesRegex(microslip.Error, "friction: must be a coefficient or Coulomb's law here"):
+            wheel_rail(friction=microslip.FrictionLaw.linear(0.2, (0.1, 1.0)))
         greased = wheel_rail(friction=([0.2, 0.4], [0.3, 0.05])).solve(**STATE)
         self.assertNotEqual(greased.force_x, plain.force_x)
 
