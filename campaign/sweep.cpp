@@ -231,14 +231,14 @@ template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepS
 
 /// One case that can be read, of some that are tried: a misspelt key is wrong in all, a value out of range may be so in
 /// one. Else the first one's Error.
-void read_some_case(std::size_t count, const std::function<void(std::size_t index)>& read) {
+void read_some_case(const SweepSpec& spec, const std::function<void(std::size_t index)>& read) {
   constexpr std::size_t some = 5;
   std::string first_error;
   for (std::size_t k = 0; k < some; ++k) {
     try {
-      return read(k * (count - 1) / (some - 1));
+      return read(k * (spec.count() - 1) / (some - 1));
     } catch (const Error& error) {
-      if (k == 0) first_error = error.what();
+      if (k == 0) first_error = spec.place(0) + error.what();
     }
   }
   throw Error(first_error);
@@ -250,7 +250,7 @@ template <class Kind> void Sweep::set_up(SweepSpec spec) {
   const auto tables = std::make_shared<const CreepTables>();
   TomlSection::KeyUnits units;
   try {
-    read_some_case(spec.count(), [&](std::size_t index) {
+    read_some_case(spec, [&](std::size_t index) {
       const toml::table written = spec.case_as_written(index);
       Kind::check(TomlSection(written, spec.base_name(), {}, &units), *tables);
     });
@@ -279,7 +279,7 @@ template <class Kind> void Sweep::set_up(SweepSpec spec) {
       return row.front() == code_of(Status::ok) ? "" : Kind::reason(solved);
     };
   };
-  read_some_case(spec_->count(), [&](std::size_t index) {
+  read_some_case(*spec_, [&](std::size_t index) {
     CaseTable<Kind> table(spec_);
     table.set(index);
     Kind::check(table.root(), *tables);

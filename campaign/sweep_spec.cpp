@@ -125,7 +125,7 @@ std::size_t usual_chunk(std::size_t count) {
                   (count + most_chunks - 1) / most_chunks);
 }
 
-/// Calls `add` with the fields of each line of a table that is not blank; its errors have file and line.
+/// Calls `add` with fields and number of each line of a table that is not blank; its errors have file and line.
 template <class Add> void visit_lines(std::string_view text, const std::string& file, const Add& add) {
   std::size_t number = 0;
   std::optional<CsvLine> line;
@@ -135,7 +135,7 @@ template <class Add> void visit_lines(std::string_view text, const std::string& 
     if (trimmed(next).empty()) continue;
     try {
       if (!line) line.emplace(csv_separator(next));
-      add(line->split(next));
+      add(line->split(next), number);
     } catch (const Error& error) {
       throw Error(file + ":" + std::to_string(number) + ": " + error.what());
     }
@@ -280,7 +280,8 @@ void SweepSpec::read_list(const TomlSection& list) {
   list.allow({"file"});
   const auto path = fs::path(name_).parent_path() / list.required_text("file");
   list.at("file", [&] { list_text_ = read_text(path); });
-  parse_rows(list_text_, path.string());
+  list_name_ = path.string();
+  parse_rows(list_text_, list_name_);
 }
 
 /// A table of cases: keys in the first line, with units where these follow in brackets, a case in each one that
@@ -294,7 +295,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   };
   std::vector<std::string> units;
   std::size_t rows = 0;
-  visit_lines(text, file, [&](const std::vector<std::string_view>& fields) {
+  visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     if (rows++ == 0) return read_headings(fields, units);
     if (fields.size() != parameters_.size())
       throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(parameters_.size()));
@@ -306,15 +307,29 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   if (count_ > most_cases) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
   std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .place = file + ": "});
   rows = 0;
-  visit_lines(text, file, [&](const std::vector<std::string_view>& fields) {
-    for (std::size_t k = 0; rows > 0 && k < fields.size(); ++k)
+  visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
+    for (std::size_t k = 0; rows > 0 && k < fields.size(); ++k) {
+      const std::string field = field_of(fields[k]);
+      const auto number = parse_number(field);
       if (parameters_[k].is_number)
-        columns[k].numbers.push_back(*parse_number(field_of(fields[k])));
+        columns[k].numbers.push_back(number.value());
+      else if (number && units[k].empty())
+        columns[k].list.push_back(*number);
       else
-        columns[k].list.push_back(units[k].empty() ? field_of(fields[k]) : field_of(fields[k]) + " " + units[k]);
+        columns[k].list.push_back(units[k].empty() ? field : field + " " + units[k]);
+    }
     ++rows;
   });
   for (Axis& column : columns) axes_.push_back(std::make_shared<Axis>(std::move(column)));
+}
+
+std::string SweepSpec::place(std::size_t index) const {
+  if (list_name_.empty()) return {};
+  std::size_t rows = 0, line = 0;
+  visit_lines(csv_start(list_text_, list_name_), list_name_, [&](const auto&, std::size_t number) {
+    if (rows++ == index + 1) line = number; // keys come first
+  });
+  return list_name_ + ":" + std::to_string(line) + ": ";
 }
 
 void SweepSpec::read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units) {
@@ -393,19 +408,19 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& 
   for (const std::string& key : parameter.keys)
     if (const auto other = units.find(key); other == units.end() || other->second != unit->second)
       throw Error(axis.place + parameter.name + ": keys of different units cannot take the same text with a unit");
-  const auto number = [&](const std::string& text) {
+  const auto number = [&](const std::string& text, std::size_t index) {
     try {
       return converter.number(parameter.name, text, unit->second);
     } catch (const Error& error) {
-      throw Error(axis.place + error.what());
+      throw Error((list_name_.empty() ? axis.place : place(index)) + error.what());
     }
   };
-  if (!axis.from_text.empty()) axis.from = number(std::exchange(axis.from_text, {}));
-  if (!axis.to_text.empty()) axis.to = number(std::exchange(axis.to_text, {}));
+  if (!axis.from_text.empty()) axis.from = number(std::exchange(axis.from_text, {}), 0);
+  if (!axis.to_text.empty()) axis.to = number(std::exchange(axis.to_text, {}), 0);
   axis.check_ends();
   for (std::size_t i = 0; i < axis.list.size(); ++i)
     if (const auto* text = axis.list.get_as<std::string>(i)) {
-      const double value = number(text->get());
+      const double value = number(text->get(), i);
       axis.list.replace(axis.list.cbegin() + static_cast<std::ptrdiff_t>(i), value);
     }
 }

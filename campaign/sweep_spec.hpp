@@ -65,6 +65,8 @@ public:
   CaseValue value(std::size_t index, std::size_t k) const;
   /// The same as text, for a parameter that is no number.
   std::string text_of(std::size_t index, std::size_t k) const;
+  /// Where a case of a list stands, "cases.csv:2: ", for messages; else empty. Reads the list anew.
+  std::string place(std::size_t index) const;
   /// Puts it into a case.
   void set(std::size_t index, std::size_t k, toml::table& table) const;
 
@@ -90,7 +92,8 @@ private:
   void convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units, Units& converter) const;
   [[noreturn]] void fail(const toml::source_region& place, const std::string& what) const;
 
-  std::string title_, text_, name_, base_name_, base_text_, list_text_;
+  std::string title_, text_, name_, base_name_, base_text_;
+  std::string list_name_, list_text_; ///< of the table of cases, if there is one
   toml::table base_;
   std::size_t count_ = 0, chunk_ = 1;
   std::vector<SweepParameter> parameters_;

@@ -161,6 +161,31 @@ TEST(SweepSpec, ListsHaveUnitsInTheirHeadings) {
   EXPECT_EQ(numbers(spec, 2), (std::vector<double>{7e-3, 8e-3}));
 }
 
+TEST(SweepSpec, ListsMayHaveTextsAmongNumbers) {
+  const TemporaryFolder folder;
+  save(folder / "l.csv", "a.a,c.c\n1.25,5 mm\n\nbad,0.5\n");
+  SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  EXPECT_EQ(spec.value(0, 0).node->value<double>(), 1.25);
+  EXPECT_EQ(spec.text_of(1, 0), "bad");
+  spec.convert_units({{"a.a", "m"}, {"c.c", "m"}});
+  EXPECT_EQ(spec.value(0, 1).node->value<double>(), 5e-3);
+  EXPECT_EQ(spec.value(1, 1).node->value<double>(), 0.5);
+}
+
+TEST(SweepSpec, WrongUnitsInListsHaveTheirLine) {
+  const TemporaryFolder folder;
+  save(folder / "l.csv", "a.a\n3 mm\n\n4 kN\n");
+  SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  EXPECT_EQ(spec.place(1), (folder / "l.csv").string() + ":4: ");
+  try {
+    spec.convert_units({{"a.a", "m"}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(spec.place(1) + "a.a = \"4 kN\" [m]: must be in"))
+        << error.what();
+  }
+}
+
 std::string sample(int count, int seed) {
   return "[sample]\ncount = " + std::to_string(count) + "\nseed = " + std::to_string(seed) +
          "\na.a = { from = 2, to = 4 }\na.b = { from = 2, to = 4 }\na.l = { from = 1, to = 100, scale = "
