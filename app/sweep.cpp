@@ -42,6 +42,9 @@ public:
   int run() {
     ranks_.agree([&] { require_other_file(arguments_.output, arguments_.spec); });
     ranks_.agree([&] { sweep_.emplace(read_case_text(arguments_.spec), arguments_.spec.string()); });
+    ranks_.agree([&] {
+      if (ranks_.is_first()) (void)find_sweep(*sweep_, arguments_.output); // before the checkpoint's folder is made
+    });
     const CampaignPlan plan = sweep_->plan();
     Campaign campaign(checkpoint_of(arguments_.output), plan, ranks_);
     if (!is_complete(campaign)) {

@@ -19,6 +19,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace microslip {
@@ -156,6 +157,7 @@ SweepSpec::SweepSpec(const std::string& text, const std::string& name) : text_(t
   if (root.has("grid")) read_grid(*table.get("grid")->as_table());
   if (root.has("sample")) read_sample(root, *table.get("sample")->as_table());
   if (root.has("list")) read_list(root.required_section("list"));
+  require_distinct_keys();
   read_chunk(root);
   const TomlSection output = root.optional_section("output");
   output.allow({"quantities", "patches"});
@@ -339,6 +341,14 @@ void SweepSpec::read_headings(const std::vector<std::string_view>& fields, std::
     parameters_.push_back({std::string(name), keys_of(std::string(name)), true});
     units.emplace_back(unit == "-" ? "" : unit);
   }
+}
+
+void SweepSpec::require_distinct_keys() const {
+  std::set<std::string_view> keys;
+  for (const SweepParameter& parameter : parameters_)
+    for (const std::string& key : parameter.keys)
+      if (!keys.insert(key).second)
+        throw Error((list_name_.empty() ? name_ : list_name_) + ": " + key + ": is varied twice");
 }
 
 void SweepSpec::read_chunk(const TomlSection& root) {

@@ -83,6 +83,7 @@ private:
   void read_list(const TomlSection& list);
   void parse_rows(std::string_view text, const std::string& file);
   void read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units);
+  void require_distinct_keys() const;
   void read_chunk(const TomlSection& root);
   std::vector<Entry> entries_of(const toml::table& section) const;
   void add(const Entry& entry, bool has_count);

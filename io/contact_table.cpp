@@ -202,6 +202,8 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
                          ? "; decimal commas need semicolons between fields"
                          : ""));
       parse_row(fields, rows);
+      if (std::string what = implausibility(rows.contacts.back()); !what.empty() && rows.implausible.count++ == 0)
+        rows.implausible.first = {line_number, std::move(what)};
     } catch (const Error& error) {
       rows.bad.push_back({line_number, error.what()});
       rows.text.resize(begin);

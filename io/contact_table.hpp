@@ -25,12 +25,19 @@ struct BadRow {
   std::string reason; ///< `column friction: "abc" is not a number`
 };
 
+/// Rows whose contacts are valid and yet hardly what is meant.
+struct ImplausibleRows {
+  std::size_t count = 0;
+  BadRow first;
+};
+
 /// Contacts of a table, with the text of their rows.
 struct ContactRows {
   std::vector<EllipticContact> contacts = {};
   std::string text = {};              ///< the rows' fields as they were, joined by commas, rows without separator
   std::vector<std::size_t> ends = {}; ///< where in `text` each row ends
   std::vector<BadRow> bad = {};
+  ImplausibleRows implausible = {};
 };
 
 /// Reads a table of contacts from CSV, a chunk at a time, in constant memory. The first line names the columns, in any

@@ -228,6 +228,7 @@ TEST(ProgramSweep, AnotherResultIsNotReplaced) {
     EXPECT_EQ(again.exit_code, 2);
     EXPECT_NE(again.errors.find("r.h5: is there already, and is no result of this sweep"), std::string::npos);
     EXPECT_EQ(contents(folder / "r.h5"), before);
+    EXPECT_EQ(folder.entries(), (std::vector<std::string>{"r.h5", "s.toml"})); // no checkpoint that nobody asks for
   };
   save(folder / "s.toml", grid(6));
   expect_refused();

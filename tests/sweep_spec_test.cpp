@@ -172,6 +172,21 @@ TEST(SweepSpec, ListsMayHaveTextsAmongNumbers) {
   EXPECT_EQ(spec.value(1, 1).node->value<double>(), 0.5);
 }
 
+TEST(SweepSpec, AKeyVariesOnce) {
+  const TemporaryFolder folder;
+  save(folder / "l.csv", "a.a,c.c,a.a\n1,2,3\n");
+  const auto expect_twice = [&](const std::string& text, const std::string& file) {
+    try {
+      SweepSpec(text, (folder / "s.toml").string());
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), (folder / file).string() + ": a.a: is varied twice");
+    }
+  };
+  expect_twice(std::string("[list]\nfile = \"l.csv\"\n") + inside, "l.csv");
+  expect_twice(std::string("[grid]\na.a = [1, 2]\n\"c.c, a.a\" = [3]\n") + inside, "s.toml");
+}
+
 TEST(SweepSpec, WrongUnitsInListsHaveTheirLine) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a\n3 mm\n\n4 kN\n");

@@ -5,6 +5,7 @@
 #include "microslip/friction/friction_law.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace microslip {
@@ -34,5 +35,9 @@ void check(const EllipticContact& contact); ///< throws Error
 /// The same for the simplified theory, which has no dissimilarity.
 bool is_valid_simplified(const EllipticContact& contact) noexcept;
 void check_simplified(const EllipticContact& contact);
+
+/// What makes a valid contact implausible, with its numbers and which inputs to check: a peak pressure beyond the shear
+/// modulus or below 1e-7 of it, as lengths in mm and moduli in MPa give; else empty.
+std::string implausibility(const EllipticContact& contact);
 
 } // namespace microslip
