@@ -79,6 +79,8 @@ std::string problem(int code, const std::vector<std::string>& messages) {
   const std::string remedy = "; install python3-h5py, python3-matplotlib and python3-numpy, or use --no-pictures";
   if (code < 0) return who + "cannot be started: " + std::generic_category().message(-code) + remedy;
   if (messages.empty()) return who + "ended with code " + std::to_string(code);
+  if (messages.back().find("No module named 'microslip") != std::string::npos)
+    return "pictures are missing: so is the folder of what draws them, " + python_folder().string();
   const bool lacks_module = messages.back().find("No module named") != std::string::npos;
   return who + "says \"" + messages.back() + "\"" + (lacks_module ? remedy : "");
 }

@@ -65,13 +65,16 @@ TableResult look_up(const RollingCase& input, const EllipticContact& contact) {
   return result;
 }
 
-CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, const Progress& progress) {
+/// In the case's steps, with creepages in place of forces that are given.
+CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, ExactMotion motion,
+                       const Progress& progress) {
+  motion.force_x = motion.force_y = std::nullopt;
   auto options = of_case;
   options.mx = std::min(options.mx, largest_curve_grid);
   options.my = std::min(options.my, largest_curve_grid);
   EllipticContactSolver solver(options);
   return creep_curve(contact, exact_curve_points,
-                     [&](const auto& moved) { return solver.solve(moved, {}, progress).forces(); });
+                     [&](const auto& moved) { return solver.solve(moved, motion, progress).forces(); });
 }
 
 /// dq: as given, or the elements' length.
@@ -127,7 +130,7 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   auto options = exact_options(input);
   if (result.limit) options.mx = options.my = result.limit->elements;
   if (extent == ExactExtent::full && input.motion.kind == ContactMotion::steady && ok)
-    result.curve = exact_curve(options, contact, part(progress, 0.9, 1));
+    result.curve = exact_curve(options, contact, input.motion, part(progress, 0.9, 1));
   go_on(progress, 1);
   return result;
 }

@@ -9,7 +9,9 @@ folder = pathlib.Path(__file__).parent
 project = "microslip"
 author = "the microslip authors"
 copyright = author  # noqa: A001 (Sphinx's name)
-release = re.search(r"VERSION (\d+\.\d+\.\d+)", (folder.parent / "CMakeLists.txt").read_text()).group(1)
+version, prerelease = re.search(r'VERSION (\d+\.\d+\.\d+).*?MICROSLIP_PRERELEASE "(.*?)"', (folder.parent / "CMakeLists.txt").read_text(),
+                                re.DOTALL).groups()
+release = f"{version}-{prerelease}" if prerelease else version
 
 sys.path.insert(0, str(folder / "making"))
 

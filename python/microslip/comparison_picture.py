@@ -11,7 +11,7 @@ from microslip.field_picture import SEQUENTIAL, field_values
 from microslip.picture_style import (BLACK, BLUE, THEORIES, VERMILION, bodies_of, new_figure, open_axes, put_title, quantity,
                                      shown, the, unit_for)
 from microslip.result_file import ResultError
-from microslip.solved_contacts import by_theory, rolls_backward
+from microslip.solved_contacts import by_theory, label_along_x
 
 TOTALS = (("fx", "$F_x$", "N"), ("fy", "$F_y$", "N"), ("mz", "$M_z$", "N m"), ("slip_area", "slip area", "mm²"),
           ("frictional_power", "frictional power", "W"))
@@ -47,7 +47,7 @@ def comparison_picture(first, second):
         axes.set_xlim(-half_x, half_x)
         axes.set_ylim(-half_y, half_y)
         axes.set_title(textwrap.fill(f"{key}: {results[key].attribute('title', 'rolling contact')}, {THEORIES[theories[key]]}", 55))
-        axes.set_xlabel(f"x [mm], rolling to the {'left' if rolls_backward(results[key]) else 'right'}")
+        axes.set_xlabel(label_along_x(results[key]))
     panels[0].set_ylabel("y [mm]")
     maps.colorbar(ScalarMappable(norm=scale, cmap=SEQUENTIAL), ax=panels, label=rf"size of the traction $|\mathbf{{p}}|$ [{unit}]",
                   shrink=0.9, pad=0.02)

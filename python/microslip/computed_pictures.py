@@ -12,7 +12,7 @@ import microslip
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading,
                                      new_figure, number, open_axes, put_title, shown, the, unit_for, with_unit)
 from microslip.result_file import ResultError
-from microslip.solved_contacts import read_contacts, rolls_backward
+from microslip.solved_contacts import label_along_x, read_contacts
 
 LINE_COLOURS = (BLUE, ORANGE, GREEN, VERMILION, SKY_BLUE, BLACK)
 CURVE_GRID, CURVE_CELLS = 16, 20  # elements and cells across: a picture needs no more
@@ -27,6 +27,8 @@ def case_of(result):
         raise ResultError(f"{result.path}: this picture needs steady rolling")
     if "/inputs/step" in result:
         raise ResultError(f"{result.path}: this picture needs rolling without motion.step")
+    if result.number("/inputs/friction_coefficient") == 0:
+        raise ResultError(f"{result.path}: this picture needs friction")
     return case
 
 
@@ -81,7 +83,13 @@ def convergence_picture(result):
     case = case_of(result)
     contact = contact_of(result, case)
     limit = contact.friction.static_coefficient * contact.normal_force
-    best = case.accurate_solver(1e-4).solve(contact)
+    try:
+        best = case.accurate_solver(1e-4).solve(contact)
+    except microslip.Error as error:
+        if "must be classical" not in str(error):
+            raise
+        raise ResultError(f"{result.path}: this picture compares second order with classical elements, and needs similar "
+                          "elastic bodies, Coulomb's law, no layer and no temperatures") from None
     figure = new_figure(7.2, 6)
     axes = figure.subplots()
     open_axes(axes)
@@ -176,7 +184,6 @@ def stresses_picture(result, contact, which, y):
     figure = new_figure(12, 2.2 + 4.4 * (0.8 * size / a if to_scale else 1), layout="compressed" if to_scale else "constrained")
     bodies = bodies_of(result)
     put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result))
-    backward = rolls_backward(result)
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
         axes.axhspan(-1e3 * depth[0], 1e3 * depth[0], facecolor="0.88", hatch="xxxx", edgecolor="0.75", linewidth=0)
         draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
@@ -186,7 +193,7 @@ def stresses_picture(result, contact, which, y):
                    for body, who in zip((1, 2), bodies)]
         axes.set_title("\n".join([text, "largest for all y: " + largest[0], largest[1]]))
         scale_text = "" if to_scale else "\n(not to the scale of z)"
-        axes.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}{scale_text}\n"
+        axes.set_xlabel(f"{label_along_x(result)}{scale_text}\n"
                         f"hatched: nearer to the surface than 3/4 of an element, {with_unit(depth[0], 'm')}, not resolved")
         axes.locator_params(axis="x", nbins=7)
     figure.axes[0].set_ylabel(f"z [mm]: {bodies[0]} above, {bodies[1]} below")

@@ -43,12 +43,15 @@ def creep_curve_picture(result, theories):
     mark_points(axes, result, theories, varied, scale)
     mark_limits(axes, limit, extremes, with_unit(limit / scale, "N"))
     axes.axhline(0, color=BLACK, linewidth=0.8)
+    if limit == 0:
+        axes.set_ylim(-1, 1)  # no friction, no force
     low, high = axes.get_ylim()
     axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))  # lines stand off the frame
     axes.set_xlabel(f"{title} [{unit}]")
     axes.set_ylabel(f"force on {the(bodies_of(result)[0])} [{force_unit}]")
-    relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
-    relative.set_ylabel(r"force / ($\mu F_n$) [-]")
+    if limit > 0:
+        relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
+        relative.set_ylabel(r"force / ($\mu F_n$) [-]")
     put_title(figure, heading("Creep curve", result, theories))
     who = " and ".join(THEORIES[theory] for theory in theories)
     axes.set_title(f"{who}, held: {held_creepages(result, varied)}")
@@ -79,6 +82,8 @@ def mark_points(axes, result, theories, varied, scale):
 def mark_limits(axes, limit, extremes, text):
     """Dashed lines at the Coulomb limit, on the sides where the forces come near it."""
     label = rf"$\pm\mu F_n$ = {text}"
+    if limit == 0:
+        return
     for side in (-limit, limit):
         if max(extreme / side for extreme in extremes) > 0.5:
             axes.axhline(side, color=GREY, linestyle="--", linewidth=1.5, label=label)

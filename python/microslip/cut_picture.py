@@ -6,7 +6,7 @@ from microslip.contact_cells import ADHESION, SLIP
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, bodies_of, heading, new_figure,
                                      label_of, number, open_axes, put_title, the)
 from microslip.result_file import ResultError
-from microslip.solved_contacts import rolls_backward
+from microslip.solved_contacts import label_along_x, slip_unit
 
 
 def cut_picture(result, contacts, y=0.0):
@@ -20,7 +20,6 @@ def cut_picture(result, contacts, y=0.0):
     figure = new_figure(5.4 * len(cells), 5.6)
     put_title(figure, heading("Cut along x", result, cells))
     panels = figure.subplots(2, len(cells), sharex=True, sharey="row", squeeze=False, height_ratios=(1.5, 1))
-    backward = rolls_backward(result)
     for column, (key, grid) in enumerate(cells.items()):
         row = nearest_row(grid, y)
         above, below = panels[:, column]
@@ -30,9 +29,9 @@ def cut_picture(result, contacts, y=0.0):
             open_axes(axes)
             shade(axes, grid, row)
         above.set_title(f"{label_of(key)}, y = {number(grid.row_y[row])} mm")
-        below.set_xlabel(f"x [mm], rolling to the {'left' if backward else 'right'}")
+        below.set_xlabel(label_along_x(result))
     panels[0, 0].set_ylabel(f"traction on {the(bodies_of(result)[0])} [MPa]")
-    panels[1, 0].set_ylabel(rf"slip of {the(bodies_of(result)[0])} [$10^{{-3}}$]")
+    panels[1, 0].set_ylabel(f"slip of {the(bodies_of(result)[0])} [{slip_unit(result)[0]}]")
     for axes in panels[:, -1]:
         axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     return figure

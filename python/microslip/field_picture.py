@@ -12,7 +12,7 @@ from microslip.contact_cells import MOST_CELLS
 from microslip.picture_style import bodies_of, heading, label_of, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
-from microslip.solved_contacts import rolls_backward
+from microslip.solved_contacts import is_shift, rolls_backward
 
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # A sign that is smaller than this share of the other does not count.
@@ -56,6 +56,8 @@ def field_values(result, contact, name):
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
     arrays = result.arrays(paths, dimensions=2, strides=strides)
     if name == "power":
+        if is_shift(result):
+            raise ResultError(f"{result.path}: a shift takes no time and has no frictional power")
         px, py, sx, sy = arrays
         return -contact.speed * (px * sx + py * sy)
     return arrays[0] if len(arrays) == 1 else np.hypot(*arrays)
@@ -75,6 +77,8 @@ class FieldOfContacts:
         self.cells = {key: contacts[key].cells for key in values}
         inside = np.concatenate([value[self.cells[key].inside] for key, value in values.items()])
         low, high = (min(inside.min(initial=0), 0), max(inside.max(initial=0), 0))
+        if unit == "-" and is_shift(result):
+            unit = "m"  # of slip
         factor, self.unit = (1e3, "$10^{-3}$") if unit == "-" else unit_for(max(high, -low), unit)
         self.values = {key: factor * value for key, value in values.items()}
         self.colours, self.scale = colours_of(factor * low, factor * high)
@@ -114,7 +118,7 @@ def field_surface(result, contacts, name):
     field = FieldOfContacts(result, contacts, name)
     figure = new_figure(6.2 * len(field.values) + 1, 6.0)
     put_title(figure, heading(field.heading(), result, field.cells))
-    backward = rolls_backward(result)
+    along_x = "x [mm]" if is_shift(result) else f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x"
     panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
     surfaces = {key: field.cells[key].surface(value, field.vanishes) for key, value in field.values.items()}
     heights = [height for meshes in surfaces.values() for *_, height in meshes]
@@ -131,7 +135,7 @@ def field_surface(result, contacts, name):
         axes.set_xlim(left, right)
         axes.set_ylim(front, back)
         axes.set_zlim(low, high if high > low else low + 1)
-        axes.set_xlabel(f"x [mm], rolling {'against' if backward else 'along'} x", labelpad=8)
+        axes.set_xlabel(along_x, labelpad=8)
         axes.set_ylabel("y [mm]", labelpad=8)
         axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
                             else (1, 1, 0.7), zoom=0.8)

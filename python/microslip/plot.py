@@ -186,7 +186,10 @@ def draw(path, folder, chosen):
 
 def save_all(drawn, folder, metadata):
     """Writes pictures into a folder and prints their paths."""
-    os.makedirs(folder, exist_ok=True)
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except FileExistsError:
+        raise ResultError(f"{folder}: is a file, no folder for pictures") from None
     with matplotlib.rc_context(SETTINGS):
         for name, figure in drawn.items():
             target = os.path.join(folder, name)
@@ -196,7 +199,10 @@ def save_all(drawn, folder, metadata):
 
 def numbers(text):
     """Numbers between commas."""
-    return [float(part) for part in text.split(",")]
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        raise ResultError(f"spins '{text}': must be numbers between commas, e.g. 0,0.2,0.4") from None
 
 
 def parse(arguments):
@@ -235,8 +241,8 @@ def choice(options):
 
 def main(arguments=None):
     """The command line; returns the exit code: 0, or 2 for a file that cannot be drawn."""
-    options = parse(arguments)
     try:
+        options = parse(arguments)
         draw(options.result, options.output or os.path.dirname(options.result) or ".", choice(options))
     except (ResultError, OSError) as error:
         print(f"microslip.plot: {error}", file=sys.stderr)

@@ -14,7 +14,7 @@ from microslip.interior_picture import interior_picture, interior_points
 from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
                                      quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
-from microslip.solved_contacts import rolls_backward
+from microslip.solved_contacts import is_shift, rolls_backward, slip_unit
 
 # The light part of a map of one hue: black arrows stand out on all of it.
 BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
@@ -67,7 +67,7 @@ def areas_picture(result, cells):
         grid.draw_areas(axes)
         grid.draw_boundary(axes)
         draw_arrows(axes, cells, grid, (grid.sx, grid.sy), grid.sample() & (grid.state == SLIP), longest,
-                    lambda size: rf"slip {number(size)}$\,\cdot\,10^{{-3}}$")
+                    lambda size: f"slip {number(size)}{slip_unit(result)[1]}")
         axes.set_title(THEORIES[theory])
         axes.legend(handles=area_patches(result, theory), loc="lower right")
     return figure
@@ -94,14 +94,14 @@ def contact_panels(result, cells, what):
     figure = new_figure(width * len(cells) + 1.7, height + 1.5, layout="compressed")
     put_title(figure, heading(what, result, cells))
     panels = figure.subplots(1, len(cells), sharey=True, squeeze=False)[0]
-    backward = rolls_backward(result)
     for axes, one in zip(panels, cells.values()):
         axes.set_xlim(-half_x, half_x)
         axes.set_ylim(-half_y, half_y)
         axes.set_aspect("equal" if true_to_scale else "auto")
         axes.set_xlabel("x [mm]" if true_to_scale else "x [mm] (not to the scale of y)")
         one.draw_outline(axes)
-        rolling_arrow(axes, backward)
+        if not is_shift(result):
+            rolling_arrow(axes, rolls_backward(result))
     panels[0].set_ylabel("y [mm]")
     return figure, panels
 

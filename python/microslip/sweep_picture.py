@@ -16,8 +16,8 @@ MOST_LINES = 12
 
 
 def sweep_pictures(result):
-    """One panel for each force: of a grid lines over its last parameter, one for each combination of the others; of a list
-    or a sample points over its first parameter."""
+    """One panel for each force: of a grid lines over the parameter with most numbers, one for each combination of the
+    others; of a list or a sample points over its first parameter."""
     forces = ([name for name in FORCES if name in result] or result.numbers_of(("contact", "wheel", "wheelset", "left", "right")))[:3]
     if not forces:
         raise ResultError(f"{result.path}: has no quantities")
@@ -49,12 +49,13 @@ def is_logarithmic(values):
 
 
 def draw_grid(axes, result, names, force):
-    """Lines; of very many combinations some, evenly chosen. Returns the parameter along the axis."""
+    """Lines; of very many combinations some, evenly chosen, as the title says. Returns the parameter along the axis."""
     shape = result.array("shape")
-    name = next((one for one in reversed(names) if result.is_number(f"parameters/{one}") and shape[names.index(one)] > 1), None)
-    if name is None:
+    numbers = [place for place, one in enumerate(names) if result.is_number(f"parameters/{one}") and shape[place] > 1]
+    if not numbers:
         raise ResultError(f"{result.path}: no parameter of the grid has two numbers")
-    along = names.index(name)
+    along = max(numbers, key=lambda place: (shape[place], place))  # of equals the last, which varies fastest
+    name = names[along]
     force = np.moveaxis(force.reshape(shape), along, -1).reshape(-1, shape[along])
     at = np.moveaxis(np.arange(force.size).reshape(shape), along, -1).reshape(-1, shape[along])  # numbers of the cases
     x = scale_of(result, name)[0] * result.array(f"parameters/{name}")[at[0]]
@@ -63,6 +64,8 @@ def draw_grid(axes, result, names, force):
         label = ", ".join(f"{one} = {parameter_text(result, one, at[line, 0])}" for place, one in enumerate(names)
                           if one != name and shape[place] > 1)
         axes.plot(x, force[line], color=COLOURS[count % len(COLOURS)], linestyle="-" if count < len(COLOURS) else "--", label=label)
+    if len(lines) < len(force):
+        axes.set_title(f"{len(lines)} of {len(force)} combinations", fontsize=9)
     if is_logarithmic(x):
         axes.set_xscale("log")
     return name

@@ -6,6 +6,7 @@ import unittest
 from importlib.util import find_spec
 from pathlib import Path
 
+import matplotlib.text
 import numpy as np
 
 import microslip
@@ -87,6 +88,34 @@ class EveryFileTest(unittest.TestCase):
         text = HERTZ + 'kind = "transient"\nsteps = 4\n' + INTERIOR.split("[interior]")[0]
         self.run_program("solve", self.text("a.toml", text), "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "tractions.png", "areas.png", "history.png")
+
+    def test_a_shift_has_no_direction_of_rolling_and_slips_by_lengths(self):
+        text = HERTZ.replace("creepage_longitudinal = 0.001", 'kind = "shift"\nshift_longitudinal = 1e-6').replace("rolling_speed = 1.0\n", "") + INTERIOR.split("[interior]")[0]
+        self.run_program("solve", self.text("a.toml", text), "-o", "a", "--no-pictures")
+        self.expect("a/result.h5", "tractions.png", "areas.png")
+        path = self.folder / "a/result.h5"
+        texts = [text.get_text() for figure in {**plot.figures(path), **plot.figures(path, cut=0.0, surfaces=["traction"])}.values()
+                 for text in figure.findobj(matplotlib.text.Text)]
+        self.assertIn("x [mm]", texts)
+        self.assertEqual([text for text in texts if "rolling" in text and "contact" not in text], [])
+        self.assertIn("slip of the upper roller [mm]", texts)
+        scale = plot.figures(path, fields=["slip"])["field_slip.png"].axes[-1].get_ylabel()
+        self.assertRegex(scale, r"\[[mµn]m\]$")
+        self.refused(path, "a shift takes no time", fields=["power"])
+
+    def test_a_contact_without_friction(self):
+        text = HERTZ.replace("coefficient = 0.3", "coefficient = 0") + INTERIOR.split("[interior]")[0]
+        self.run_program("solve", self.text("a.toml", text), "-o", "a", "--no-pictures")
+        self.expect("a/result.h5", "tractions.png", "areas.png", "creep_curve.png")
+        self.refused(self.folder / "a/result.h5", "needs friction", convergence=True)
+
+    def test_the_case_lies_on_its_own_curve(self):
+        text = HERTZ + 'step = "2e-4 m"\n' + INTERIOR.split("[interior]")[0] + 'discretisation = "classical"\n'
+        self.run_program("solve", self.text("a.toml", text), "-o", "a", "--no-pictures")
+        with ResultFile(self.folder / "a/result.h5") as result:
+            value, fx = result.arrays(["/creep_curve/exact/value", "/creep_curve/exact/fx"])
+            between = np.interp(0.001, value, fx)
+            self.assertAlmostEqual(between / result.number("/exact/fx"), 1, delta=0.01)
 
     def test_bodies_that_lean(self):
         text = HERTZ.replace("[body2]", "creep_ratio = 2.0\ncreep_time = 5e-4\n[body2]", 1)
@@ -184,6 +213,17 @@ class EveryFileTest(unittest.TestCase):
         axes = plot.figures(self.folder / "a.h5")["sweep.png"].axes[0]
         self.assertEqual(axes.get_xlabel(), "load.normal_force [kN]")
         np.testing.assert_allclose(axes.lines[0].get_xdata(), [1, 2])
+
+    def test_grids_are_drawn_over_the_parameter_with_most_numbers(self):
+        case = SWEEP.format(quantities='["fx"]') + HERTZ.split("\n", 1)[1].replace("[", "[case.")
+        varied = ("load.normal_force = { from = 1e3, to = 2e3, count = 16 }\nmotion.spin = { from = 0, to = 2, count = 15 }\n"
+                  "body1.poisson_ratio = [0.2, 0.3]")
+        case = case.replace("motion.creepage_longitudinal = [1e-4, 1e-3, 2e-3]", varied)
+        self.run_program("sweep", self.text("a.toml", case), "-o", "a.h5")
+        axes = plot.figures(self.folder / "a.h5")["sweep.png"].axes[0]
+        self.assertEqual(axes.get_xlabel(), "load.normal_force [kN]")
+        self.assertEqual(axes.get_title(), "12 of 30 combinations")
+        self.assertEqual([len(line.get_xdata()) for line in axes.lines], [16] * 12)
 
     def test_profiles_and_conicity(self):
         self.run_program("profile", EXAMPLES / "profiles/s1002.prw", "-o", "a", "--no-pictures")
