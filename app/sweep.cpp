@@ -111,7 +111,7 @@ private:
   }
 
   void print_summary() const {
-    fmt::print("{} cases", count_.cases);
+    fmt::print("{} {}", count_.cases, count_.cases == 1 ? "case" : "cases");
     if (kept_ == count_.cases)
       fmt::print(", all of them computed before");
     else if (kept_ > 0)

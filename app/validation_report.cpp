@@ -31,7 +31,7 @@ th, td { text-align: left; vertical-align: top; padding: .15rem .6rem .15rem 0; 
 thead th { border-bottom: 1px solid #6b757c; }
 tr.section th { padding-top: .7rem; font-weight: 600; border: 0; }
 td.number { font-variant-numeric: tabular-nums; }
-td.met, td.not, th[scope=row] { white-space: nowrap; }
+td.number, td.met, td.not, th[scope=row] { white-space: nowrap; }
 .met { color: #00613f; } .not { color: #a63d00; font-weight: 700; } .shown { color: #565f65; }
 img { max-width: 100%; height: auto; margin: .5rem 0; }
 pre { overflow-x: auto; font-size: .8rem; background: #f5f6f6; padding: .6rem; }

@@ -252,6 +252,12 @@ RollingCase read_case(const TomlSection& root, const CreepTables& tables) {
       throw Error("sweep: two bodies have none in their case file; `microslip sweep SPEC.toml` varies what such a file "
                   "has, examples/creep_sweep.toml shows how");
     });
+  for (const std::string_view of_rails : {"track", "rail", "wheel"})
+    if (root.has(of_rails))
+      root.at(of_rails, [&] {
+        throw Error(std::string(of_rails) +
+                    ": this is a case of a wheel on a rail; one of two bodies has body1 and body2");
+      });
   root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
   RollingCase input;
   input.title = root.text("title", "");

@@ -61,7 +61,10 @@ struct Choice {
   std::vector<std::string_view> known() const {
     return {units.begin(), std::find(units.begin(), units.end(), std::string_view())};
   }
-  std::string sentence() const { return "must be in " + listed(known()) + ", e.g. \"" + std::string(example) + "\""; }
+  std::string sentence() const {
+    return "must be in " + listed(known()) + ", e.g. \"" + std::string(example) +
+           (unit == "-" ? "\", or a number" : "\"");
+  }
 };
 
 constexpr Choice choices[] = {

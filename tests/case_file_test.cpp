@@ -55,6 +55,11 @@ std::string message_of(const std::string& text) {
   return "no error";
 }
 
+TEST(CaseFile, SaysOfACaseOfAWheelOnARailWhatItIs) {
+  EXPECT_EQ(message_of("title = \"t\"\n\n[rail]\nprofile = \"a.prr\"\n"),
+            "w.toml:3: rail: this is a case of a wheel on a rail; one of two bodies has body1 and body2");
+}
+
 TEST(CaseFile, ReadsTheShortestCase) {
   const auto input = parse_case(good, "w.toml");
   EXPECT_EQ(input.title, "t");

@@ -194,7 +194,7 @@ TEST(ProgramSweep, OfOneCase) {
   save(folder / "s.toml", "[grid]\nload.normal_force = [80e3]\n" + two_bodies);
   const auto outcome = run_program(folder, "sweep s.toml -o r.h5");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_EQ(outcome.output, "1 cases\nr.h5\n");
+  EXPECT_EQ(outcome.output, "1 case\nr.h5\n");
   EXPECT_EQ(doubles(Hdf5Reader(folder / "r.h5"), "contact/fx").size(), 1u);
 }
 

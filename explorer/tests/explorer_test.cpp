@@ -232,7 +232,7 @@ TEST_F(ExplorerTest, CreepCurvesPassThroughTheContact) {
 /// solution has.
 TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
   std::string text = replaced(starting_case(), "creepage_longitudinal = 0.0015", "force_longitudinal = -12e3");
-  text = replaced(replaced(text, "creepage_lateral = 0.0005", "spin = 0.0"), "transverse_radius = 0.300",
+  text = replaced(replaced(text, "creepage_lateral = 0.0005", "spin = 0.0"), "transverse_radius = \"300 mm\"",
                   "transverse_radius = inf");
   text = replaced(replaced(text, "transverse_radius = inf", "transverse_radius = 0.460"), "steps = 60", "steps = 80");
   const Json found = result({{"call", "transient"}, {"case", text}});
