@@ -4,6 +4,7 @@
 #include "cases/rolling_contact_result.hpp"
 #include "io/case_file.hpp"
 #include "microslip/error.hpp"
+#include "microslip/rolling/contact_warnings.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -96,7 +97,9 @@ void print_document(const HertzArguments& arguments, const HertzResult& result,
 
 void hertz(const HertzArguments& arguments) {
   const auto result = solve(arguments);
-  const auto warnings = implausibilities(result.contact, principal_radii(result.body1, result.body2));
+  const auto warnings = contact_warnings(result.contact, principal_radii(result.body1, result.body2),
+                                         combine(result.body1.material, result.body2.material))
+                            .texts;
   print_warnings(arguments.case_file.empty() ? "hertz" : arguments.case_file.string(), warnings);
   if (arguments.json) return print_document(arguments, result, warnings);
   const auto& contact = result.contact;

@@ -2,6 +2,7 @@
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
+#include "app/hertz.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/progress_bar.hpp"
@@ -57,6 +58,7 @@ public:
           may_go_on);
     }
     if (!ranks_.is_first()) return ExitCode::done;
+    print_warnings(arguments_.output.string(), count_.warnings);
     arguments_.json ? print_document() : print_summary();
     return count_.failed == 0 ? ExitCode::done : ExitCode::not_met;
   }
@@ -128,6 +130,7 @@ private:
     document["cases"] = count_.cases;
     document["cases_from_checkpoint"] = kept_;
     document["cases_failed"] = count_.failed;
+    document["warnings"] = count_.warnings;
     document["files"] = {arguments_.output.string()};
     print_json(document);
   }

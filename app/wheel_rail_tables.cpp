@@ -64,6 +64,7 @@ constexpr PrintedQuantity printed_of_patch[] = {
     {"rolling_radius", "rolling radius", "m"},
     {"angle", "contact angle", "deg", degrees},
     {"turn", "turn of the rail's surface", "deg", degrees},
+    {"conformity", "curved 0, conformal 1", "-"},
     {"approach", "approach", "m"},
     {"creepage_longitudinal", "longitudinal creepage", "-"},
     {"creepage_lateral", "lateral creepage", "-"},
@@ -97,7 +98,8 @@ std::string description_of(const WheelRailSetting& input, std::string_view what)
   const bool is_exact = input.method.level == WheelRailLevel::exact;
   const std::string theory = is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements)
                                       : std::string(to_word(input.method.level));
-  return fmt::format("{}, {}, {} patches", what, theory, to_word(input.method.patch_shape()));
+  const auto shape = input.method.shape ? fmt::format("{} patches", to_word(*input.method.shape)) : "true surfaces";
+  return fmt::format("{}, {}, {}", what, theory, shape);
 }
 std::string description_of(const WheelRailCase& input) {
   return description_of(input, fmt::format("{} wheel", to_word(input.side)));

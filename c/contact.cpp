@@ -2,6 +2,7 @@
 
 #include "c/guarded_call.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/rolling/contact_warnings.hpp"
 
 #include <limits>
 #include <string>
@@ -158,7 +159,9 @@ microslip_code microslip_hertz_warnings(const microslip_bodies* bodies, const mi
     contact.b = h.b;
     contact.approach = h.approach;
     std::string lines;
-    for (const std::string& warning : implausibilities(contact, radii)) lines += warning + "\n";
+    contact.peak_pressure = h.peak_pressure;
+    const CombinedMaterial material{h.shear_modulus, h.poisson_ratio, h.dissimilarity};
+    for (const std::string& warning : contact_warnings(contact, radii, material).texts) lines += warning + "\n";
     *text = text_copy(lines);
   });
 }

@@ -78,7 +78,8 @@ static_assert(code_of(Status::ok) == MICROSLIP_OK && code_of(Status::invalid_inp
               code_of(Status::not_converged) == MICROSLIP_NOT_CONVERGED &&
               code_of(Status::no_contact) == MICROSLIP_NO_CONTACT &&
               code_of(Status::no_solution) == MICROSLIP_NO_SOLUTION &&
-              code_of(Status::out_of_range) == MICROSLIP_OUT_OF_RANGE);
+              code_of(Status::out_of_range) == MICROSLIP_OUT_OF_RANGE &&
+              code_of(Status::implausible) == MICROSLIP_IMPLAUSIBLE);
 
 /// An enumerator from the number that stands for it, of `count` that begin with 0.
 template <class Choice> Choice choice(std::string_view field, int value, int count) {

@@ -66,6 +66,7 @@ constexpr PatchMember patch_members[] = {&microslip_wheel_patch::place_x,
                                          &microslip_wheel_patch::wheel_y,
                                          &microslip_wheel_patch::rolling_radius,
                                          &microslip_wheel_patch::turn,
+                                         &microslip_wheel_patch::conformity,
                                          &microslip_wheel_patch::approach,
                                          &microslip_wheel_patch::rolling_speed,
                                          &microslip_wheel_patch::creepage_longitudinal,
@@ -113,7 +114,8 @@ void store(const WheelRailSolution& from, microslip_wheel_forces& to) noexcept {
         .y_over_q = from.y_over_q.value_or(not_given),
         .nadal_limit = from.nadal_limit.value_or(not_given),
         .iterations = from.iterations,
-        .at_profile_end = from.at_profile_end ? 1 : 0,
+        .at_profile_end = from.warnings.has(Warning::profile_end) ? 1 : 0,
+        .warning_code = static_cast<int>(from.warnings.code),
         .status = code_of(from.status),
         .patch_count = static_cast<int>(std::min<std::size_t>(from.patches.size(), MICROSLIP_WHEEL_PATCHES)),
         .patches = {}};
@@ -216,6 +218,11 @@ microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size
     store(wheel_rail->solution, forces[k]);
     return forces[k].status;
   });
+}
+
+const char* microslip_warning(int k) {
+  return k >= 0 && k < static_cast<int>(warning_count) ? warning_table()[static_cast<std::size_t>(k)].text.data()
+                                                        : nullptr;
 }
 
 microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,

@@ -29,6 +29,12 @@ double code_of(Status status) {
   return static_cast<double>(status);
 }
 
+/// The second column of each kind.
+template <class Solved, class Value> Column<Solved> warning_column(const std::string& group, const Value& value) {
+  return {{group + std::string(warning_name), "-", warning_codes},
+          [value](const Solved& s) { return static_cast<double>(value(s).code); }};
+}
+
 // A kind of cases: what it finds, its columns, which keys need a new solver, and how it is read and solved. `root` is
 // the case's file; `tables` are those of all cases and workers; `is_new` says that one of those keys has changed since
 // the last call.
@@ -39,13 +45,15 @@ public:
   struct Solved {
     HertzContact hertz;
     ContactSolution contact;
+    Warnings warnings;
   };
 
   static Columns<Solved> columns(const SweepSpec& spec) {
     const bool is_shift =
         spec.base().at_path("motion.kind").value_or(std::string_view()) == to_word(ContactMotion::shift);
     Columns<Solved> all = {
-        {{"contact/status", "-", status_codes}, [](const Solved& s) { return code_of(s.contact.report.status); }}};
+        {{"contact/status", "-", status_codes}, [](const Solved& s) { return code_of(s.contact.report.status); }},
+        warning_column<Solved>("contact/", [](const Solved& s) { return s.warnings; })};
     const auto hertz = hertz_quantities({});
     for (std::size_t k = 0; k < hertz.size(); ++k)
       if (hertz[k].path.starts_with("hertz/"))
@@ -64,7 +72,9 @@ public:
   /// others.
   static Solved solve(const TomlSection& root, const CreepTables& tables, bool, const Progress& progress) {
     const RollingCase input = read_case(root, tables);
-    return {hertz_contact(input), Solver(solver_method(input)).solve(rolling_problem(input), progress)};
+    const HertzContact hertz = hertz_contact(input);
+    return {hertz, Solver(solver_method(input)).solve(rolling_problem(input), progress),
+            case_warnings(input, hertz).all};
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
 };
@@ -74,6 +84,7 @@ template <class Solved, class Wheel>
 void add_wheel(Columns<Solved>& all, const std::string& group, int patches, const Wheel& wheel) {
   all.push_back(
       {{group + "wheel/status", "-", status_codes}, [=](const Solved& s) { return code_of(wheel(s).status); }});
+  all.push_back(warning_column<Solved>(group + "wheel/", [=](const Solved& s) { return wheel(s).warnings; }));
   for (const WheelQuantity& q : wheel_quantities())
     all.push_back({{group + "wheel/" + std::string(q.name), std::string(q.unit), std::string(q.description)},
                    [=, &q](const Solved& s) { return q.value(wheel(s)); }});
@@ -132,7 +143,7 @@ public:
     const LoadedWheelState& s = cases_.state(root, tables, is_new, read_wheel_rail_case);
     return cases_.solver().solve(s.state, s.vertical_force);
   }
-  static std::string reason(const Solved& solved) { return wheel_reason(solved.status); }
+  static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
 
 private:
   RailwayCases<WheelRailCase, WheelRail> cases_;
@@ -144,7 +155,8 @@ public:
   using Solved = WheelsetSolution;
 
   static Columns<Solved> columns(const SweepSpec& spec) {
-    Columns<Solved> all = {{{"wheelset/status", "-", status_codes}, [](const Solved& s) { return code_of(s.status); }}};
+    Columns<Solved> all = {{{"wheelset/status", "-", status_codes}, [](const Solved& s) { return code_of(s.status); }},
+                           warning_column<Solved>("wheelset/", [](const Solved& s) { return s.warnings; })};
     for (const WheelsetQuantity& q : wheelset_quantities())
       all.push_back({{"wheelset/" + std::string(q.name), std::string(q.unit), std::string(q.description)},
                      [&q](const Solved& s) { return q.value(s); }});
@@ -168,7 +180,7 @@ public:
     const LoadedWheelsetState& s = cases_.state(root, tables, is_new, read_wheelset_case);
     return cases_.solver().solve(s.state, s.load);
   }
-  static std::string reason(const Solved& solved) { return wheelset_reason(solved.status); }
+  static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
 
 private:
   RailwayCases<WheelsetCase, WheelsetOnTrack> cases_;
@@ -209,7 +221,7 @@ std::string_view last_name(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
 
-/// Those that the file asks for; the status is always kept.
+/// Those that the file asks for; status and warnings are always kept.
 template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepSpec& spec) {
   const auto& wanted = spec.quantities();
   if (wanted.empty()) return all;
@@ -222,8 +234,8 @@ template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepS
     for (const auto& column : all) names.push_back(last_name(column.of_file.path));
     throw Error(spec.name() + ": output.quantities: " + printable(name) + " is no quantity" + suggestion(name, names));
   }
-  Columns<Solved> some = {all.front()};
-  for (std::size_t k = 1; k < all.size(); ++k)
+  Columns<Solved> some = {all[0], all[1]};
+  for (std::size_t k = some.size(); k < all.size(); ++k)
     if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& name) { return is_named(all[k], name); }))
       some.push_back(all[k]);
   return some;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace microslip {
@@ -15,7 +16,11 @@ struct SweepColumn {
   std::string path, unit, description;
 };
 
-/// The cases of a specification as rows of a campaign. The first number of a row is the status, by its place in Status.
+/// The last part of the path of a sweep's second column.
+inline constexpr std::string_view warning_name = "warning_code";
+
+/// The cases of a specification as rows of a campaign. The first number of a row is the status, by its place in Status,
+/// the second one the code of its Warnings.
 class Sweep {
 public:
   /// Reads a specification and the files it names. Throws Error as SweepSpec, or if none of some of its cases can be

@@ -2,12 +2,15 @@
 
 #include "io/result_attribute.hpp"
 #include "io/result_file.hpp"
+#include "microslip/contact/warnings.hpp"
 #include "microslip/error.hpp"
 #include "microslip/status.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -75,6 +78,7 @@ public:
 
   void add(const CampaignRows& rows) {
     for (std::size_t k = 0; k < rows.values.size(); ++k) columns_[k % columns_.size()].add(rows.values[k]);
+    for (std::size_t k = 1; k < rows.values.size(); k += columns_.size()) count_warnings(rows.values[k]);
     end_ += rows.values.size() / columns_.size();
     for (const auto& [index, reason] : rows.failed) {
       failed_.push_back(static_cast<int>(index));
@@ -92,10 +96,25 @@ public:
     std::string names;
     for (const SweepParameter& p : spec_.parameters()) names.append(names.empty() ? "" : "\n").append(p.name);
     file_.attribute("/", "parameters", names);
-    return {end_, failures_};
+    return {end_, failures_, warnings()};
   }
 
 private:
+  void count_warnings(double code) {
+    if (std::isnan(code)) return;
+    const Warnings warnings{static_cast<std::uint32_t>(code)};
+    for (const WarningInfo& one : warning_table())
+      warned_[static_cast<std::size_t>(one.warning)] += warnings.has(one.warning);
+  }
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> lines;
+    for (const WarningInfo& one : warning_table())
+      if (const std::size_t cases = warned_[static_cast<std::size_t>(one.warning)]; cases > 0)
+        lines.push_back(std::string(one.text) + " (" + std::to_string(cases) + " of " + std::to_string(end_) +
+                        " cases)");
+    return lines;
+  }
+
   void flush() {
     write_parameters();
     for (ColumnWriter& column : columns_) column.flush();
@@ -132,6 +151,7 @@ private:
   ResultFile& file_;
   std::vector<ColumnWriter> columns_;
   std::size_t begin_ = 0, end_ = 0, failures_ = 0;
+  std::array<std::size_t, warning_count> warned_{};
   std::vector<int> failed_;
   std::vector<std::string> reasons_;
 };
@@ -155,6 +175,9 @@ SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Prove
   if (!sweep.spec().base_text().empty()) file.attribute("/", "base_case_text", sweep.spec().base_text());
   file.attribute("/", identity_name, std::to_string(campaign.plan().identity));
   file.attribute("/", failed_name, std::to_string(count.failed));
+  std::string warnings;
+  for (const std::string& line : count.warnings) warnings.append(warnings.empty() ? "" : "\n").append(line);
+  if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   file.commit();
   return count;
 }
@@ -165,7 +188,10 @@ std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::
   if (identity != std::to_string(sweep.spec().identity()) || !failed)
     throw Error(path.string() + ": is there already, and is no result of this sweep: its specification, files or build "
                                 "are others; remove it, or name another file");
-  return SweepCount{sweep.spec().count(), static_cast<std::size_t>(std::stoull(*failed))};
+  SweepCount count{sweep.spec().count(), static_cast<std::size_t>(std::stoull(*failed))};
+  std::istringstream warnings(result_attribute(path, "warnings").value_or(""));
+  for (std::string line; std::getline(warnings, line);) count.warnings.push_back(line);
+  return count;
 }
 
 } // namespace microslip

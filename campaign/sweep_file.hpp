@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace microslip {
 
@@ -16,6 +18,7 @@ inline constexpr const char* sweep_kind = "sweep";
 /// How the cases of a sweep ended.
 struct SweepCount {
   std::size_t cases = 0, failed = 0;
+  std::vector<std::string> warnings = {}; ///< what makes cases doubtful, and how many
 };
 
 /// Where a sweep that writes to `output` keeps its checkpoint: OUT.h5.checkpoint.

@@ -396,10 +396,15 @@ std::string simplified_assumption(const RollingCase& input) {
   return all;
 }
 
+ContactWarnings case_warnings(const RollingCase& input, const HertzContact& hertz) {
+  return contact_warnings(hertz, principal_radii(input.body1, input.body2),
+                          combine(input.body1.material, input.body2.material));
+}
+
 RollingContactResult solve_case(const RollingCase& input, const Progress& progress, ExactExtent extent) {
   RollingContactResult result;
   result.hertz = hertz_contact(input);
-  result.warnings = implausibilities(result.hertz, principal_radii(input.body1, input.body2));
+  result.warnings = case_warnings(input, result.hertz).texts;
   result.contact = elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
   if (input.theory == Theory::table) result.table = look_up(input, result.contact);

@@ -4,6 +4,7 @@
 #include "io/case_file.hpp"
 #include "io/result_writer.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
+#include "microslip/rolling/contact_warnings.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -49,7 +50,7 @@ struct RollingContactResult {
   std::optional<SimplifiedResult> simplified; ///< also beside a table, and the exact theory's converged steady rolling
   Status status = Status::ok;                 ///< of the theory that the case asks for
   std::string reason;                         ///< why it is not ok; empty if it is
-  std::vector<std::string> warnings;          ///< of an implausible contact; see implausibilities
+  std::vector<std::string> warnings;          ///< what makes it doubtful: case_warnings
 };
 
 /// A number of a result file.
@@ -72,6 +73,9 @@ std::string simplified_name(const RollingCase& input);
 /// Empty: of the same.
 std::string hertz_assumption(const RollingCase& input);
 std::string simplified_assumption(const RollingCase& input);
+
+/// What makes the case doubtful, by its Hertzian contact.
+ContactWarnings case_warnings(const RollingCase& input, const HertzContact& hertz);
 
 /// What such a case's result files hold.
 constexpr const char* kind_of(const RollingCase&) {

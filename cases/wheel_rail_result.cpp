@@ -35,48 +35,27 @@ std::string of_states(std::size_t some, std::size_t all) {
   return " (" + std::to_string(some) + " of " + std::to_string(all) + " states)";
 }
 
-template <class Result> void add_status(Result& result, std::string (*reason)(Status)) {
+template <class Result> void add_status(Result& result) {
   const auto& all = result.solutions;
   const auto first = std::find_if(all.begin(), all.end(), [](const auto& s) { return s.status != Status::ok; });
   if (first == all.end()) return;
   result.status = first->status;
   const auto alike = std::count_if(all.begin(), all.end(), [&](const auto& s) { return s.status == first->status; });
-  result.reason = reason(first->status) + of_states(static_cast<std::size_t>(alike), all.size());
+  result.reason = std::string(to_string(first->reason)) + of_states(static_cast<std::size_t>(alike), all.size());
 }
 
 void add_profile_warnings(const PlacedProfile& profile, std::vector<std::string>& warnings) {
   for (const auto& warning : profile.report.warnings) warnings.push_back(profile.report.source + ": " + warning);
 }
 
-/// About results that are not to be trusted; `which` wheel, if there are two.
-void add_warnings(const WheelRailSetting& input, const Solutions& solutions, const std::string& which,
-                  std::vector<std::string>& warnings) {
-  constexpr double largest_approach = 0.01; // of the rolling radius
-  std::size_t at_end = 0, turned = 0, deep = 0;
-  double largest = 0;
-  for (const WheelRailSolution* solution : solutions) {
-    at_end += solution->at_profile_end;
-    double turn = 0;
-    for (const WheelRailPatch& patch : solution->patches) turn = std::max(turn, std::abs(patch.turn));
-    deep += std::any_of(solution->patches.begin(), solution->patches.end(), [](const WheelRailPatch& patch) {
-      return patch.approach > largest_approach * std::abs(patch.rolling_radius);
-    });
-    turned += turn > largest_flat_turn;
-    largest = std::max(largest, turn);
+/// What makes results doubtful, and how many of them; `which` wheel, if there are two.
+template <class Solutions>
+void add_warnings(const Solutions& solutions, const std::string& which, std::vector<std::string>& warnings) {
+  for (const WarningInfo& one : warning_table()) {
+    const auto some = static_cast<std::size_t>(std::count_if(
+        solutions.begin(), solutions.end(), [&](const auto* s) { return s->warnings.has(one.warning); }));
+    if (some > 0) warnings.push_back(which + std::string(one.text) + of_states(some, solutions.size()));
   }
-  if (at_end > 0)
-    warnings.push_back(which + "a patch reaches the end of a profile: its forces are too small" +
-                       of_states(at_end, solutions.size()));
-  if (deep > 0)
-    warnings.push_back(which +
-                       "an approach of more than a hundredth of the rolling radius is too large for a "
-                       "half-space: check units, moduli in Pa, forces in N" +
-                       of_states(deep, solutions.size()));
-  if (turned > 0 && input.method.patch_shape() == PatchShape::flat)
-    warnings.push_back(which + "the rail's surface turns by " +
-                       std::to_string(std::lround(largest * 180 / std::numbers::pi)) +
-                       " degrees within a flat patch, more than 14; shape = \"curved\" follows it" +
-                       of_states(turned, solutions.size()));
 }
 
 void write_inputs(ResultWriter& file, const WheelRailSetting& input, std::string_view side) {
@@ -85,7 +64,7 @@ void write_inputs(ResultWriter& file, const WheelRailSetting& input, std::string
   };
   file.text("inputs/side", std::string(side), "of the track, looking along x");
   file.text("inputs/theory", std::string(to_word(input.method.level)), "algorithm");
-  file.text("inputs/shape", std::string(to_word(input.method.patch_shape())), "of the patches");
+  if (input.method.shape) file.text("inputs/shape", std::string(to_word(*input.method.shape)), "of the patches");
   scalar("grid", input.method.elements, "-", "elements across a patch, of the exact theory");
   scalar("tolerance", input.method.tolerance, "-", "of the vertical force, relative");
   if (const auto& origin = input.track.rail_origin) {
@@ -181,12 +160,20 @@ void write_quantities(ResultWriter& file, const std::string& group, std::span<co
   }
 }
 
+template <class Solutions>
+void write_warning_codes(ResultWriter& file, const std::string& group, const Solutions& solutions) {
+  std::vector<int> codes;
+  for (const auto* s : solutions) codes.push_back(static_cast<int>(s->warnings.code));
+  file.array(group + "warning_code", codes, "-", warning_codes);
+}
+
 /// `group`: what stands before wheel/ and patches/.
 void write_wheel(ResultWriter& file, const std::string& group, const Solutions& solutions) {
   write_quantities(file, group + "wheel/", wheel_quantities(), solutions);
   write_status(file, group + "wheel/status", solutions);
   std::vector<std::uint8_t> at_end;
-  for (const WheelRailSolution* s : solutions) at_end.push_back(s->at_profile_end ? 1 : 0);
+  for (const WheelRailSolution* s : solutions) at_end.push_back(s->warnings.has(Warning::profile_end) ? 1 : 0);
+  write_warning_codes(file, group + "wheel/", solutions);
   file.array(group + "wheel/at_profile_end", at_end, "-", "1: a patch ends where a profile ends");
 }
 
@@ -303,45 +290,19 @@ Json document_of(const Input& input, const Result& result, const Provenance& pro
 
 /// Solves all states; `solve` makes a solution of each.
 template <class Result, class Input, class Solve>
-Result solve_states(const Input& input, const Progress& progress, std::string (*reason)(Status), const Solve& solve) {
+Result solve_states(const Input& input, const Progress& progress, const Solve& solve) {
   Result result;
   for (const auto& state : input.states) {
     go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
     result.solutions.push_back(solve(state));
   }
   go_on(progress, 1);
-  add_status(result, reason);
+  add_status(result);
   for (const PlacedProfile* profile : {&input.rail, &input.wheel}) add_profile_warnings(*profile, result.warnings);
   return result;
 }
 
 } // namespace
-
-std::string wheel_reason(Status status) {
-  switch (status) {
-  case Status::no_contact:
-    return "wheel and rail do not touch";
-  case Status::invalid_input:
-    return "the state is out of range";
-  case Status::no_solution:
-    return "no height of the wheel gives the vertical force";
-  default:
-    return "not converged: see the residual of the vertical force and the status of each patch";
-  }
-}
-
-std::string wheelset_reason(Status status) {
-  switch (status) {
-  case Status::no_contact:
-    return "a wheel is not above its rail";
-  case Status::invalid_input:
-    return "the state is out of range";
-  case Status::no_solution:
-    return "no height, roll and rolling speed give the load and the torque";
-  default:
-    return "not converged: see the residual";
-  }
-}
 
 WheelRailMethod solving_method(const WheelRailCase& input) {
   WheelRailMethod method = input.method;
@@ -357,7 +318,7 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
 WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const Progress& progress) {
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
   std::vector<std::vector<InteriorState>> interior;
-  auto result = solve_states<WheelRailResult>(input, progress, wheel_reason, [&](const LoadedWheelState& s) {
+  auto result = solve_states<WheelRailResult>(input, progress, [&](const LoadedWheelState& s) {
     WheelRailSolution solution = solver.solve(s.state, s.vertical_force);
     for (const ContactSolution& fields : solution.fields)
       if (has_points) interior.push_back(interior_states(input.material, input.material, fields, input.interior));
@@ -366,7 +327,7 @@ WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const 
     return solution;
   });
   result.interior = std::move(interior);
-  add_warnings(input, solutions_of(result), "", result.warnings);
+  add_warnings(solutions_of(result), "", result.warnings);
   return result;
 }
 
@@ -375,11 +336,12 @@ WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
   method.fields = method.level != WheelRailLevel::table && input.states.size() == 1;
   WheelsetOnTrack solver = solver_of(input, method);
   auto result = solve_states<WheelsetResult>(
-      input, progress, wheelset_reason, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
+      input, progress, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
   for (const auto* profile : {&input.right_rail, &input.right_wheel})
     if (*profile) add_profile_warnings(**profile, result.warnings);
-  add_warnings(input, solutions_of(result, &WheelsetSolution::left), "left wheel: ", result.warnings);
-  add_warnings(input, solutions_of(result, &WheelsetSolution::right), "right wheel: ", result.warnings);
+  std::vector<const WheelsetSolution*> wheelsets;
+  for (const WheelsetSolution& solution : result.solutions) wheelsets.push_back(&solution);
+  add_warnings(wheelsets, "", result.warnings);
   return result;
 }
 
@@ -404,6 +366,7 @@ void write_result(const WheelsetCase& input, const WheelsetResult& result, Resul
   for (const WheelsetSolution& solution : result.solutions) all.push_back(&solution);
   write_quantities(file, "wheelset/", wheelset_quantities(), all);
   write_status(file, "wheelset/status", all);
+  write_warning_codes(file, "wheelset/", all);
   for (const bool right : {false, true}) {
     const std::string group = right ? "right/" : "left/";
     const Solutions solutions = solutions_of(result, right ? &WheelsetSolution::right : &WheelsetSolution::left);

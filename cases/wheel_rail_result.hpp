@@ -44,10 +44,6 @@ constexpr const char* kind_of(const WheelsetCase&) {
 }
 WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress = {});
 
-/// Why the status of a wheel's or a wheelset's solution is not ok.
-std::string wheel_reason(Status status);
-std::string wheelset_reason(Status status);
-
 /// Writes inputs, states, what is found of the wheel and of each patch, profiles, fields, stresses inside.
 void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file);
 /// Writes it as HDF5. Error if that is impossible.

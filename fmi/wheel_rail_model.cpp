@@ -144,7 +144,7 @@ public:
     std::size_t place = first_input_ + state_numbers + 1;
     for (const WheelQuantity& q : wheel_quantities()) v.real[place++] = q.value(found_);
     v.integer[place++] = static_cast<int>(found_.status);
-    v.integer[place++] = found_.at_profile_end ? 1 : 0;
+    v.integer[place++] = found_.warnings.has(Warning::profile_end) ? 1 : 0;
     for (std::size_t k = 0; k < patches_shown; ++k)
       for (const PatchQuantity& q : patch_quantities())
         v.real[place++] = k < found_.patches.size() ? q.value(found_.patches[k]) : 0;

@@ -4,6 +4,7 @@
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
 #include "microslip/error.hpp"
+#include "microslip/rolling/contact_warnings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -202,8 +203,9 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
                          ? "; decimal commas need semicolons between fields"
                          : ""));
       parse_row(fields, rows);
-      if (std::string what = implausibility(rows.contacts.back()); !what.empty() && rows.implausible.count++ == 0)
-        rows.implausible.first = {line_number, std::move(what)};
+      if (ContactWarnings found = contact_warnings(rows.contacts.back());
+          !found.empty() && rows.implausible.count++ == 0)
+        rows.implausible.first = {line_number, std::move(found.texts.front())};
     } catch (const Error& error) {
       rows.bad.push_back({line_number, error.what()});
       rows.text.resize(begin);

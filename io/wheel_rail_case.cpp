@@ -175,9 +175,9 @@ WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, co
   section.allow({"theory", "shape", "grid", "tolerance", "table"});
   WheelRailMethod method;
   method.level = section.option("theory", method.level);
-  if (section.has("shape")) method.shape = section.option("shape", PatchShape::flat);
+  if (section.has("shape")) method.shape = section.option("shape", PatchShape::curved);
   section.at("shape",
-             [&] { require_shape(method, "solution.shape = \"" + std::string(to_word(method.patch_shape())) + '"'); });
+             [&] { require_shape(method, "solution.shape = \"" + std::string(to_word(method.surface())) + '"'); });
   if (method.level == WheelRailLevel::table)
     method.table = tables.get(section, poisson_ratio, RollingDirection::forward);
   else if (section.has("table"))

@@ -12,6 +12,7 @@ enum class Status {
   no_contact,    ///< the bodies do not touch; all tractions are zero
   no_solution,   ///< the prescribed force is beyond what friction can bear; the result slides fully in its direction
   out_of_range,  ///< beyond the range of a creep-force table; the forces are those of limits
+  implausible,   ///< solved, but it cannot be meant, as its warnings say: pressures beyond elasticity, a mistaken file
 };
 
 constexpr std::string_view to_string(Status status) {
@@ -28,12 +29,19 @@ constexpr std::string_view to_string(Status status) {
     return "no_solution";
   case Status::out_of_range:
     return "out_of_range";
+  case Status::implausible:
+    return "implausible";
   }
   return "";
 }
 
 /// Codes and names, as files of results state them.
 constexpr const char* status_codes =
-    "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution, 5 out_of_range";
+    "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution, 5 out_of_range, 6 implausible";
+
+/// Whether the equations are satisfied, whatever else is to be said of the result.
+constexpr bool is_solved(Status status) {
+  return status == Status::ok || status == Status::implausible;
+}
 
 } // namespace microslip

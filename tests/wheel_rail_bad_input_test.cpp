@@ -177,10 +177,10 @@ TEST(WheelRailBadInput, AWheelOnTheEndOfARailSaysSo) {
     WheelState<double> state = running();
     state.vertical = whole.solve(state, 50e3).vertical;
     const auto s = cut.solve(state);
-    EXPECT_TRUE(s.at_profile_end);
+    EXPECT_TRUE(s.warnings.has(Warning::profile_end));
     EXPECT_TRUE(all_numbers(s));
     EXPECT_LT(s.force.z, 50e3);
-    EXPECT_FALSE(whole.solve(state).at_profile_end);
+    EXPECT_FALSE(whole.solve(state).warnings.has(Warning::profile_end));
   }
 }
 

@@ -46,7 +46,7 @@ TEST(WheelRailCase, ReadsTheShortestCase) {
   ASSERT_EQ(input.friction.size(), 1u);
   EXPECT_EQ(input.friction[0].coefficient, 0.3);
   EXPECT_EQ(input.method.level, WheelRailLevel::fastsim2);
-  EXPECT_EQ(input.method.patch_shape(), PatchShape::curved);
+  EXPECT_EQ(input.method.surface(), PatchShape::curved);
   ASSERT_EQ(input.states.size(), 1u);
   EXPECT_EQ(input.states[0].vertical_force, 80e3);
   EXPECT_EQ(input.states[0].state.lateral, 0.0061);

@@ -21,6 +21,7 @@
 #include "validation/manchester.hpp"
 #include "validation/model_problem.hpp"
 #include "validation/random_problems.hpp"
+#include "validation/random_wheels.hpp"
 #include "validation/refinement.hpp"
 #include "validation/second_order.hpp"
 #include "validation/solver_growth.hpp"
@@ -72,6 +73,8 @@ constexpr std::array all_studies = {
           run_model_problem},
     Study{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps",
           run_random_problems},
+    Study{"random-wheels", "100,000 random wheels on new, worn and measured profiles: statuses, contradictions, times",
+          run_random_wheels},
     Study{"refinement", "the test of the refinement paper: its figures 1 to 8, and times beside its Table 1",
           run_refinement},
     Study{"second-order", "rolling at second order: Carter, the refinement paper's test, other rolling, the 112 cases",

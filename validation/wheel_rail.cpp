@@ -210,7 +210,7 @@ double thread_time() {
 
 /// What came of random states, and how long the slowest took beside the median.
 struct Outcome {
-  std::array<int, 5> status{};
+  std::array<int, 7> status{};
   int states = 0, ends = 0, nan = 0, wrong = 0, most_iterations = 0;
   long iterations = 0;
   std::vector<double> times; ///< [s]
@@ -252,7 +252,7 @@ Outcome outcome_of(WheelRailBodies bodies, TrackSide side, WheelRailLevel level,
     // The exact level ends at 1e-5, where its discretisation errs by more.
     const double residual = level == WheelRailLevel::exact ? 1e-4 : 2e-6;
     out.wrong += s.status == Status::ok && std::abs(s.force.z / force - 1) > residual;
-    out.ends += s.at_profile_end;
+    out.ends += s.warnings.has(Warning::profile_end);
     out.iterations += s.iterations, out.most_iterations = std::max(out.most_iterations, s.iterations);
   }
   for (int k = 0; k < 3; ++k) out.slowest = std::min(out.slowest, time(slowest_state, slowest_force));

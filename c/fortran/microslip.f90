@@ -6,7 +6,8 @@ module microslip
   private
 
   integer(c_int), parameter, public :: microslip_ok = 0, microslip_invalid_input = 1, microslip_not_converged = 2, &
-    microslip_no_contact = 3, microslip_no_solution = 4, microslip_out_of_range = 5, microslip_null_pointer = 16, &
+    microslip_no_contact = 3, microslip_no_solution = 4, microslip_out_of_range = 5, microslip_implausible = 6, &
+    microslip_null_pointer = 16, &
     microslip_wrong_size = 17, microslip_invalid_option = 18, microslip_out_of_memory = 19, microslip_no_result = 20, &
     microslip_internal_error = 21
   integer(c_int), parameter, public :: microslip_coulomb = 0, microslip_linear = 1, microslip_rational = 2, &
@@ -79,7 +80,7 @@ module microslip
     real(c_double) :: place_x = 0, place_y = 0, place_z = 0
     real(c_double) :: angle = 0
     real(c_double) :: rail_y = 0, wheel_y = 0
-    real(c_double) :: rolling_radius = 0, turn = 0, approach = 0, rolling_speed = 0
+    real(c_double) :: rolling_radius = 0, turn = 0, conformity = 0, approach = 0, rolling_speed = 0
     real(c_double) :: creepage_longitudinal = 0, creepage_lateral = 0, spin = 0
     real(c_double) :: normal_force = 0, fx = 0, fy = 0, mz = 0
     real(c_double) :: contact_area = 0, slip_area = 0, peak_pressure = 0, frictional_power = 0
@@ -93,7 +94,7 @@ module microslip
   type, bind(c), public :: microslip_wheel_forces
     real(c_double) :: force(3) = 0, moment(3) = 0
     real(c_double) :: vertical = 0, residual = 0, y_over_q = 0, nadal_limit = 0
-    integer(c_int) :: iterations = 0, at_profile_end = 0, status = 0, patch_count = 0
+    integer(c_int) :: iterations = 0, at_profile_end = 0, warning_code = 0, status = 0, patch_count = 0
     type(microslip_wheel_patch) :: patches(microslip_wheel_patches)
   end type
 

@@ -58,6 +58,7 @@ typedef enum microslip_code {
   MICROSLIP_NO_CONTACT = 3,    /* the bodies do not touch */
   MICROSLIP_NO_SOLUTION = 4,   /* a prescribed force exceeds mu Fn; the result is full sliding */
   MICROSLIP_OUT_OF_RANGE = 5,  /* beyond a creep-force table's range; the forces are those of limits */
+  MICROSLIP_IMPLAUSIBLE = 6,   /* solved, but it cannot be meant, as its warnings say */
   /* Why a call was refused. */
   MICROSLIP_NULL_POINTER = 16,
   MICROSLIP_WRONG_SIZE = 17,     /* of an array or a struct */
@@ -474,6 +475,7 @@ typedef struct microslip_wheel_patch {
   double rail_y, wheel_y;                               /* of both profiles there, in their own axes [m] */
   double rolling_radius;                                /* of the wheel there [m] */
   double turn;                                          /* of the rail's surface across the patch [rad] */
+  double conformity;                                    /* 0 solved as curved (or flat), 1 as conformal [-] */
   double approach;                                      /* greatest overlap of the undeformed bodies [m] */
   double rolling_speed;                                 /* V [m/s] */
   double creepage_longitudinal, creepage_lateral, spin; /* [-], [-], [1/m] */
@@ -504,6 +506,7 @@ typedef struct microslip_wheel_forces {
   double nadal_limit; /* Nadal's limit of it where the flange is steepest [-]; NaN without a flange */
   int iterations;     /* over the wheel's height */
   int at_profile_end; /* 1: a patch ends where a profile ends, its forces are too small */
+  int warning_code;   /* what makes it doubtful: sum of 2^k, k as in microslip_warning; 0: nothing */
   int status;         /* a microslip_code below 16 */
   int patch_count;    /* how many of the patches below there are */
   microslip_wheel_patch patches[MICROSLIP_WHEEL_PATCHES]; /* from the gauge to the field side of a left wheel */
@@ -536,6 +539,8 @@ MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_ra
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                                         const microslip_wheel_state* states,
                                                         microslip_wheel_forces* forces);
+/* The text of the k-th warning, counted from 0; NULL from the first that there is not. It lasts. Any thread. */
+MICROSLIP_API const char* microslip_warning(int k);
 /* The same with derivatives, which hold where no patch comes or goes; those of a state that is not MICROSLIP_OK are
  * zero. With the theory "fastsim2" some three solves, and no memory either. */
 MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,

@@ -63,6 +63,7 @@ int code_of(const ContactStepSolution& s) {
   case Status::no_solution:
     return CNTC_err_tol;
   case Status::invalid_input:
+  case Status::implausible:  // of wheels on rails by our own solvers, and
   case Status::out_of_range: // of tables, which this library has not
     break;
   }

@@ -94,7 +94,7 @@ Json rolling_start(const RollingCase& input) {
   result["step"] = json_number(rolled);
   result["frames"] = std::move(frames);
   result["units"] = std::move(units);
-  result["warnings"] = implausibilities(hertz, principal_radii(input.body1, input.body2));
+  result["warnings"] = case_warnings(input, hertz).texts;
   result["status"] = to_string(status);
   return result;
 }

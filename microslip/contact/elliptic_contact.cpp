@@ -64,13 +64,4 @@ void check_simplified(const EllipticContact& c) {
   if (c.dissimilarity != 0) throw Error("dissimilarity", c.dissimilarity, "-", "0 in the simplified theory");
 }
 
-std::string implausibility(const EllipticContact& c) {
-  const double peak_pressure = 1.5 * c.normal_force / (std::numbers::pi * c.a * c.b);
-  if (peak_pressure >= 1e-7 * c.shear_modulus && peak_pressure <= c.shear_modulus) return {};
-  std::ostringstream text;
-  text << "peak pressure " << peak_pressure << " Pa beside the shear modulus, " << c.shear_modulus
-       << " Pa, is implausible: check units, lengths in m, moduli in Pa, forces in N";
-  return text.str();
-}
-
 } // namespace microslip

@@ -36,8 +36,4 @@ void check(const EllipticContact& contact); ///< throws Error
 bool is_valid_simplified(const EllipticContact& contact) noexcept;
 void check_simplified(const EllipticContact& contact);
 
-/// What makes a valid contact implausible, with its numbers and which inputs to check: a peak pressure beyond the shear
-/// modulus or below 1e-7 of it, as lengths in mm and moduli in MPa give; else empty.
-std::string implausibility(const EllipticContact& contact);
-
 } // namespace microslip

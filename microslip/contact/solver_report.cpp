@@ -31,6 +31,8 @@ std::string reason_of(const SolverReport& report) {
     return "the bodies do not touch";
   case Status::no_solution:
     return "prescribed force exceeds mu Fn; the result shown is full sliding";
+  case Status::implausible:
+    return "solved, but it cannot be meant: see the warnings";
   case Status::out_of_range:
     return "beyond the creep-force table's range: the forces are those of limits";
   }

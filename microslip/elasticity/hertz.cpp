@@ -110,37 +110,6 @@ GapCurvatures gap_curvatures(const PrincipalRadii& radii) {
           .y = require_curved("(1/transverse1 + 1/transverse2)/2", y / 2)};
 }
 
-std::vector<std::string> implausibilities(const HertzContact& contact, const PrincipalRadii& radii) {
-  constexpr double largest_semi_axis = 0.5, largest_approach = 0.1; // of a radius
-  constexpr double largest_radius = 100;                            // [m], of what rolls
-  constexpr const char* check = " is too large for a half-space: check units, lengths in m, moduli in Pa, forces in N";
-  std::vector<std::string> texts;
-  double smallest = HUGE_VAL;
-  for (const auto& [semi_axis, name, radius, of_body] :
-       {std::tuple{contact.a, "a", radii.rolling1, "rolling radius of body 1"},
-        {contact.a, "a", radii.rolling2, "rolling radius of body 2"},
-        {contact.b, "b", radii.transverse1, "transverse radius of body 1"},
-        {contact.b, "b", radii.transverse2, "transverse radius of body 2"}}) {
-    smallest = std::min(smallest, std::abs(radius));
-    if (std::isfinite(radius) && std::abs(radius) > largest_radius) {
-      std::ostringstream text;
-      text << of_body << " = " << radius << " m is implausible: is it in mm? Numbers are in m, a straight line is inf";
-      texts.push_back(text.str());
-    }
-    if (!(semi_axis > largest_semi_axis * std::abs(radius))) continue;
-    std::ostringstream text;
-    text << "contact ellipse: semi-axis " << name << " = " << semi_axis << " m beside the " << of_body << ", " << radius
-         << " m," << check;
-    texts.push_back(text.str());
-  }
-  if (contact.approach > largest_approach * smallest) {
-    std::ostringstream text;
-    text << "approach " << contact.approach << " m beside the smallest radius, " << smallest << " m," << check;
-    texts.push_back(text.str());
-  }
-  return texts;
-}
-
 double HertzContact::pressure(double x, double y) const {
   return half_ellipse(peak_pressure, (x / a) * (x / a) + (y / b) * (y / b));
 }

@@ -47,11 +47,6 @@ HertzContact hertz_from_approach(const GapCurvatures& gap, const CombinedMateria
 /// The same from the ellipse and the load: finds the curvatures. Throws Error for a/b outside [1e-5, 1e5].
 HertzContact hertz_from_ellipse(double a, double b, const CombinedMaterial& material, double normal_force);
 
-/// What makes a contact implausible for half-spaces: an ellipse with a semi-axis beyond half of a body's radius of
-/// curvature in its direction, an approach beyond a tenth of a radius; a radius beyond 100 m. Each text has the numbers
-/// and says which inputs to check; none for a plausible contact. Lengths in mm or moduli in MPa make such contacts.
-std::vector<std::string> implausibilities(const HertzContact& contact, const PrincipalRadii& radii);
-
 /// Two cylinders with parallel axes (line contact), per unit length.
 struct LineContact {
   double half_width;       ///< a [m], along the rolling direction

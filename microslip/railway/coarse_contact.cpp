@@ -1,6 +1,7 @@
 #include "microslip/railway/coarse_contact.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/numerics/bracketed_root.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,13 @@
 namespace microslip {
 namespace {
 
-/// Rows of a wheel that are told apart, and cells of each for FASTSIM2; should there be more, the status is
-/// not_converged.
+/// Rows of a wheel at most, and cells of each for FASTSIM2.
 constexpr std::size_t most_rows = 128;
 constexpr int cells = 10;
+
+/// How far bodies may overlap where a height is looked for, over the rolling radius: there steel has pressures of some
+/// 5 GPa.
+constexpr double largest_overlap = 1e-3;
 
 /// V: the mean of the speeds at which the contact moves over the rail and over the wheel [m/s].
 double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place) {
@@ -24,8 +28,8 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
   return (std::abs(over_rail) + std::abs(by_turning)) / 2;
 }
 
-/// Finds by how much the wheel is lowered from where it first touches, from by how much more it should be: by secants,
-/// as the slope is about -1, and where these do not settle in the bracket that they leave.
+/// Secants for the depth below the first touch, from by how much more the wheel should be lowered: the slope of that is
+/// about -1.
 class Descent {
 public:
   /// What the next step leaves of what is missing, if it leaves the share that the last one left.
@@ -33,18 +37,14 @@ public:
     return known_ ? std::clamp(std::abs(missing / missing_before_), 0.01, 1.0) : 1;
   }
 
-  double next(double here, double missing, bool settles) {
-    // A bracket that is much narrower than what is missing dates from when loads or shear had not settled.
-    if (high_ - low_ < 0.01 * std::abs(missing)) low_ = 0, high_ = std::numeric_limits<double>::infinity();
-    if (!settles) (missing > 0 ? low_ : high_) = here;
+  double next(double here, double missing) {
     const double slope = known_ ? (missing - missing_before_) / (here - before_) : -1;
     before_ = here, missing_before_ = missing, known_ = true;
-    const double there = std::max(here - missing / (slope < -0.05 && slope > -4 ? slope : -1), 0.1 * here);
-    return settles || (there > low_ && there < high_) ? there : std::isfinite(high_) ? (low_ + high_) / 2 : 2 * low_;
+    return std::max(here - missing / (slope < -0.05 && slope > -4 ? slope : -1), 0.1 * here);
   }
 
 private:
-  double before_ = 0, missing_before_ = 0, low_ = 0, high_ = std::numeric_limits<double>::infinity();
+  double before_ = 0, missing_before_ = 0;
   bool known_ = false;
 };
 
@@ -107,7 +107,7 @@ CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMetho
       rows_(bodies.rail, bodies.wheel, most_rows, equivalent), normal_(most_rows), hertz_(most_rows),
       forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward), shear_(most_rows),
       speed_(most_rows), load_(most_rows), half_length_(most_rows), centre_(most_rows), loaded_(most_rows),
-      forces_(most_rows) {
+      flat_rows_(most_rows), forces_(most_rows), flat_forces_(most_rows) {
   normal_rows_.reserve(most_rows);
   patches_.reserve(most_rows);
   if (method.level == WheelRailLevel::table) look_up_.emplace(method.table, most_rows);
@@ -129,17 +129,18 @@ void CoarseContact::put(const WheelState<double>& state, double vertical) {
   placement_ = place(nominal_, there);
 }
 
-/// Regions and rows of the wheel when it was lowered from where it first touches. False if there are too many rows.
-bool CoarseContact::place_rows(double depth) {
+/// Regions and rows of the wheel lowered by `depth` [m] from where it first touches, which it was searched for.
+void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
+  if (depth > searched_) search(state, 2 * depth);
+  put(state, state.vertical - clearance_ - depth);
   depth_ = depth;
   regions_ = search_.regions(clearance_ + depth);
-  const bool all = rows_.place(placement_, regions_, points_, clearance_ + depth, depth);
+  complete_ = rows_.place(placement_, regions_, points_, clearance_ + depth, depth);
   normal_rows_.clear();
   for (const ContactRow& row : rows_.rows()) {
     normal_rows_.push_back(row.normal);
     normal_rows_.back().shear = shear_[normal_rows_.size() - 1];
   }
-  return all;
 }
 
 /// Loads of the rows in their places: after Hertz, by the rows' own normal problem, or in between.
@@ -148,7 +149,7 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
   // In between it is the forces in the same place that are mixed.
   const std::optional<double> goal = vertical_force;
   if (hertzian > 0 && hertzian < 1) vertical_force.reset();
-  Loads found{0, 0, true};
+  Loads found;
   const auto add = [&](double share, std::span<const double> loads, std::span<const double> half_lengths,
                        auto&& centre) {
     for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
@@ -168,7 +169,7 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
     const RowNormal::Result rest = normal_.solve(bodies_.material, normal_rows_, vertical_force, warm_, steps);
     warm_ = true;
     found.lowering += (1 - hertzian) * rest.lowering, found.stiffness += (1 - hertzian) * rest.stiffness;
-    found.converged = rest.status == Status::ok;
+    found.change = rest.status == Status::ok ? 0 : rest.change;
     add(1 - hertzian, normal_.loads(), normal_.half_lengths(), [&](std::size_t k) { return normal_rows_[k].place.x; });
   }
   if (goal && !vertical_force) {
@@ -185,7 +186,7 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
   // No solution, as for contacts larger than their bodies: less depth, from the beginning.
   std::fill_n(load_.begin(), n, 0.0), std::fill_n(half_length_.begin(), n, 1e-6);
   warm_ = false;
-  return {-0.3 * depth_, goal.value_or(1) / depth_, false};
+  return {-0.3 * depth_, goal.value_or(1) / depth_, 1};
 }
 
 /// Hertz's ellipse of the last loads, under the rows that it was fitted to: those of one region.
@@ -239,12 +240,14 @@ void CoarseContact::move(const WheelState<double>& state) {
   roll();
 }
 
-/// The lowest place of the gap, in a search that finds all places at most `depth` above it; its gap is infinite if
-/// the wheel is nowhere above the rail.
-ContactPoint CoarseContact::lowest_point(double depth) {
+/// Finds all places at most `reach` [m] above the lowest one of the gap, which is returned; its gap is infinite if the
+/// wheel is nowhere above the rail.
+ContactPoint CoarseContact::search(const WheelState<double>& state, double reach) {
   ContactPoint lowest;
   lowest.gap = std::numeric_limits<double>::infinity();
-  points_ = search_.find(placement_, depth);
+  put(state, state.vertical);
+  searched_ = reach;
+  points_ = search_.find(placement_, reach);
   for (const ContactPoint& point : points_)
     if (point.gap < lowest.gap) lowest = point;
   return lowest;
@@ -261,48 +264,110 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
 
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
-  constexpr int most_iterations = 36, plain_iterations = 12, most_steps = 40;
-  put(state, state.vertical);
-  double searched = 3e-4;
-  ContactPoint lowest = lowest_point(searched);
-  clearance_ = lowest.gap;
+  constexpr double first_search = 3e-4; // [m]
+  const ContactPoint touch = search(state, first_search);
+  clearance_ = touch.gap;
   out.status = Status::no_contact;
   if (!std::isfinite(clearance_)) return;
-  double depth = vertical_force ? hertzian_lowering(lowest, *vertical_force) : -clearance_;
   std::fill(shear_.begin(), shear_.end(), 0.0);
-  Descent descent;
   warm_ = false;
-  for (out.iterations = 1; out.iterations <= most_iterations; ++out.iterations) {
-    if (depth > searched) {
-      put(state, state.vertical);
-      searched = 2 * depth;
-      lowest_point(searched);
-    }
-    put(state, state.vertical - clearance_ - depth);
-    const bool all_rows = place_rows(depth);
-    if (normal_rows_.empty()) {
-      out.status = Status::no_contact;
-      return;
-    }
-    // With the height given, rows stay; else they move with it, and so a few steps are enough.
-    const bool first = out.iterations == 1, settles = out.iterations < plain_iterations;
-    const Loads found = find_loads(vertical_force, !vertical_force || !settles ? most_steps : first ? 4 : 2);
+  if (!vertical_force) {
+    if (clearance_ < 0) lower(state, -clearance_, out);
+    return;
+  }
+  const double start = hertzian_lowering(touch, *vertical_force);
+  deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
+  if (!settle(state, *vertical_force, start, out)) bracket(state, *vertical_force, start, out);
+}
+
+/// The wheel lowered by a depth [m] that is given. Returns its vertical force [N].
+double CoarseContact::lower(const WheelState<double>& state, double depth, WheelRailSolution& out) {
+  constexpr int most_steps = 40;
+  ++out.iterations;
+  std::fill(shear_.begin(), shear_.end(), 0.0); // which matters for a vertical force only
+  place_rows(state, depth);
+  out.vertical = state.vertical - clearance_ - depth;
+  if (normal_rows_.empty()) {
+    out.status = Status::no_contact;
+    return 0;
+  }
+  const bool warm = warm_;
+  Loads found = find_loads({}, most_steps);
+  if (warm && found.change > 0) {
+    warm_ = false;
+    found = find_loads({}, most_steps);
+  }
+  roll();
+  out.residual = complete_ ? found.change : 1;
+  out.status = out.residual == 0 ? Status::ok : Status::not_converged;
+  out.reason = !complete_            ? Unsolved::too_many_patches
+               : out.residual > 0 ? Unsolved::pressures
+                                  : Unsolved::none;
+  return vertical_force();
+}
+
+/// Steps of loads, tangential forces and height in turn from a depth [m] on. False if they do not settle.
+bool CoarseContact::settle(const WheelState<double>& state, double vertical_force, double depth,
+                           WheelRailSolution& out) {
+  constexpr int most_iterations = 12;
+  Descent descent;
+  while (out.iterations < most_iterations) {
+    const bool first = ++out.iterations == 1;
+    place_rows(state, depth);
+    if (normal_rows_.empty() || !complete_) return false;
+    const Loads found = find_loads(vertical_force, first ? 4 : 2); // rows move with the height: a few steps are enough
     const double change = roll();
-    out.status = found.converged && all_rows ? Status::ok : Status::not_converged;
-    if (!vertical_force) return;
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;
     const double left = std::abs(found.stiffness * found.lowering) * descent.share_left(missing);
-    out.residual = (left + std::abs(change)) / *vertical_force;
-    if (out.residual <= method_.tolerance && (out.status == Status::ok || !all_rows)) {
-      depth_ = depth += found.lowering;
-      break;
+    out.residual = (left + std::abs(change)) / vertical_force;
+    if (out.residual <= method_.tolerance && found.change == 0) {
+      depth_ += found.lowering;
+      out.vertical = state.vertical - clearance_ - depth_;
+      put(state, out.vertical);
+      out.status = Status::ok;
+      return true;
     }
-    out.status = Status::not_converged;
-    depth = descent.next(depth, missing, settles);
+    depth = descent.next(depth, missing);
   }
-  out.vertical = state.vertical - clearance_ - depth;
-  put(state, out.vertical);
+  return false;
+}
+
+/// The height that bears the vertical force [N] by forces at given heights alone: from the first touch downwards, each
+/// time by half of the way so far, until one bears it or the bodies overlap too far. What jumps over the force bears it
+/// only if nothing else does.
+void CoarseContact::bracket(const WheelState<double>& state, double vertical_force, double start,
+                            WheelRailSolution& out) {
+  constexpr double growth = 1.5, precision = 1e-11; // [-], [m]
+  const auto missing = [&](double depth) { return lower(state, depth, out) / vertical_force - 1; };
+  RootSide before{0, -1}, nearest{0, std::numeric_limits<double>::infinity()};
+  std::optional<RootSide> jump;
+  warm_ = false;
+  for (double depth = start / 16; before.at < deepest_; depth *= growth) {
+    const double at = std::min(depth, deepest_);
+    const RootSide here{at, missing(at)};
+    if ((here.value >= 0) != (before.value >= 0)) {
+      const BracketedRoot root = find_bracketed_root(before, here, method_.tolerance, precision, missing);
+      out.residual = std::max(out.residual, std::abs(root.side.value));
+      if (root.found) return;
+      if (!jump) jump = root.side;
+    }
+    before = here;
+    if (std::abs(here.value) < std::abs(nearest.value)) nearest = here;
+  }
+  out.residual = std::max(std::abs(missing(jump.value_or(nearest).at)), out.residual);
+  if (jump) return mark_jump(out);
+  out.status = Status::no_solution, out.reason = Unsolved::no_height;
+}
+
+/// Of the rows' loads and tangential forces [N].
+double CoarseContact::vertical_force() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
+    const double angle = normal_rows_[k].angle;
+    sum += loaded_[k].load * std::cos(angle) + forces_[k].fy * std::sin(angle);
+  }
+  return sum;
 }
 
 /// The rows of a region.
@@ -378,7 +443,32 @@ void CoarseContact::sum(WheelRailSolution& out) {
   }
   out.force = wheel.force, out.moment = wheel.moment;
   for (const ContactRegion& region : regions_)
-    out.at_profile_end |= region.inner.corner == Corner::end || region.outer.corner == Corner::end;
+    out.warnings.add_if(region.inner.corner == Corner::end || region.outer.corner == Corner::end,
+                        Warning::profile_end);
+}
+
+double CoarseContact::change_by_planes() {
+  const std::size_t count = normal_rows_.size();
+  std::copy_n(loaded_.begin(), count, flat_rows_.begin());
+  double bound = 0;
+  for (const ContactPatch& patch : patches()) {
+    const WheelRailPatch plane = describe(patch.outline, patch.least_gap, patch.speed);
+    for (std::size_t k = patch.first; k < patch.first + patch.loaded.size(); ++k) {
+      LoadedRow& row = flat_rows_[k];
+      const double s = dot(patch.outline.frame.tangent(), normal_rows_[k].place - patch.outline.frame.origin);
+      row.creepage = plane.creepage;
+      row.creepage.longitudinal -= plane.creepage.spin * s;
+      row.creepage.lateral -= plane.creepage.spin * patch.outline.frame.origin.x;
+      bound += row.friction * row.load;
+    }
+  }
+  (rolls_forward() ? forward_ : backward_)
+      .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, std::span(flat_rows_).first(count),
+             flat_forces_);
+  double along = 0, across = 0;
+  for (std::size_t k = 0; k < count; ++k)
+    along += flat_forces_[k].fx - forces_[k].fx, across += flat_forces_[k].fy - forces_[k].fy;
+  return bound > 0 ? std::hypot(along, across) / bound : 0;
 }
 
 void CoarseContact::add_fields(WheelRailSolution& out) {

@@ -17,6 +17,13 @@ namespace microslip {
 /// Patches of a wheel for which a solution takes memory at once.
 inline constexpr std::size_t most_patches = 8;
 
+/// The vertical force jumps over the one given: the better side's result is near it, or no height bears it.
+inline void mark_jump(WheelRailSolution& out) {
+  constexpr double near = 0.01; // of the force
+  out.status = out.residual < near ? Status::not_converged : Status::no_solution;
+  out.reason = Unsolved::force_jumps;
+}
+
 /// A patch that was found by its rows.
 struct ContactPatch {
   PatchOutline outline;
@@ -49,15 +56,22 @@ public:
   CoarseContact(const CoarseContact&) = delete;
   CoarseContact& operator=(const CoarseContact&) = delete;
 
-  /// Lowers the wheel until its rows bear the vertical force [N], or leaves it where it is. Fills in height, status,
-  /// residual and iterations.
+  /// Lowers the wheel until its rows bear the vertical force [N], or leaves it where it is. Fills in height, status with
+  /// its reason, residual and iterations. Where steps for the force do not settle, forces at given heights bracket it:
+  /// the height is then the first one below the first touch that bears it, if one does.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out);
   /// The wheel in the place and with the pressures of the last solve but with other velocities: new tangential forces.
   void move(const WheelState<double>& state);
   /// Forces and patches of the last solve, with profile ends.
   void sum(WheelRailSolution& out);
+  /// By how much the tangential forces of the last solve would change if each patch were flat: with the creepages of
+  /// its frame's plane, over mu times the load [-]. Allocates nothing.
+  double change_by_planes();
   /// The fields of its patches, on evenly spaced rows. Allocates.
   void add_fields(WheelRailSolution& out);
+
+  /// The least height [m] that is taken for the vertical force of the last solve, whose state's height this was.
+  double least_height(double height) const { return height - clearance_ - deepest_; }
 
   /// The patches of the last solve, those without load as well; valid until the next one.
   std::span<const ContactPatch> patches();
@@ -70,18 +84,22 @@ public:
 
 private:
   void put(const WheelState<double>& state, double vertical);
-  bool place_rows(double depth);
+  ContactPoint search(const WheelState<double>& state, double reach);
+  void place_rows(const WheelState<double>& state, double depth);
   struct Loads {
-    double lowering = 0;   ///< by how much the wheel is still to be lowered [m]
-    double stiffness = 0;  ///< change of the vertical force with that [N/m]
-    bool converged = true; ///< the rows' own normal problem
+    double lowering = 0;  ///< by how much the wheel is still to be lowered [m]
+    double stiffness = 0; ///< change of the vertical force with that [N/m]
+    double change = 0;    ///< of the loads in the last step, over the largest one; 0 where they have converged
   };
   Loads find_loads(std::optional<double> vertical_force, int steps);
   void find_ellipse(double hertzian);
   void load_rows();
   double roll();
   ContactPatch patch_of(const ContactRegion& region, std::size_t first, std::size_t count) const;
-  ContactPoint lowest_point(double depth);
+  double lower(const WheelState<double>& state, double depth, WheelRailSolution& out);
+  bool settle(const WheelState<double>& state, double vertical_force, double depth, WheelRailSolution& out);
+  void bracket(const WheelState<double>& state, double vertical_force, double start, WheelRailSolution& out);
+  double vertical_force() const;
   double hertzian_lowering(const ContactPoint& point, double vertical_force) const;
 
   const WheelRailBodies& bodies_;
@@ -99,11 +117,14 @@ private:
   std::vector<NormalRow> normal_rows_;
   std::vector<double> shear_, speed_;               ///< of the rows: force along s over the load, V [m/s]
   std::vector<double> load_, half_length_, centre_; ///< of the rows: q [N/m], a, x [m]
-  std::vector<LoadedRow> loaded_;
-  std::vector<RowForces> forces_;
+  std::vector<LoadedRow> loaded_, flat_rows_;
+  std::vector<RowForces> forces_, flat_forces_;
   std::span<const ContactPoint> points_;
   std::span<const ContactRegion> regions_;
   std::vector<ContactPatch> patches_;
+  bool complete_ = true;             ///< all rows of the regions are there
+  double searched_ = 0;              ///< [m] above the first touch up to which points were searched
+  double deepest_ = 0;               ///< [m] below the first touch: heights for a force end there
   double clearance_ = 0, depth_ = 0; ///< [m] from where the wheel was searched to its first touch, and from there
   WheelPlacement<double> placement_{};
 };

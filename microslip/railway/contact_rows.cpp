@@ -117,6 +117,11 @@ void ContactRows::measure(double length, double depth) {
     }
     before = s.measure[intervals];
   }
+  // Where curvatures change as quickly as on rough profiles all rows are wider. A region's ends cut one more off.
+  const double most = static_cast<double>(most_) - static_cast<double>(samples_.size()) - 1;
+  if (!(before > most) || !(most > 0)) return;
+  for (Samples& s : samples_)
+    for (double& rows : s.measure) rows *= most / before;
 }
 
 /// Where the edges lie in the count of rows, in [-1/2, 1/2]: at the deepest place, or where there are more of them at

@@ -31,8 +31,8 @@ public:
               const EquivalentRail* equivalent = nullptr);
 
   /// Rows of the wheel in its place, which is by `lowering` [m] lower than where it was searched; the regions and
-  /// points are those of the search, `depth` [m] is the greatest overlap. False if there are more than can be: those at
-  /// the field side are left out. Cost some 300 ns a row.
+  /// points are those of the search, `depth` [m] is the greatest overlap. Rows are wider where there would be more than
+  /// can be. False if there are as many regions: rows at the field side are left out. Cost some 300 ns a row.
   bool place(const WheelPlacement<double>& placement, std::span<const ContactRegion> regions,
              std::span<const ContactPoint> points, double lowering, double depth);
 

@@ -1,5 +1,6 @@
 #include "microslip/railway/exact_contact.hpp"
 
+#include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/railway/exact_patch.hpp"
 #include "microslip/railway/patch_group.hpp"
 
@@ -135,11 +136,12 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
     if (!(element.x > 0 && element.y > 0 && std::isfinite(element.x + element.y))) continue; // the coarse level failed
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
     const PatchOutline covered = all_of_overlap ? group.outline : limited_to_load(group.outline, patches, group.shares);
-    ExactPatch exact(bodies.material, surface, covered, method.patch_shape(), element, motion);
+    const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn)};
+    ExactPatch exact(bodies.material, surface, covered, shape, element, motion);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
     // Rows of the coarse level have planes of their own.
-    if (force > 0 && method.patch_shape() == PatchShape::flat)
+    if (force > 0 && method.surface() == PatchShape::flat)
       for (const PointLoad& row : loads)
         share += row.force / force * (std::cos(group.outline.frame.angle) - std::cos(row.angle));
     loaded.push_back({std::move(group), *rows, std::move(loads), std::move(exact), force, share});
@@ -185,8 +187,8 @@ std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const std::
 }
 
 /// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that bear a vertical force
-/// [N] where one is given. Returns the change of zeta [m].
-double correct(std::vector<Loaded>& loaded, std::optional<double> vertical_force) {
+/// [N] where one is given. Returns the change of zeta [m], nothing where lowering the wheel would lift it less.
+std::optional<double> correct(std::vector<Loaded>& loaded, std::optional<double> vertical_force) {
   std::vector<double> missing, by_zeta;
   for (const Loaded& one : loaded) {
     missing.push_back(one.pressed - one.force);
@@ -200,8 +202,10 @@ double correct(std::vector<Loaded>& loaded, std::optional<double> vertical_force
       short_of -= (loaded[k].force + direct[k]) * loaded[k].share;
       vertical_by_zeta += lowered[k] * loaded[k].share;
     }
+    if (!(vertical_by_zeta > 0)) return {};
     more = short_of / vertical_by_zeta;
   }
+  if (!std::isfinite(more)) return {};
   for (std::size_t k = 0; k < loaded.size(); ++k)
     loaded[k].force = std::max(loaded[k].force + direct[k] + more * lowered[k], 0.0);
   return more;
@@ -262,12 +266,14 @@ bool scale(std::vector<Loaded>& loaded) {
 }
 
 /// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they bear it:
-/// Newton's method from `zeta` and what the patches bore there, in the first round to less accuracy. Returns zeta.
-double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, bool first) {
+/// Newton's method from `zeta` and what the patches bore there, in the first round to less accuracy. Returns zeta,
+/// nothing where no load of the patches bears the force.
+std::optional<double> share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, bool first) {
   constexpr int most_steps = 12;
   if (loaded.size() == 1) {
     constexpr double tolerance = 1e-6;
     Loaded& only = loaded.front();
+    if (vertical_force && !(only.share > 0)) return {};
     if (vertical_force) only.force = *vertical_force / only.share;
     if (!vertical_force)
       only.exact.press(0, tolerance);
@@ -278,7 +284,9 @@ double share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_fo
   const double tolerance = first ? 1e-4 : 2e-7;
   double of_pressures = 0.1 * tolerance;
   for (int step = 0; step < most_steps; ++step) {
-    zeta += correct(loaded, vertical_force);
+    const std::optional<double> more = correct(loaded, vertical_force);
+    if (!more) return {};
+    zeta += *more;
     if (!first && step == 0 && scale(loaded)) break;
     double largest = 0, error = 0;
     for (Loaded& one : loaded) {
@@ -311,7 +319,7 @@ void sum(const CoarseContact& coarse, std::vector<Loaded>& loaded, WheelRailSolu
     ContactSolution& solution = one.solution;
     const PatchOutline& outline = one.group.outline;
     WheelRailPatch patch = coarse.describe(outline, one.rows.least_gap, one.rows.speed / one.rows.weight);
-    patch.approach += one.exact.approach();
+    patch.approach += one.exact.approach(), patch.conformity = one.exact.conformity();
     const Elements& e = solution.elements;
     const SurfaceFields& f = solution.fields;
     for (std::size_t i = 0; i < e.size(); ++i) {
@@ -349,6 +357,14 @@ bool hold_contacts(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); });
 }
 
+/// No load of these patches bears the vertical force: that is for other heights to find.
+bool no_balance(WheelRailSolution& out) {
+  out.patches.clear(), out.fields.clear();
+  out.force = out.moment = {};
+  out.status = Status::not_converged, out.residual = 1;
+  return true;
+}
+
 /// Solves with the patches that the coarse level has in its height. False if `others` may be found and these do not
 /// hold in the height that bears the vertical force, in which the wheel is then.
 bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
@@ -363,12 +379,18 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
       return true;
     }
     if (loaded.size() > 1) press_first(loaded);
-    lowering = share_load(loaded, vertical_force, 0, true);
+    const std::optional<double> found = share_load(loaded, vertical_force, 0, true);
+    if (!found) return no_balance(out);
+    lowering = *found;
     if (hold_contacts(loaded)) break;
   }
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   for (int round = 0; round < most_rounds; ++round) {
-    if (round > 0) lowering = share_load(loaded, vertical_force, lowering, false);
+    if (round > 0) {
+      const std::optional<double> found = share_load(loaded, vertical_force, lowering, false);
+      if (!found) return no_balance(out);
+      lowering = *found;
+    }
     if (round == 0 && others && vertical_force && !hold(loaded, lowering)) {
       out.vertical -= lowering;
       return false;
@@ -399,12 +421,10 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
   return true;
 }
 
-} // namespace
-
-void solve_exact(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
-                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
+/// In a state, from the patches of the coarse level there.
+void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
+                       const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
   constexpr int most_heights = 4; // the coarse level may have missed the height, or found it with other patches
-  const int iterations = out.iterations;
   for (int k = 1; k <= most_heights; ++k) {
     out.fields.clear();
     if (solve_with_patches(coarse, bodies, method, vertical_force, k < most_heights, out)) break;
@@ -412,6 +432,82 @@ void solve_exact(CoarseContact& coarse, WheelState<double> state, const WheelRai
     coarse.solve(state, {}, out);
     if (out.status == Status::no_contact) break;
   }
+}
+
+/// Forces of a wheel at given heights.
+class ExactHeight {
+public:
+  ExactHeight(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
+              const WheelRailMethod& method, double vertical_force, WheelRailSolution& out)
+      : coarse_(coarse), state_(state), bodies_(bodies), method_(method), vertical_force_(vertical_force), out_(out) {}
+
+  /// Solves at a height [m]. By how much the vertical force is too large, relative.
+  double excess_at(double height) {
+    state_.vertical = height;
+    out_.patches.clear(), out_.fields.clear();
+    out_.force = out_.moment = {};
+    coarse_.solve(state_, {}, out_);
+    if (out_.status != Status::no_contact) solve_from_coarse(coarse_, state_, bodies_, method_, {}, out_);
+    return out_.force.z / vertical_force_ - 1;
+  }
+
+  /// Brackets the height that bears the vertical force in steps that grow, from `start` on and not below `least` [m].
+  void find(double start, double least) {
+    constexpr double first_step = 4e-6, growth = 3, precision = 1e-9, finest = 1e-12; // [m], [-], [m]
+    constexpr int most_steps = 7;                                                     // up to 4 mm away
+    const auto excess = [this](double height) { return excess_at(height); };
+    RootSide before{std::max(start, least), 0};
+    before.value = excess(before.at);
+    RootSide nearest = before;
+    const bool rises = before.value > 0;
+    double step = rises ? first_step : -first_step;
+    for (int k = 0; k < most_steps && (rises || before.at > least); ++k, step *= growth) {
+      const double height = std::max(before.at + step, least);
+      const RootSide here{height, excess(height)};
+      if ((here.value > 0) != (before.value > 0)) {
+        const double tolerance = std::max(method_.tolerance, least_exact_tolerance);
+        BracketedRoot root = find_bracketed_root(before, here, tolerance, precision, excess);
+        if (!root.found && !is_jump(root))
+          root = find_bracketed_root(root.side, root.other, tolerance, finest, excess);
+        out_.residual = std::max(out_.residual, std::abs(root.side.value));
+        if (!root.found) mark_jump(out_);
+        return;
+      }
+      before = here;
+      if (std::abs(here.value) < std::abs(nearest.value)) nearest = here;
+    }
+    out_.residual = std::abs(excess(nearest.at));
+    out_.status = Status::no_solution, out_.reason = Unsolved::no_height;
+  }
+
+private:
+  /// Whether the force changes more steeply than any contact would let it.
+  bool is_jump(const BracketedRoot& root) const {
+    const double stiffest = bodies_.material.shear_modulus * bodies_.wheelset.nominal_radius; // [N/m]
+    return vertical_force_ * std::abs(root.side.value - root.other.value) >
+           stiffest * std::abs(root.side.at - root.other.at);
+  }
+
+  CoarseContact& coarse_;
+  WheelState<double> state_;
+  const WheelRailBodies& bodies_;
+  const WheelRailMethod& method_;
+  double vertical_force_;
+  WheelRailSolution& out_;
+};
+
+} // namespace
+
+void solve_exact(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
+                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
+  const int iterations = out.iterations;
+  const double height = out.vertical, least = coarse.least_height(state.vertical);
+  const bool coarse_failed = vertical_force && out.status != Status::ok;
+  if (!coarse_failed) solve_from_coarse(coarse, state, bodies, method, vertical_force, out);
+  const bool is_rolling = std::all_of(out.patches.begin(), out.patches.end(),
+                                      [](const WheelRailPatch& patch) { return patch.status == Status::ok; });
+  if (coarse_failed || (vertical_force && out.status != Status::ok && is_rolling))
+    ExactHeight(coarse, state, bodies, method, *vertical_force, out).find(height, least);
   out.iterations = iterations;
 }
 

@@ -54,21 +54,21 @@ double largest_change(const std::vector<double>& a, const std::vector<double>& b
 } // namespace
 
 ExactPatch::ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
-                       PatchShape shape, Vec2 element, const Motion& motion)
+                       const Shape& shape, Vec2 element, const Motion& motion)
     : material_(material), frame_(outline.frame), motion_(motion), grid_(cover(outline, element)), gaps_(grid_.count()),
-      normal_(material, grid_) {
+      normal_(material, grid_), conformity_(shape.conformity) {
   const auto mx = static_cast<std::size_t>(grid_.mx);
   std::vector<double> x;
   for (int i = 0; i < grid_.mx; ++i) x.push_back(grid_.x(i));
   PatchRow near = surface.first_row(frame_, outline.wheel_s);
   for (int j = 0; j < grid_.my; ++j) {
-    PatchRow row = surface.row(frame_, shape, grid_.y(j), near);
+    PatchRow row = surface.row(frame_, shape.surface, grid_.y(j), near);
     surface.find_gaps(row, x, std::span(gaps_).subspan(static_cast<std::size_t>(j) * mx, mx));
     near = row;
     rows_.push_back(row);
-    creepage_.push_back(surface.creepage(frame_, shape, row, motion.contact_gap, motion.speed));
+    creepage_.push_back(surface.creepage(frame_, shape.surface, row, motion.contact_gap, motion.speed));
   }
-  if (shape == PatchShape::conformal) correct_angles(material);
+  if (conformity_ > 0) correct_angles(material);
   least_ = *std::min_element(gaps_.begin(), gaps_.end());
   for (double& h : gaps_) h -= least_;
   lifted_ = gaps_;
@@ -125,7 +125,7 @@ void ExactPatch::find_loads() {
     load_.force += sum.force, load_.place = load_.place + sum.place;
     sum.place = 1 / sum.force * sum.place;
   }
-  if (load_.force > 0) load_.place = 1 / load_.force * load_.place;
+  load_.place = load_.force > 0 ? 1 / load_.force * load_.place : frame_.origin;
 }
 
 void ExactPatch::correct_angles(const CombinedMaterial& material) {
@@ -141,7 +141,10 @@ void ExactPatch::correct_angles(const CombinedMaterial& material) {
 /// Those of the last tractions and of the pressures that there are.
 ExactPatch::Fields ExactPatch::added_displacements() {
   on_grid_[2] = pressed_.pressure;
-  return correction_->find(on_grid_);
+  Fields added = correction_->find(on_grid_);
+  for (auto& field : added)
+    for (double& u : field) u *= conformity_;
+  return added;
 }
 
 /// With the half-space's displacements alone.

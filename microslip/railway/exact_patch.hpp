@@ -32,12 +32,19 @@ public:
     RollingDirection direction = RollingDirection::forward;
   };
 
+  /// On which surface it is solved.
+  struct Shape {
+    PatchShape surface = PatchShape::curved;
+    double conformity = 0; ///< in [0, 1], WheelRailMethod::conformity
+  };
+
   /// Elements of the sides `element` over all of the outline, which holds the contact; the frame's origin is the
   /// centre of one, so that elements do not move in the frame. Rows outside the profiles are far apart.
   ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
-             PatchShape shape, Vec2 element, const Motion& motion);
+             const Shape& shape, Vec2 element, const Motion& motion);
 
   const ElementGrid& grid() const { return grid_; }
+  double conformity() const { return conformity_; }
   const PatchRow& row(int j) const { return rows_[static_cast<std::size_t>(j)]; }
 
   /// Loads on other patches from now on lift the rail's surface here.
@@ -59,7 +66,7 @@ public:
   double unsettled() const { return unsettled_; }
   /// Whether the outline holds the contact, as the elements need it.
   bool holds_contact() const;
-  /// The pressures as one load, and as some loads over the patch.
+  /// The pressures as one load, that of none at the frame's origin; and as some loads over the patch.
   const PointLoad& load() const { return load_; }
   std::span<const PointLoad> loads() const { return loads_; }
 
@@ -98,6 +105,7 @@ private:
   double fitted_force_ = 0; ///< with which its elements were fitted [N]
   VectorField tractions_;   ///< of the last solution, with the normal force rolled_force_ [N]
   double rolled_force_ = 0;
+  double conformity_;                               ///< share of what the rows' angles add
   std::optional<InclinationCorrection> correction_; ///< of a conformal patch whose rows are turned
   Fields on_grid_;                                  ///< the tractions of the last solution at the grid's elements,
   Fields added_;                                    ///< and what the rows' angles add to their displacements

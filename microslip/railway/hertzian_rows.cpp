@@ -1,6 +1,7 @@
 #include "microslip/railway/hertzian_rows.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/numerics/fade.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,6 @@ namespace microslip {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// 1 up to low, 0 from high, with continuous slope.
-double fade(double value, double low, double high) {
-  const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
-  return 1 - t * t * (3 - 2 * t);
-}
 
 /// An ellipse E11 x^2 + 2 E12 x s + E22 s^2 = 1.
 struct Ellipse {
@@ -147,6 +142,10 @@ double HertzianRows::load(const CombinedMaterial& material, std::span<const Norm
     hertz = turned_hertz(along_, across_, skew_,
                          [&](const GapCurvatures& gap) { return hertz_from_load(gap, material, force); });
     const double vertical = put(hertz), factor = *vertical_force / vertical;
+    if (!(vertical > 0)) { // friction on a flank pulls the wheel down
+      stiffness_ = 0;
+      return 0;
+    }
     if (step == 2) {
       for (std::size_t k = 0; k < count_; ++k) load_[k] *= factor;
     }

@@ -286,6 +286,7 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
       result.status = Status::ok;
     find_half_lengths();
   }
+  if (result.status != Status::ok && !(result.change > enough)) result.change = 1; // the active set has not settled
   return result;
 }
 

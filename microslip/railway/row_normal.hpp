@@ -51,7 +51,7 @@ public:
   struct Result {
     double lowering = 0;  ///< zeta [m]
     double stiffness = 0; ///< change of the vertical force with zeta, with the half-lengths held [N/m]
-    double change = 0;    ///< of the loads in the last step, over the largest one
+    double change = 0;    ///< of the loads in the last step, over the largest one; 1 where rows come and go
     Status status = Status::ok;
     int steps = 0;
   };

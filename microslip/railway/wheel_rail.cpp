@@ -3,16 +3,21 @@
 #include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
+#include "microslip/numerics/fade.hpp"
 #include "microslip/railway/derailment.hpp"
 #include "microslip/railway/equivalent_rail.hpp"
 #include "microslip/railway/exact_contact.hpp"
 #include "microslip/railway/patch_damage.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
 #include "microslip/railway/relative_motion.hpp"
+#include "microslip/railway/wheel_status.hpp"
+#include "microslip/railway/wheel_warnings.hpp"
 #include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -50,23 +55,6 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   const auto& [hardness, shear_yield_strength, wear_map] = bodies.strength;
   if (hardness) require_positive("hardness", *hardness, "Pa");
   if (shear_yield_strength) require_positive("shear_yield_strength", *shear_yield_strength, "Pa");
-}
-
-bool is_finite(WheelState<double> state) {
-  const auto numbers = state.numbers();
-  return std::all_of(numbers.begin(), numbers.end(), [](const double* x) { return std::isfinite(*x); });
-}
-
-/// Contacts larger than their bodies have no solution.
-bool has_numbers(const WheelRailSolution& s) {
-  double sum = dot(s.force, s.force) + dot(s.moment, s.moment) + s.vertical + s.residual;
-  for (const WheelRailPatch& p : s.patches) {
-    if (p.normal_force == 0) return false;
-    sum += p.normal_force + p.fx + p.fs + p.moment + p.peak_pressure + p.frictional_power + p.contact_area +
-           p.approach + p.rolling_radius + p.angle + p.turn + p.place.x + p.creepage.longitudinal + p.creepage.lateral +
-           p.creepage.spin;
-  }
-  return std::isfinite(sum);
 }
 
 /// A left wheel's solution as that of a right one.
@@ -208,6 +196,8 @@ struct WheelRail::Workspace {
   bool is_general = has_general_surfaces(bodies);
   std::unique_ptr<PlainContact> contact = std::make_unique<PlainContact>(bodies, method, nominal);
   std::optional<double> flange_angle = wheel_dimensions(bodies.wheel, default_tape_line(bodies.wheel)).flange_angle;
+  std::optional<double> nose = flange_nose(bodies.wheel);
+  Warnings of_bodies = warnings_of(bodies);
   WheelRailSolution trial{};
 
   Workspace(WheelRailBodies given, const WheelRailMethod& how) : bodies(std::move(given)), method(how) {
@@ -226,27 +216,42 @@ struct WheelRail::Workspace {
                      WheelRailDerivatives& derivatives) {
     derivatives = {};
     solve_left(left(state), vertical_force, out);
-    if (out.status == Status::ok) differentiate_left(left(state), vertical_force, out, derivatives);
+    if (is_solved(out.status) && !find_derivatives(left(state), vertical_force, out, derivatives)) {
+      derivatives = {};
+      out.status = Status::not_converged, out.reason = Unsolved::derivatives;
+    }
     if (is_right()) mirror(out), mirror(derivatives);
   }
 
 private:
+  /// No number of a state makes it throw: the state has a status, and others can be solved.
   void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
-    if (!solve_coarse(state, vertical_force, out)) return;
-    if (method.level == WheelRailLevel::exact)
-      solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out);
-    else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
-      contact->coarse.add_fields(out);
-    if (!has_numbers(out)) {
-      out.patches.clear(), out.fields.clear();
-      out.force = out.moment = {};
-      out.vertical = state.vertical, out.residual = 1, out.status = Status::not_converged;
+    try {
+      find_forces(state, vertical_force, out);
+    } catch (const Error&) {
+      out.status = Status::not_converged, out.residual = std::numeric_limits<double>::quiet_NaN();
     }
+    conclude(out, state.vertical, solved_tolerance());
     assess(out);
     if (method.level != WheelRailLevel::exact && !method.fields) out.fields.clear();
   }
 
-  /// What the forces of a left wheel do to the surfaces and to its guidance.
+  void find_forces(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
+    if (!solve_coarse(state, vertical_force, out)) return;
+    if (method.surface() == PatchShape::flat)
+      out.warnings.add_if(contact->coarse.change_by_planes() > limit(Warning::flat_surface), Warning::flat_surface);
+    if (method.level == WheelRailLevel::exact)
+      solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out);
+    else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
+      contact->coarse.add_fields(out);
+  }
+
+  /// Of the residual.
+  double solved_tolerance() const {
+    return method.level == WheelRailLevel::exact ? std::max(method.tolerance, least_exact_tolerance) : method.tolerance;
+  }
+
+  /// What the forces of a left wheel do to the surfaces and to its guidance, and what makes them doubtful.
   void assess(WheelRailSolution& out) const {
     for (std::size_t k = 0; k < out.patches.size(); ++k) {
       const ContactSolution* fields = k < out.fields.size() ? &out.fields[k] : nullptr;
@@ -254,6 +259,13 @@ private:
     }
     if (out.force.z > 0) out.y_over_q = -out.force.y / out.force.z;
     if (flange_angle) out.nadal_limit = nadal_limit(*flange_angle, contact->coarse.friction(*flange_angle));
+    if (out.patches.empty()) return;
+    for (const WheelRailPatch& patch : out.patches)
+      out.warnings.add_if(method.surface() == PatchShape::flat && patch.turn > largest_flat_turn,
+                          Warning::flat_surface);
+    out.warnings = out.warnings | of_bodies | warnings_of(bodies, out, nose);
+    if (out.status == Status::ok && out.warnings.is_decisive())
+      out.status = Status::implausible, out.reason = Unsolved::implausible;
   }
 
   /// Whether there is contact.
@@ -261,10 +273,10 @@ private:
     out.patches.clear(), out.fields.clear();
     out.patches.reserve(most_patches); // for all that come later
     out.force = out.moment = {};
-    out.residual = 0, out.iterations = 0, out.at_profile_end = false;
+    out.residual = 0, out.iterations = 0, out.warnings = {};
     out.y_over_q.reset(), out.nadal_limit.reset();
-    out.vertical = state.vertical;
-    if (!is_finite(state) || (vertical_force && !(*vertical_force > 0 && *vertical_force < 1e12))) {
+    out.vertical = state.vertical, out.reason = Unsolved::none;
+    if (!is_in_range(state) || (vertical_force && !is_vertical_force(*vertical_force))) {
       out.status = Status::invalid_input;
       return false;
     }
@@ -302,6 +314,20 @@ private:
       contact = std::make_unique<PlainContact>(bodies, method, nominal, std::move(*rail));
       return true;
     }
+  }
+
+  /// False if they are not numbers.
+  bool find_derivatives(const WheelState<double>& state, std::optional<double> vertical_force,
+                        const WheelRailSolution& found, WheelRailDerivatives& d) {
+    try {
+      differentiate_left(state, vertical_force, found, d);
+    } catch (const Error&) {
+      return false;
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < wheel_variables; ++k)
+      sum += dot(d.force[k], {1, 1, 1}) + dot(d.moment[k], {1, 1, 1}) + d.vertical[k];
+    return std::isfinite(sum);
   }
 
   void differentiate_left(WheelState<double> state, std::optional<double> vertical_force,
@@ -412,8 +438,15 @@ private:
   }
 };
 
+double WheelRailMethod::conformity(double turn) const {
+  constexpr double curved = 10 * std::numbers::pi / 180, conformal = 18 * std::numbers::pi / 180; // [rad]
+  if (level != WheelRailLevel::exact) return 0;
+  if (shape) return *shape == PatchShape::conformal ? 1 : 0;
+  return 1 - fade(turn, curved, conformal);
+}
+
 void require_shape(const WheelRailMethod& method, const std::string& name) {
-  if (method.level == WheelRailLevel::exact || method.patch_shape() == PatchShape::curved) return;
+  if (method.level == WheelRailLevel::exact || method.surface() == PatchShape::curved) return;
   throw Error(name + ": the rows of " + (method.level == WheelRailLevel::table ? "table" : "fastsim2") +
               " follow the surface: curved, or left out");
 }

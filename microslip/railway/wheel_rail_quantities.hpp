@@ -57,8 +57,4 @@ std::span<const DamageField> damage_fields();
 double t_gamma(const WheelRailPatch& patch);
 double t_gamma_with_spin(const WheelRailPatch& patch);
 
-/// From this turn [rad] of the rail's surface across a flat patch on, distances along it differ by 3 % from those in
-/// its plane: cos = 1/1.03.
-inline constexpr double largest_flat_turn = 0.2419;
-
 } // namespace microslip

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/contact/warnings.hpp"
 #include "microslip/damage/surface_strength.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/railway/patch_surface.hpp"
 #include "microslip/railway/profile.hpp"
 #include "microslip/railway/profile_surface.hpp"
 #include "microslip/railway/track.hpp"
+#include "microslip/railway/unsolved.hpp"
 #include "microslip/railway/wheelset.hpp"
 
 #include <memory>
@@ -48,17 +50,20 @@ enum class WheelRailLevel {
 };
 struct WheelRailMethod {
   WheelRailLevel level = WheelRailLevel::fastsim2;
-  std::optional<PatchShape> shape =
-      {};                  ///< exact: flat unless given; the rows of fastsim2 and table always follow the surface
+  /// exact: unless given curved, and conformal where the rail's surface turns (conformity()); the rows of fastsim2 and
+  /// table always follow the surface.
+  std::optional<PatchShape> shape = {};
   int elements = 24;       ///< exact: across each contact
   double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
   bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
   std::shared_ptr<const CreepForceTable> table = {}; ///< table: rolling forward; one for nu alone is the smallest
 
-  /// The shape that is given, or the level's own.
-  PatchShape patch_shape() const {
-    return shape.value_or(level == WheelRailLevel::exact ? PatchShape::flat : PatchShape::curved);
-  }
+  /// Which surface gaps and creepages are those of: that of the shape that is given, or the true one.
+  PatchShape surface() const { return shape.value_or(PatchShape::curved); }
+  /// How much counts of what the angles of a patch's rows change in their displacements: 0 of a curved patch, 1 of a
+  /// conformal one. Unless the shape is given it rises smoothly, 1/2 where the rail's surface turns by 14 degrees
+  /// [rad] across the patch, where a cosine differs by 3 %.
+  double conformity(double turn) const;
 };
 
 /// What a patch does to the surfaces; empty where a number of their strength is not given.
@@ -76,6 +81,7 @@ struct WheelRailPatch {
   double rail_y = 0, wheel_y = 0;          ///< of both profiles there, in their own axes [m]
   double rolling_radius = 0;               ///< of the wheel there [m]
   double turn = 0;                         ///< by how much the rail's surface turns across the patch [rad]
+  double conformity = 0;                   ///< exact: 0 solved as curved (or flat), 1 as conformal [-]
   double approach = 0;                     ///< greatest overlap [m]
   double rolling_speed = 0;                ///< V [m/s]
   Creepage creepage;                       ///< at the frame's origin
@@ -99,8 +105,9 @@ struct WheelRailSolution {
   int iterations = 0;                  ///< over the wheel's height
   std::optional<double> y_over_q;      ///< Y/Q [-]: force towards the track's centre over the vertical one
   std::optional<double> nadal_limit;   ///< of it, where the flange is steepest [-]; empty without a flange
-  bool at_profile_end = false;         ///< a patch ends where a profile ends: its forces are too small
+  Warnings warnings;                   ///< why it is doubtful
   Status status = Status::ok;
+  Unsolved reason = Unsolved::none; ///< why the status is not ok
 };
 
 } // namespace microslip

@@ -1,11 +1,14 @@
 #include "microslip/railway/wheelset_on_track.hpp"
 
+#include "microslip/error.hpp"
+#include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/numerics/elimination.hpp"
-#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheel_status.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace microslip {
@@ -63,35 +66,46 @@ struct Range {
   double low, high;
 };
 
-/// The zero of a decreasing function near x: bracketed in steps that double, then by the rule of false position, every
-/// third time by halving. x stays where it is if there is none in the range.
+/// The zero of a decreasing function near x: bracketed in steps that double, then by find_bracketed_root. x stays where
+/// it is if there is none in the range.
 template <class Function>
 Status find_zero(double& x, double step, const Range& range, double tolerance, const Function& function) {
-  constexpr int most_places = 100;
   const double start = x, precision = 1e-10 * step;
-  double low = x, low_value = function(x);
-  if (std::abs(low_value) <= tolerance) return Status::ok;
-  step = std::copysign(step, low_value);
-  double high = low, high_value = low_value;
-  for (; high_value * low_value > 0; step *= 2) {
-    low = high, low_value = high_value;
-    x = high = std::clamp(low + step, range.low, range.high);
-    if (!(std::abs(high - low) > precision)) {
+  const auto at = [&](double place) {
+    x = place;
+    return function(place);
+  };
+  RootSide low{x, at(x)};
+  if (std::abs(low.value) <= tolerance) return Status::ok;
+  step = std::copysign(step, low.value);
+  RootSide high = low;
+  for (; high.value * low.value > 0; step *= 2) {
+    low = high;
+    const double next = std::clamp(low.at + step, range.low, range.high);
+    if (!(std::abs(next - low.at) > precision)) {
       x = start;
       return Status::no_solution;
     }
-    high_value = function(x);
+    high = {next, at(next)};
   }
-  for (int k = 0; k < most_places && std::abs(high - low) > precision; ++k) {
-    x = k % 3 == 2 ? (low + high) / 2 : low - low_value * (high - low) / (high_value - low_value);
-    const double value = function(x);
-    if (std::abs(value) <= tolerance) return Status::ok;
-    if (value * low_value > 0)
-      low = x, low_value = value, high_value /= 2;
-    else
-      high = x, high_value = value, low_value /= 2;
+  return find_bracketed_root(low, high, tolerance, precision, at).found ? Status::ok : Status::not_converged;
+}
+
+Unsolved usual_reason(Status status) {
+  switch (status) {
+  case Status::ok:
+    return Unsolved::none;
+  case Status::no_contact:
+    return Unsolved::off_its_rail;
+  case Status::invalid_input:
+    return Unsolved::out_of_range;
+  case Status::no_solution:
+    return Unsolved::no_balance;
+  case Status::implausible:
+    return Unsolved::implausible;
+  default:
+    return Unsolved::residual;
   }
-  return Status::not_converged;
 }
 
 struct Wheels {
@@ -118,12 +132,8 @@ Vec3<double> turning_axis(const WheelState<double>& s, std::size_t variable) {
   return {};
 }
 
-bool is_finite(const WheelState<double>& state) {
-  const auto all = state_quantities();
-  return std::all_of(all.begin(), all.end(), [&](const StateQuantity& q) { return std::isfinite(q.value(state)); });
-}
-bool is_load(double force) {
-  return force > 0 && force < 1e12;
+bool is_finite(const WheelsetSolution& s) {
+  return std::isfinite(dot(s.force, s.force) + dot(s.moment, s.moment) + s.vertical + s.roll + s.pitch_velocity);
 }
 
 } // namespace
@@ -137,6 +147,7 @@ struct WheelsetOnTrack::Workspace {
   WheelsetSolution trial{};
   WheelRailDerivatives by_left{}, by_right{};
   WheelsetDerivatives slopes{};
+  int evaluations = 0; ///< of both wheels in this solve
 
   Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& how)
       : method(how), left_place(nominal_placement(l.track, l.rail, l.wheelset, l.wheel)),
@@ -145,6 +156,12 @@ struct WheelsetOnTrack::Workspace {
     WheelRailMethod fast = how;
     fast.level = WheelRailLevel::fastsim2;
     if (how.level == WheelRailLevel::exact) coarse.emplace(Wheels{{l, fast}, {r, fast}});
+  }
+
+  /// Brackets within brackets end after some hundred times as many evaluations as Newton's method takes.
+  bool has_spent_all() const {
+    constexpr int most_evaluations = 1500;
+    return evaluations > most_evaluations;
   }
 
   double tolerance() const { return coarse ? std::max(method.tolerance, 1e-5) : method.tolerance; }
@@ -164,13 +181,16 @@ struct WheelsetOnTrack::Workspace {
     out.vertical = state.left.vertical, out.roll = state.left.roll, out.pitch_velocity = state.left.pitch_velocity;
     const auto either = [&](Status status) { return l.status == status || r.status == status; };
     out.status = Status::ok;
+    if (either(Status::implausible)) out.status = Status::implausible;
     if (either(Status::not_converged)) out.status = Status::not_converged;
     if (l.status == Status::no_contact && r.status == Status::no_contact) out.status = Status::no_contact;
     if (either(Status::invalid_input)) out.status = Status::invalid_input;
+    out.warnings = l.warnings | r.warnings;
   }
 
   /// Both wheels where they are.
-  void evaluate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) const {
+  void evaluate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) {
+    ++evaluations;
     by.left.solve(state.left, {}, out.left);
     by.right.solve(state.right(), {}, out.right);
     sum(state, out);
@@ -273,6 +293,7 @@ struct WheelsetOnTrack::Workspace {
 
   /// Each wheel by itself lowered until it bears its load: `trial`.
   void lower(Wheels& by, const WheelsetState& state, const WheelLoads& loads) {
+    ++evaluations;
     by.left.solve(state.left, loads.left, trial.left);
     by.right.solve(state.right(), loads.right, trial.right);
     sum(state, trial);
@@ -343,6 +364,7 @@ struct WheelsetOnTrack::Workspace {
     double& pitch = state.left.pitch_velocity;
     const double reach = 1e3 * target.unknown_size[2]; // up to full sliding
     return find_zero(pitch, target.unknown_size[2], {pitch - reach, pitch + reach}, tolerance() / 4, [&](double) {
+      if (has_spent_all()) return 0.0;
       forces(state);
       return residual(target, state, trial)[2];
     });
@@ -362,6 +384,7 @@ struct WheelsetOnTrack::Workspace {
       double& roll = state.left.roll;
       level = find_zero(roll, target.unknown_size[1], {roll - largest_roll, roll + largest_roll},
                         tolerance() * target.unknown_size[0], [&](double) {
+                          if (has_spent_all()) return 0.0;
                           pitch = bracket_pitch(target, state,
                                                 [&](const WheelsetState& s) { lower(by, s, loads), ++iterations; });
                           return apart();
@@ -376,13 +399,34 @@ struct WheelsetOnTrack::Workspace {
   }
 
   void solve(WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& out) {
-    out.residual = 0, out.iterations = 0;
-    if (!is_valid(state, load)) {
+    out.residual = 0, out.iterations = 0, evaluations = 0;
+    if (is_valid(state, load)) {
+      find_balance(state, load, out);
+    } else {
       out.left = out.right = {};
       sum(state, out);
       out.status = Status::invalid_input;
-      return;
     }
+    conclude(load, out);
+  }
+
+  /// Makes status and numbers agree, as conclude() of a wheel does.
+  void conclude(const WheelsetLoad& load, WheelsetSolution& out) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (out.status == Status::invalid_input) {
+      out.force = out.moment = {none, none, none};
+    } else if (!is_finite(out)) {
+      out.left = out.right = {};
+      out.force = out.moment = {}, out.vertical = out.roll = out.pitch_velocity = 0;
+      out.status = Status::not_converged, out.residual = 1;
+    }
+    if (load.vertical && is_solved(out.status))
+      for (const WheelRailSolution* wheel : {&out.left, &out.right})
+        out.warnings.add_if(wheel->force.z < limit(Warning::wheel_lifted) * out.force.z / 2, Warning::wheel_lifted);
+    out.reason = usual_reason(out.status);
+  }
+
+  void find_balance(WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& out) {
     if (!load.vertical && !load.axle_torque) return evaluate(wheels, state, out);
     if (const Status status = start(load, state); status != Status::ok) {
       out.left = out.right = {};
@@ -397,7 +441,8 @@ struct WheelsetOnTrack::Workspace {
     Status reason = Status::not_converged;
     if (!found) {
       state = begin;
-      if (bracket(first(), target, state, out.iterations) == Status::no_solution) reason = Status::no_solution;
+      const Status bracketed = bracket(first(), target, state, out.iterations);
+      if (bracketed == Status::no_solution && !has_spent_all()) reason = Status::no_solution;
       found = newton(first(), first(), target, state, out);
     }
     if (coarse) found = newton(wheels, *coarse, target, state, out);
@@ -405,24 +450,25 @@ struct WheelsetOnTrack::Workspace {
   }
 
   static bool is_valid(const WheelsetState& state, const WheelsetLoad& load) {
-    if (!is_finite(state.left) || !is_finite(state.right())) return false;
+    if (!is_in_range(state.left) || !is_in_range(state.right())) return false;
     if (load.axle_torque && !std::isfinite(*load.axle_torque)) return false;
     if (!load.vertical) return true;
     if (const auto* both = std::get_if<AxleLoad>(&*load.vertical))
-      return is_load(both->vertical_force) && std::isfinite(both->roll_moment);
+      return is_vertical_force(both->vertical_force) && std::isfinite(both->roll_moment);
     const auto& [left, right] = std::get<WheelLoads>(*load.vertical);
-    return is_load(left) && is_load(right);
+    return is_vertical_force(left) && is_vertical_force(right);
   }
 
   void differentiate(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out,
                      WheelsetDerivatives& derivatives) {
     solve(state, load, out);
     derivatives = {};
-    if (out.status != Status::ok) return;
+    if (!is_solved(out.status)) return;
     const double residual = out.residual;
     const int iterations = out.iterations;
+    const Warnings warnings = out.warnings;
     differentiate(wheels, state, out);
-    out.residual = residual, out.iterations = iterations;
+    out.residual = residual, out.iterations = iterations, out.warnings = warnings;
     hold(target_of(state, load, out), state, out, derivatives);
   }
 

@@ -39,7 +39,9 @@ struct WheelsetSolution {
   /// torque over the load times the radius.
   double residual = 0;
   int iterations = 0; ///< over height, roll and pitch velocity
+  Warnings warnings;  ///< of both wheels, and of the wheelset
   Status status = Status::ok;
+  Unsolved reason = Unsolved::none; ///< why the status is not ok
 };
 
 /// What a wheelset's forces are differentiated by: numbers of its state, and the prescribed forces.

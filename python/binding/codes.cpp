@@ -1,5 +1,6 @@
 #include "binding/codes.hpp"
 
+#include "microslip/contact/warnings.hpp"
 #include "microslip/contact/surface_fields.hpp"
 
 #include <string>
@@ -34,15 +35,23 @@ template <class Code> void add(py::list& members, const char* name, Code code) {
 void bind_codes(py::module_& module) {
   py::list statuses, states;
   for (const auto status : {Status::ok, Status::invalid_input, Status::not_converged, Status::no_contact,
-                            Status::no_solution, Status::out_of_range})
+                            Status::no_solution, Status::out_of_range, Status::implausible})
     add(statuses, std::string(to_string(status)).c_str(), status);
   const char* text =
       "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are\n"
       "NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;\n"
       "no_solution, the force given is beyond friction and the result slides fully; out_of_range, beyond\n"
-      "the range of a creep-force table, the forces are those of limits. An IntEnum: arrays of codes\n"
-      "compare with it.";
+      "the range of a creep-force table, the forces are those of limits; implausible, solved, but it\n"
+      "cannot be meant, as its warnings say. An IntEnum: arrays of codes compare with it.";
   status_class = make_class(module, "Status", statuses, text).release().ptr();
+  module.def(
+      "warning_texts",
+      [] {
+        py::dict texts;
+        for (const WarningInfo& one : warning_table()) texts[py::str(one.name)] = one.text;
+        return texts;
+      },
+      "What makes results doubtful [-]: name and text of each warning, in the order of the bits of `warning_code`.");
   add(states, "exterior", CellState::exterior);
   add(states, "adhesion", CellState::adhesion);
   add(states, "slip", CellState::slip);

@@ -263,11 +263,18 @@ void bind_wheel_solution(py::module_& module) {
       .def_readonly("fields", &WheelRailSolution::fields,
                     "The ContactSolution of each patch, in its frame, with theory \"exact\" or where fields are asked\n"
                     "for; else empty.")
-      .def_readonly("at_profile_end", &WheelRailSolution::at_profile_end,
-                    "Whether a patch ends where a profile ends: its forces are too small.")
+      .def_property_readonly(
+          "at_profile_end", [](const WheelRailSolution& self) { return self.warnings.has(Warning::profile_end); },
+          "Whether a patch ends where a profile ends: its forces are too small.")
+      .def_property_readonly(
+          "warnings", [](const WheelRailSolution& self) { return self.warnings.texts(); },
+          "What makes the result doubtful, as texts: pressures beyond elasticity, a profile's end, a flange that\n"
+          "climbs, numbers that look like other units.")
+      .def_property_readonly("reason", [](const WheelRailSolution& self) { return to_string(self.reason); },
+                             "Why the status is not ok; else empty.")
       .def_readonly("status", &WheelRailSolution::status, "How the calculation ended.")
       .def("_repr_html_", &table, "For notebooks, in SI units [-].");
-  add_value(solution, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});
+  add_value(solution, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status", "warnings"});
 
   auto states = py::class_<SolvedStates>(
       module, "WheelRailArrays",
@@ -297,6 +304,15 @@ void bind_wheel_solution(py::module_& module) {
             return out;
           },
           "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
+      .def_property_readonly(
+          "warning_code",
+          [](const SolvedStates& self) {
+            py::array_t<std::uint32_t> out(self.shape);
+            std::transform(self.solutions.begin(), self.solutions.end(), out.mutable_data(),
+                           [](const auto& s) { return s.warnings.code; });
+            return out;
+          },
+          "What makes results doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
       .def_property_readonly("inputs", &inputs_of, inputs_text().c_str())
       .def("__len__", [](const SolvedStates& self) { return self.solutions.size(); });
   add_description(states, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});

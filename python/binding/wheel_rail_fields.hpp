@@ -23,6 +23,7 @@ inline constexpr auto fields<PatchDamage> =
     std::tuple{Field{"worn_area", &PatchDamage::worn_area}, Field{"wear_depth", &PatchDamage::wear_depth},
                Field{"fatigue_index", &PatchDamage::fatigue_index},
                Field{"shakedown_load", &PatchDamage::shakedown_load}};
+template <> inline constexpr auto fields<Warnings> = std::tuple{Field{"code", &Warnings::code}};
 template <>
 inline constexpr auto fields<WheelRailPatch> = std::tuple{Field{"place", &WheelRailPatch::place},
                                                           Field{"angle", &WheelRailPatch::angle},
@@ -30,6 +31,7 @@ inline constexpr auto fields<WheelRailPatch> = std::tuple{Field{"place", &WheelR
                                                           Field{"wheel_y", &WheelRailPatch::wheel_y},
                                                           Field{"rolling_radius", &WheelRailPatch::rolling_radius},
                                                           Field{"turn", &WheelRailPatch::turn},
+                                                          Field{"conformity", &WheelRailPatch::conformity},
                                                           Field{"approach", &WheelRailPatch::approach},
                                                           Field{"rolling_speed", &WheelRailPatch::rolling_speed},
                                                           Field{"creepage", &WheelRailPatch::creepage},
@@ -49,8 +51,8 @@ inline constexpr auto fields<WheelRailSolution> = std::tuple{
     Field{"force", &WheelRailSolution::force},           Field{"moment", &WheelRailSolution::moment},
     Field{"vertical", &WheelRailSolution::vertical},     Field{"patches", &WheelRailSolution::patches},
     Field{"fields", &WheelRailSolution::fields},         Field{"residual", &WheelRailSolution::residual},
-    Field{"iterations", &WheelRailSolution::iterations}, Field{"at_profile_end", &WheelRailSolution::at_profile_end},
+    Field{"iterations", &WheelRailSolution::iterations}, Field{"warnings", &WheelRailSolution::warnings},
     Field{"y_over_q", &WheelRailSolution::y_over_q},     Field{"nadal_limit", &WheelRailSolution::nadal_limit},
-    Field{"status", &WheelRailSolution::status}};
+    Field{"status", &WheelRailSolution::status},         Field{"reason", &WheelRailSolution::reason}};
 
 } // namespace microslip::python

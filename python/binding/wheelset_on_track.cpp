@@ -22,7 +22,9 @@ inline constexpr auto fields<WheelsetSolution> = std::tuple{Field{"left", &Wheel
                                                             Field{"pitch_velocity", &WheelsetSolution::pitch_velocity},
                                                             Field{"residual", &WheelsetSolution::residual},
                                                             Field{"iterations", &WheelsetSolution::iterations},
-                                                            Field{"status", &WheelsetSolution::status}};
+                                                            Field{"warnings", &WheelsetSolution::warnings},
+                                                            Field{"status", &WheelsetSolution::status},
+                                                            Field{"reason", &WheelsetSolution::reason}};
 
 namespace {
 
@@ -124,6 +126,12 @@ void bind_wheelset_solution(py::module_& module) {
   solution.def_readonly("left", &WheelsetSolution::left, "The left wheel's WheelRailSolution.")
       .def_readonly("right", &WheelsetSolution::right, "The right wheel's WheelRailSolution.")
       .def_readonly("status", &WheelsetSolution::status, "How the calculation ended.")
+      .def_property_readonly(
+          "warnings", [](const WheelsetSolution& self) { return self.warnings.texts(); },
+          "What makes the result doubtful, as texts; those of both wheels, and a wheel that has lifted off.")
+      .def_property_readonly(
+          "reason", [](const WheelsetSolution& self) { return to_string(self.reason); },
+          "Why the status is not ok; else empty.")
       .def("_repr_html_", &table, "For notebooks, in SI units [-].");
   add_value(solution, {"force_x", "force_y", "force_z", "vertical", "roll", "pitch_velocity", "status"});
 }

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace microslip {
+
+/// A place and the value of a function there.
+struct RootSide {
+  double at = 0, value = 0;
+};
+
+/// Where a function changes its sign.
+struct BracketedRoot {
+  RootSide side;      ///< evaluated last: the root or, of the two sides of a jump, the one with the smaller value
+  RootSide other;     ///< of a jump
+  bool found = false; ///< |value| <= tolerance; else the function jumps over zero there
+};
+
+/// Finds a place where |f| <= tolerance between two with values of opposite signs, or closes in on a jump until its
+/// sides are `precision` apart: the ITP method (Oliveira & Takahashi 2020, ACM Trans. Math. Softw. 47(1), algorithm 1),
+/// which converges superlinearly where f is smooth and takes at most one evaluation more than bisection. What is not a
+/// number counts as a positive value.
+template <class Function>
+BracketedRoot find_bracketed_root(RootSide low, RootSide high, double tolerance, double precision, Function&& f) {
+  constexpr double kappa = 0.2; // of kappa_1 = kappa/(b0 - a0), with kappa_2 = 2
+  if (high.at < low.at) std::swap(low, high);
+  const double sign = low.value < 0 ? 1 : -1, whole = high.at - low.at;
+  const int most = static_cast<int>(std::ceil(std::log2(std::max(whole / precision, 1.0)))) + 1;
+  RootSide last = low;
+  const auto evaluate = [&](double at) {
+    last = {at, f(at)};
+    return std::abs(last.value) <= tolerance;
+  };
+  for (int k = 0; k < most && high.at - low.at > precision; ++k) {
+    const double width = high.at - low.at, middle = low.at + width / 2;
+    const double secant = low.at - low.value * width / (high.value - low.value);
+    const double to_middle = middle - secant, truncation = kappa * width * width / whole;
+    const double truncated = truncation <= std::abs(to_middle) ? secant + std::copysign(truncation, to_middle) : middle;
+    const double reach = std::max(precision / 2 * std::exp2(most - k) - width / 2, 0.0); // about the middle
+    const double at = std::clamp(truncated, middle - reach, middle + reach);
+    if (!(at > low.at && at < high.at)) break; // neighbouring numbers
+    if (evaluate(at)) return {last, last, true};
+    (sign * last.value < 0 ? low : high) = last;
+  }
+  if (std::abs(high.value) <= std::abs(low.value)) std::swap(low, high);
+  if (last.at != low.at) evaluate(low.at);
+  return {last, high, std::abs(last.value) <= tolerance};
+}
+
+} // namespace microslip

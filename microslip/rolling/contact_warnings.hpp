@@ -1,0 +1,29 @@
+#pragma once
+
+#include "microslip/contact/elliptic_contact.hpp"
+#include "microslip/contact/warnings.hpp"
+#include "microslip/elasticity/hertz.hpp"
+
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// What makes a contact of two bodies doubtful.
+struct ContactWarnings {
+  Warnings all;
+  std::vector<std::string> texts; ///< with its numbers, and which inputs to check; one for each that is found
+
+  bool empty() const { return texts.empty(); }
+};
+
+/// Of a Hertzian contact, by the table of warnings: pressures beside the combined Young's modulus, that modulus, the
+/// ellipse and the approach beside the radii, and the radii. Lengths in mm or moduli in MPa make such contacts.
+ContactWarnings contact_warnings(const HertzContact& contact, const PrincipalRadii& radii,
+                                 const CombinedMaterial& material);
+
+/// The same of a valid contact of which only ellipse, load and material are known. Cost some nanoseconds where there
+/// is nothing to warn of.
+ContactWarnings contact_warnings(const EllipticContact& contact);
+
+} // namespace microslip
