@@ -222,7 +222,7 @@ microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size
 
 const char* microslip_warning(int k) {
   return k >= 0 && k < static_cast<int>(warning_count) ? warning_table()[static_cast<std::size_t>(k)].text.data()
-                                                        : nullptr;
+                                                       : nullptr;
 }
 
 microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,

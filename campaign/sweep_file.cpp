@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 

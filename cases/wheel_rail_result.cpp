@@ -52,8 +52,8 @@ void add_profile_warnings(const PlacedProfile& profile, std::vector<std::string>
 template <class Solutions>
 void add_warnings(const Solutions& solutions, const std::string& which, std::vector<std::string>& warnings) {
   for (const WarningInfo& one : warning_table()) {
-    const auto some = static_cast<std::size_t>(std::count_if(
-        solutions.begin(), solutions.end(), [&](const auto* s) { return s->warnings.has(one.warning); }));
+    const auto some = static_cast<std::size_t>(
+        std::count_if(solutions.begin(), solutions.end(), [&](const auto* s) { return s->warnings.has(one.warning); }));
     if (some > 0) warnings.push_back(which + std::string(one.text) + of_states(some, solutions.size()));
   }
 }

@@ -19,7 +19,6 @@ namespace microslip::fmi {
 namespace {
 
 constexpr std::size_t patches_shown = 3; ///< tread, flange, flange's back
-constexpr double largest_force = 1e12;   // N
 /// Of wheel_quantities(): forces, moments and height are outputs, since they have derivatives.
 constexpr std::size_t outputs = 7;
 
@@ -145,6 +144,7 @@ public:
     for (const WheelQuantity& q : wheel_quantities()) v.real[place++] = q.value(found_);
     v.integer[place++] = static_cast<int>(found_.status);
     v.integer[place++] = found_.warnings.has(Warning::profile_end) ? 1 : 0;
+    v.integer[place++] = static_cast<int>(found_.warnings.code);
     for (std::size_t k = 0; k < patches_shown; ++k)
       for (const PatchQuantity& q : patch_quantities())
         v.real[place++] = k < found_.patches.size() ? q.value(found_.patches[k]) : 0;
@@ -198,7 +198,8 @@ private:
 
   std::optional<double> vertical_force(const Values& v) const {
     const double force = v.real[first_input_ + state_numbers];
-    if (!(force >= 0 && force < largest_force)) require_between("state.vertical_force", force, "N", 0, largest_force);
+    if (force != 0 && !is_vertical_force(force))
+      require_between("state.vertical_force", force, "N", least_vertical_force, largest_vertical_force);
     return force > 0 ? std::optional(force) : std::nullopt;
   }
 
@@ -235,7 +236,7 @@ ModelInfo model_info() {
                  .unit = "N",
                  .start = 80e3,
                  .min = 0,
-                 .max = largest_force});
+                 .max = largest_vertical_force});
   for (const WheelQuantity& q : wheel_quantities()) {
     const bool differentiated = static_cast<std::size_t>(&q - wheel_quantities().data()) < outputs;
     all.push_back({.name = "wheel." + std::string(q.name),
@@ -243,14 +244,13 @@ ModelInfo model_info() {
                    .causality = differentiated ? Causality::output : Causality::local,
                    .unit = std::string(q.unit)});
   }
-  all.push_back({.name = "status",
-                 .description = "0: solved, 2: not converged, 3: no contact",
-                 .kind = Kind::integer,
-                 .causality = Causality::output});
+  all.push_back({.name = "status", .description = status_codes, .kind = Kind::integer, .causality = Causality::output});
   all.push_back({.name = "at_profile_end",
                  .description = "1: a patch ends where a profile ends, its forces are too small",
                  .kind = Kind::integer,
                  .causality = Causality::local});
+  all.push_back(
+      {.name = "warning_code", .description = warning_codes, .kind = Kind::integer, .causality = Causality::local});
   for (std::size_t k = 0; k < patches_shown; ++k)
     for (const PatchQuantity& q : patch_quantities())
       all.push_back({.name = numbered(k) + std::string(q.name),

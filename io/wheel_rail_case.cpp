@@ -16,7 +16,6 @@
 namespace microslip {
 namespace {
 
-constexpr double largest_force = 1e9; // N
 constexpr int most_states = 10000;
 constexpr std::string_view force_key = "vertical_force", height_key = "vertical", roll_key = "roll";
 
@@ -31,7 +30,7 @@ using Variables = std::vector<Variable>;
 Variables wheel_variables_by_name() {
   Variables all;
   for (const StateQuantity& q : state_quantities()) all.push_back({q.name, q.unit, q.section, -q.limit, q.limit});
-  all.push_back({force_key, "N", "wheel", 1e-6, largest_force});
+  all.push_back({force_key, "N", "wheel", least_vertical_force, largest_vertical_force});
   return all;
 }
 
@@ -256,7 +255,7 @@ LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, c
         throw Error("[wheel] and [sweep] need either vertical_force or vertical");
     });
   } else if (wheel.one_of(force_key, height_key) == force_key) {
-    loaded.vertical_force = wheel.between(force_key, "N", 1e-6, largest_force);
+    loaded.vertical_force = wheel.between(force_key, "N", least_vertical_force, largest_vertical_force);
   }
   return loaded;
 }

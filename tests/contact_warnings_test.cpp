@@ -34,13 +34,15 @@ TEST(ContactWarnings, PlausibleContactsHaveNone) {
 
 TEST(ContactWarnings, ModuliInMegapascals) {
   const ContactWarnings found = of(210e3, 80e3);
-  EXPECT_EQ(found.all, set_of({Warning::soft_material, Warning::wide_contact, Warning::deep_approach}));
-  ASSERT_EQ(found.texts.size(), 4u); // both semi-axes
+  EXPECT_EQ(found.all,
+            set_of({Warning::extreme_pressure, Warning::soft_material, Warning::wide_contact, Warning::deep_approach}));
+  ASSERT_EQ(found.texts.size(), 5u); // both semi-axes
   EXPECT_NE(found.texts[0].find("210000 Pa, is very small: is it in MPa?"), std::string::npos) << found.texts[0];
-  EXPECT_NE(found.texts[1].find("semi-axis a = 0.6"), std::string::npos) << found.texts[1];
-  EXPECT_NE(found.texts[2].find("transverse radius of body 2, 0.3 m"), std::string::npos) << found.texts[2];
-  EXPECT_NE(found.texts[3].find("approach "), std::string::npos) << found.texts[3];
-  for (std::size_t k = 1; k < 4; ++k) EXPECT_NE(found.texts[k].find("moduli in Pa"), std::string::npos);
+  EXPECT_NE(found.texts[1].find("far beyond linear elasticity"), std::string::npos) << found.texts[1];
+  EXPECT_NE(found.texts[2].find("semi-axis a = 0.6"), std::string::npos) << found.texts[2];
+  EXPECT_NE(found.texts[3].find("transverse radius of body 2, 0.3 m"), std::string::npos) << found.texts[3];
+  EXPECT_NE(found.texts[4].find("approach "), std::string::npos) << found.texts[4];
+  for (std::size_t k = 1; k < 5; ++k) EXPECT_NE(found.texts[k].find("moduli in Pa"), std::string::npos);
 }
 
 TEST(ContactWarnings, RadiiInMillimetres) {

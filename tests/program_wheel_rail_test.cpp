@@ -21,7 +21,7 @@ TEST(ProgramWheelRail, PrintsForcesAndAColumnForEachPatch) {
   const auto outcome = solve(folder, wheel_rail_text);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (const auto* text : {"left wheel, fastsim2, curved patches\n", "vertical force, upwards", " 80 kN\n", "patch 1",
+  for (const auto* text : {"left wheel, fastsim2, true surfaces\n", "vertical force, upwards", " 80 kN\n", "patch 1",
                            "patch 2\n", "y on the rail", "y on the wheel", "contact angle", " deg\n", "spin", " 1/m\n",
                            "peak pressure", " MPa\n", "T-gamma", "status", "out/result.h5\n"})
     EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
@@ -30,8 +30,7 @@ TEST(ProgramWheelRail, PrintsForcesAndAColumnForEachPatch) {
 TEST(ProgramWheelRail, WarnsOfContactsThatAreNoHalfSpaces) {
   const TemporaryFolder folder;
   const auto outcome = solve(folder, with_part(wheel_rail_text, "210e9", "210e6"), "--json --no-pictures");
-  const std::string warning =
-      "an approach of more than a hundredth of the rolling radius is too large for a half-space";
+  const std::string warning = "the approach is too large beside a radius for a half-space";
   EXPECT_NE(outcome.errors.find(warning), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.output.find(warning), std::string::npos);
 }
@@ -53,7 +52,7 @@ TEST(ProgramWheelRail, WritesFieldsOfEachPatchAtTheExactLevel) {
   const TemporaryFolder folder;
   const auto outcome = solve(folder, with_part(wheel_rail_text, "\"fastsim2\"", "\"exact\"\ngrid = 12"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_EQ(outcome.errors.rfind("microslip: warning: w.toml: the rail's surface turns by ", 0), 0u) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
   const Hdf5Reader file(folder / "out/result.h5");
   EXPECT_EQ(file.attribute("/", "kind"), "wheel_rail");
   const auto pressure = file.values<double>("fields/1/pressure", H5T_NATIVE_DOUBLE),
@@ -62,7 +61,7 @@ TEST(ProgramWheelRail, WritesFieldsOfEachPatchAtTheExactLevel) {
   double sum = 0;
   for (std::size_t k = 0; k < pressure.size(); ++k) sum += pressure[k] * area[k];
   ASSERT_EQ(force.size(), 2u);
-  EXPECT_NEAR(sum, force[1], 1e-6 * force[1]);
+  EXPECT_NEAR(sum, force[1], 1e-3 * force[1]); // whose rows lean against one another
 }
 
 TEST(ProgramWheelRail, PrintsADocument) {
@@ -72,7 +71,7 @@ TEST(ProgramWheelRail, PrintsADocument) {
   const auto document = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(document["kind"], "wheel_rail");
   EXPECT_EQ(document["patches"]["state"].size(), 2u);
-  EXPECT_EQ(document["warnings"].size(), 1u);
+  EXPECT_EQ(document["warnings"].size(), 0u);
   EXPECT_EQ(document["files"][0], "out/result.h5");
   EXPECT_NEAR(document["wheel"]["force_z"][0].get<double>(), 80e3, 1);
 }

@@ -22,7 +22,7 @@ TEST(ProgramWheelset, PrintsTheWheelsetItsWheelsAndTheirPatches) {
   const TemporaryFolder folder;
   const auto outcome = solve(folder, wheelset_text);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  for (const auto* text : {"wheelset, fastsim2, curved patches\n", "vertical force, upwards", " 120 kN\n", " mrad\n",
+  for (const auto* text : {"wheelset, fastsim2, true surfaces\n", "vertical force, upwards", " 120 kN\n", " mrad\n",
                            "pitch velocity, rolls forward", " rad/s\n", "left 1", "right 1\n", "largest residual"})
     EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
   const Hdf5Reader file(folder / "out/result.h5");

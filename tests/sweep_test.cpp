@@ -236,7 +236,8 @@ TEST(Sweep, KeepsTheQuantitiesThatAreAskedFor) {
                     "s.toml");
   std::vector<std::string> paths;
   for (const auto& column : sweep.columns()) paths.push_back(column.path);
-  EXPECT_EQ(paths, (std::vector<std::string>{"contact/status", "hertz/b", "contact/fx", "contact/mz"}));
+  EXPECT_EQ(paths, (std::vector<std::string>{"contact/status", "contact/warning_code", "hertz/b", "contact/fx",
+                                             "contact/mz"}));
   try {
     const Sweep wrong("[grid]\nload.normal_force = [80e3]\n" + two_bodies + "[output]\nquantities = [\"slip_aera\"]\n",
                       "s.toml");

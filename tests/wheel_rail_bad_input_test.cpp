@@ -64,7 +64,7 @@ TEST(WheelRailBadInput, NumbersOfTheStateThatAreNoneAreInvalidInput) {
           const auto s = contact.solve(state, force_given ? std::optional(50e3) : std::nullopt);
           EXPECT_EQ(s.status, Status::invalid_input) << quantity.name << " = " << bad;
           EXPECT_TRUE(s.patches.empty());
-          EXPECT_EQ(s.force.z, 0);
+          EXPECT_TRUE(std::isnan(s.force.z));
         }
     EXPECT_EQ(contact.solve(running(), nan).status, Status::invalid_input);
     EXPECT_EQ(contact.solve(running(), infinite).status, Status::invalid_input);
@@ -218,8 +218,8 @@ TEST(WheelRailBadInput, AtRestNothingIsTangential) {
     const auto s = contact.solve(state, 50e3);
     ASSERT_EQ(s.status, Status::ok);
     for (const WheelRailPatch& patch : s.patches) {
-      // Rows of the fast level have planes of their own, whose normal forces do not quite add up along the frame's.
-      EXPECT_NEAR(std::hypot(patch.fx, patch.fs), 0, method.level == WheelRailLevel::exact ? 1e-9 : 2e-3 * 50e3);
+      // Rows have planes of their own, whose normal forces do not quite add up along the frame's.
+      EXPECT_NEAR(std::hypot(patch.fx, patch.fs), 0, 2e-3 * 50e3);
       EXPECT_NEAR(patch.frictional_power, 0, 1e-9);
       EXPECT_EQ(patch.rolling_speed, 0);
     }

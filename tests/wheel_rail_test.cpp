@@ -144,7 +144,7 @@ TEST(WheelRail, BearsTheVerticalForceOnCurvedPatches) {
 }
 
 TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
-  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .elements = 24});
+  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 24});
   for (const double y : {0.0, 5e-3}) {
     const auto s = contact.solve(running(y, 2e-3, 1e-3), 50e3);
     for (const WheelRailPatch& p : s.patches) {
@@ -153,6 +153,20 @@ TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
       EXPECT_NEAR(p.frictional_power, power, 0.02 * power);
       EXPECT_GT(p.frictional_power, 0);
     }
+  }
+}
+
+/// On the true surfaces each row has creepages of its own; what the whole wheel puts in is lost all the same.
+TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
+  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .elements = 24});
+  for (const double y : {0.0, 5e-3}) {
+    const WheelState<double> state = running(y, 2e-3, 1e-3);
+    const auto s = contact.solve(state, 50e3);
+    double lost = 0;
+    for (const WheelRailPatch& p : s.patches) lost += p.frictional_power;
+    const Vec3<double> turning = state.pitch_velocity * Vec3<double>{-std::sin(state.yaw), std::cos(state.yaw), 0};
+    const double put_in = -(s.force.x * state.forward_velocity + dot(s.moment, turning));
+    EXPECT_NEAR(lost, put_in, 0.01 * put_in);
   }
 }
 
@@ -201,7 +215,7 @@ TEST(WheelRail, HasBothLevelsNearEachOther) {
 
 TEST(WheelRail, TakesACurvedPatchForFlatWhereItTurnsLittle) {
   // The wheel's rolling radius varies over the patch by about its width squared over twice the rail's radius.
-  WheelRail flat(pair(), {.level = WheelRailLevel::exact}),
+  WheelRail flat(pair(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat}),
       curved(pair(), {.level = WheelRailLevel::exact, .shape = PatchShape::curved});
   double before = 1;
   for (const double force : {20e3, 2e3, 200.0}) {

@@ -27,27 +27,6 @@ constexpr std::array levels = {WheelRailLevel::fastsim2, WheelRailLevel::table, 
 constexpr std::array names = {"fastsim2", "table", "exact"};
 constexpr std::array frictions = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
 constexpr std::array sides = {TrackSide::left, TrackSide::right};
-constexpr double speed = 20; // [m/s]
-
-/// A state and the vertical force that its wheel bears.
-struct LoadedState {
-  WheelState<double> state;
-  double force = 0; ///< [N]
-};
-
-/// The same with every standard library.
-LoadedState random_state(std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto any = [&engine] { return static_cast<double>(engine() >> 10U) * 0x1p-53 - 1; }; // in [-1, 1)
-  LoadedState s;
-  WheelState<double>& state = s.state;
-  state.lateral = 20e-3 * any(), state.yaw = 50e-3 * any(), state.roll = 5e-3 * any();
-  state.forward_velocity = any() < 0 ? -speed : speed;
-  state.pitch_velocity = state.forward_velocity / 0.46 * (1 + 0.02 * any());
-  state.lateral_velocity = 0.1 * any(), state.yaw_velocity = 0.02 * any();
-  s.force = 1e3 * std::pow(200, (any() + 1) / 2);
-  return s;
-}
 
 double thread_time() {
   timespec time{};
@@ -99,18 +78,6 @@ bool is_finite(const WheelRailSolution& s) {
   for (const Vec3<double>& v : {s.force, s.moment}) sum += v.x + v.y + v.z;
   for (const WheelRailPatch& p : s.patches) sum += p.normal_force + p.fx + p.fs + p.moment + p.peak_pressure;
   return std::isfinite(sum);
-}
-
-/// How status and numbers contradict each other, or nothing.
-std::string contradiction(const WheelRailSolution& s, double force) {
-  constexpr double tolerance = 1e-6;
-  if (!is_finite(s)) return "a number that is not one";
-  if (s.status == Status::no_contact && (dot(s.force, s.force) > 0 || !s.patches.empty())) return "force of no contact";
-  if (s.status != Status::ok) return s.residual > tolerance || s.status == Status::no_contact ? "" : "residual of a solution";
-  if (std::abs(s.force.z / force - 1) > 2 * tolerance || s.residual > tolerance) return "load missed";
-  for (const WheelRailPatch& patch : s.patches)
-    if (patch.status != Status::ok && patch.status != Status::out_of_range) return "patch that is not solved";
-  return {};
 }
 
 /// The bodies overlap by more than is taken for a contact.
@@ -213,21 +180,49 @@ double median(std::vector<double> times) {
 
 void add_line(Report& report, const std::string& name, const char* level, const Outcome& out) {
   const double usual = median(out.times), slowest = *std::max_element(out.times.begin(), out.times.end());
-  report.line(fmt::format("{:16} {:8} {:7} {:7} {:6} {:6} {:6} {:6} {:6} {:6} {:6} {:8.0f} {:7.1f}", name, level, out.states,
-                          out.of(Status::ok), out.of(Status::no_contact), out.of(Status::no_solution),
+  report.line(fmt::format("{:16} {:8} {:7} {:7} {:6} {:6} {:6} {:6} {:6} {:6} {:6} {:8.0f} {:7.1f}", name, level,
+                          out.states, out.of(Status::ok), out.of(Status::no_contact), out.of(Status::no_solution),
                           out.of(Status::not_converged), out.thrown, out.contradictions, out.roots,
                           out.of(Status::invalid_input), 1e6 * usual, slowest / usual));
 }
 
 std::string line_of(const Remarkable& one, const std::string& pair) {
   const auto& s = one.state.state;
-  return fmt::format("{} {} mu {} {} y {:.17g} yaw {:.17g} roll {:.17g} V {} pitch {:.17g} vy {:.17g} vyaw {:.17g} F {:.17g}: {}", pair,
-                     names[one.group.level], one.group.friction, one.group.side == TrackSide::left ? "left" : "right",
-                     s.lateral, s.yaw, s.roll, s.forward_velocity, s.pitch_velocity, s.lateral_velocity,
-                     s.yaw_velocity, one.state.force, one.what);
+  return fmt::format(
+      "{} {} mu {} {} y {:.17g} yaw {:.17g} roll {:.17g} V {} pitch {:.17g} vy {:.17g} vyaw {:.17g} F {:.17g}: {}",
+      pair, names[one.group.level], one.group.friction, one.group.side == TrackSide::left ? "left" : "right", s.lateral,
+      s.yaw, s.roll, s.forward_velocity, s.pitch_velocity, s.lateral_velocity, s.yaw_velocity, one.state.force,
+      one.what);
 }
 
 } // namespace
+
+LoadedState random_state(std::uint64_t seed) {
+  constexpr double speed = 20; // [m/s]
+  std::mt19937_64 engine(seed);
+  const auto any = [&engine] { return static_cast<double>(engine() >> 10U) * 0x1p-53 - 1; }; // in [-1, 1)
+  LoadedState s;
+  WheelState<double>& state = s.state;
+  state.lateral = 20e-3 * any(), state.yaw = 50e-3 * any(), state.roll = 5e-3 * any();
+  state.forward_velocity = any() < 0 ? -speed : speed;
+  state.pitch_velocity = state.forward_velocity / 0.46 * (1 + 0.02 * any());
+  state.lateral_velocity = 0.1 * any(), state.yaw_velocity = 0.02 * any();
+  s.force = 1e3 * std::pow(200, (any() + 1) / 2);
+  return s;
+}
+
+std::string contradiction(const WheelRailSolution& s, double force) {
+  constexpr double tolerance = 1e-6;
+  if (!is_finite(s)) return "a number that is not one";
+  if ((s.status == Status::ok) != (s.reason == Unsolved::none)) return "status and reason";
+  if (s.status == Status::no_contact)
+    return dot(s.force, s.force) > 0 || !s.patches.empty() ? "force of no contact" : "";
+  if (!is_solved(s.status)) return s.residual > tolerance ? "" : "residual of a solution";
+  if (std::abs(s.force.z / force - 1) > 2 * tolerance || s.residual > tolerance) return "load missed";
+  for (const WheelRailPatch& patch : s.patches)
+    if (patch.status != Status::ok && patch.status != Status::out_of_range) return "patch that is not solved";
+  return {};
+}
 
 bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   constexpr std::size_t count = 100000;
@@ -235,8 +230,7 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   const std::vector<ProfilePair> pairs = worn_pairs();
   const std::vector<Group> all = groups(pairs.size());
   const double poisson_ratio = pairs.front().bodies.material.poisson_ratio;
-  const auto table =
-      std::make_shared<const CreepForceTable>(read_creep_table(shipped_creep_table()), poisson_ratio);
+  const auto table = std::make_shared<const CreepForceTable>(read_creep_table(shipped_creep_table()), poisson_ratio);
   const std::size_t each = (count + all.size() - 1) / all.size();
   std::vector<Outcome> found(all.size());
   const BatchReport done =
@@ -250,8 +244,10 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   if (!done.complete) return false;
 
   report.heading(fmt::format("{} random states: y to 20 mm, yaw to 50 mrad, roll to 5 mrad, friction 0.1 to 0.6, 1 to "
-                             "200 kN, both sides and directions", each * all.size()));
-  report.line("profiles         level     states      ok no con no sol no cnv thrown contra  roots invalid median us  slowest");
+                             "200 kN, both sides and directions",
+                             each * all.size()));
+  report.line(
+      "profiles         level     states      ok no con no sol no cnv thrown contra  roots invalid median us  slowest");
   Outcome total;
   double ratio = 0;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair)
@@ -271,7 +267,8 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   none("unsolved states that a height would solve", total.roots);
   const double share = static_cast<double>(total.of(Status::not_converged)) / total.states;
   report.figure("share that does not converge", fmt::format("{:.1e}", share), "at most 5e-4", share <= 5e-4);
-  report.figure("longest processor time over the median of its line", fmt::format("{:.0f}", ratio), "at most 100", ratio <= 100);
+  report.figure("longest processor time over the median of its line", fmt::format("{:.0f}", ratio), "at most 100",
+                ratio <= 100);
   if (options.thorough) {
     report.heading("States without a solution, and the slowest ones");
     for (const Remarkable& one : total.remarkable) report.line(line_of(one, pairs[one.group.pair].name));

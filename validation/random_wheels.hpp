@@ -1,8 +1,26 @@
 #pragma once
 
+#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/railway/wheel_state.hpp"
 #include "validation/study.hpp"
 
+#include <cstdint>
+#include <string>
+
 namespace microslip::validation {
+
+/// A state and the vertical force that its wheel bears.
+struct LoadedState {
+  WheelState<double> state;
+  double force = 0; ///< [N]
+};
+
+/// Of a wheel that runs forwards or backwards at 20 m/s: y to 20 mm, yaw to 50 mrad, roll to 5 mrad, creepages to 2 %,
+/// 1 to 200 kN. The same with every standard library.
+LoadedState random_state(std::uint64_t seed);
+
+/// How status and numbers of a solution for a vertical force [N] contradict each other, or nothing.
+std::string contradiction(const WheelRailSolution& solution, double force);
 
 /// The study `random-wheels`: 100,000 random states of wheels on new, hollow, worn and measured profiles at all levels
 /// of theory, up to flange climbing and derailment: what their statuses are, whether these and the numbers agree,

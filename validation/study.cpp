@@ -30,6 +30,7 @@
 #include "validation/temperature.hpp"
 #include "validation/viscoelastic_cylinders.hpp"
 #include "validation/wheel_rail.hpp"
+#include "validation/wheel_surfaces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,6 +90,8 @@ constexpr std::array all_studies = {
     Study{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads",
           run_viscoelastic_cylinders},
     Study{"wheel-rail", "a wheel on a rail: continuity, 100,000 random states, derivatives, energy", run_wheel_rail},
+    Study{"wheel-surfaces", "the exact level of wheels on rails on planes and on the true surfaces",
+          run_wheel_surfaces},
 };
 
 } // namespace

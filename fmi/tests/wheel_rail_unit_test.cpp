@@ -54,7 +54,8 @@ public:
   }
   void expect(const WheelRailSolution& wanted) {
     EXPECT_EQ(get_integer("status"), static_cast<int>(wanted.status));
-    EXPECT_EQ(get_integer("at_profile_end"), wanted.at_profile_end);
+    EXPECT_EQ(get_integer("at_profile_end"), wanted.warnings.has(Warning::profile_end));
+    EXPECT_EQ(get_integer("warning_code"), static_cast<int>(wanted.warnings.code));
     for (const WheelQuantity& q : wheel_quantities())
       expect_same(get("wheel." + std::string(q.name)), q.value(wanted), q.name);
     for (std::size_t k = 0; k < 3; ++k)

@@ -35,16 +35,19 @@ constexpr std::array<WarningInfo, warning_count> table = {{
     {profile_end, "profile_end", 0, "", "a patch reaches the end of a profile: its forces are too small"},
     {flat_surface, "flat_surface", 0.01,
      "change of the force by the true surfaces' creepages over mu Fn [-], or a cosine's change by the turn, 0.03",
-     "patches are solved as flat where the surfaces are not, which changes forces by more than 0.01 mu Fn or lengths by "
+     "patches are solved as flat where the surfaces are not, which changes forces by more than 0.01 mu Fn or lengths "
+     "by "
      "3 %: leave out the shape"},
     {flange_climbing, "flange_climbing", 1, "Y/Q over Nadal's limit [-]",
      "Y/Q is beyond Nadal's limit: the flange may climb"},
     {wheel_lifted, "wheel_lifted", 0.01, "vertical force of a wheel over half of the wheelset's [-], not below",
      "a wheel has lifted off its rail"},
     {derailed, "derailed", 0, "", "the wheel stands on its flange's tip or behind it: it has derailed"},
-    {exchanged_profile, "exchanged_profile", 0.015, "by how much a rail is lower inside than at both ends, or a wheel "
-                                                     "higher [m]",
-     "the rail's profile looks like a wheel's, or the wheel's like a rail's: are the files exchanged, or is z mirrored?",
+    {exchanged_profile, "exchanged_profile", 0.015,
+     "by how much a rail is lower inside than at both ends, or a wheel "
+     "higher [m]",
+     "the rail's profile looks like a wheel's, or the wheel's like a rail's: are the files exchanged, or is z "
+     "mirrored?",
      true},
 }};
 

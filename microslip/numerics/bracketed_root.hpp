@@ -39,8 +39,9 @@ BracketedRoot find_bracketed_root(RootSide low, RootSide high, double tolerance,
     const double to_middle = middle - secant, truncation = kappa * width * width / whole;
     const double truncated = truncation <= std::abs(to_middle) ? secant + std::copysign(truncation, to_middle) : middle;
     const double reach = std::max(precision / 2 * std::exp2(most - k) - width / 2, 0.0); // about the middle
-    const double at = std::clamp(truncated, middle - reach, middle + reach);
-    if (!(at > low.at && at < high.at)) break; // neighbouring numbers
+    double at = std::clamp(truncated, middle - reach, middle + reach);
+    if (!(at > low.at && at < high.at)) at = middle; // the step was lost by rounding
+    if (!(at > low.at && at < high.at)) break;       // neighbouring numbers
     if (evaluate(at)) return {last, last, true};
     (sign * last.value < 0 ? low : high) = last;
   }

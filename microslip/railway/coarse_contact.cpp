@@ -300,9 +300,7 @@ double CoarseContact::lower(const WheelState<double>& state, double depth, Wheel
   roll();
   out.residual = complete_ ? found.change : 1;
   out.status = out.residual == 0 ? Status::ok : Status::not_converged;
-  out.reason = !complete_            ? Unsolved::too_many_patches
-               : out.residual > 0 ? Unsolved::pressures
-                                  : Unsolved::none;
+  out.reason = !complete_ ? Unsolved::too_many_patches : out.residual > 0 ? Unsolved::pressures : Unsolved::none;
   return vertical_force();
 }
 
@@ -443,8 +441,7 @@ void CoarseContact::sum(WheelRailSolution& out) {
   }
   out.force = wheel.force, out.moment = wheel.moment;
   for (const ContactRegion& region : regions_)
-    out.warnings.add_if(region.inner.corner == Corner::end || region.outer.corner == Corner::end,
-                        Warning::profile_end);
+    out.warnings.add_if(region.inner.corner == Corner::end || region.outer.corner == Corner::end, Warning::profile_end);
 }
 
 double CoarseContact::change_by_planes() {

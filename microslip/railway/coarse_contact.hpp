@@ -56,9 +56,9 @@ public:
   CoarseContact(const CoarseContact&) = delete;
   CoarseContact& operator=(const CoarseContact&) = delete;
 
-  /// Lowers the wheel until its rows bear the vertical force [N], or leaves it where it is. Fills in height, status with
-  /// its reason, residual and iterations. Where steps for the force do not settle, forces at given heights bracket it:
-  /// the height is then the first one below the first touch that bears it, if one does.
+  /// Lowers the wheel until its rows bear the vertical force [N], or leaves it where it is. Fills in height, status
+  /// with its reason, residual and iterations. Where steps for the force do not settle, forces at given heights bracket
+  /// it: the height is then the first one below the first touch that bears it, if one does.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out);
   /// The wheel in the place and with the pressures of the last solve but with other velocities: new tangential forces.
   void move(const WheelState<double>& state);

@@ -268,7 +268,8 @@ bool scale(std::vector<Loaded>& loaded) {
 /// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they bear it:
 /// Newton's method from `zeta` and what the patches bore there, in the first round to less accuracy. Returns zeta,
 /// nothing where no load of the patches bears the force.
-std::optional<double> share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta, bool first) {
+std::optional<double> share_load(std::vector<Loaded>& loaded, std::optional<double> vertical_force, double zeta,
+                                 bool first) {
   constexpr int most_steps = 12;
   if (loaded.size() == 1) {
     constexpr double tolerance = 1e-6;
@@ -467,8 +468,7 @@ public:
       if ((here.value > 0) != (before.value > 0)) {
         const double tolerance = std::max(method_.tolerance, least_exact_tolerance);
         BracketedRoot root = find_bracketed_root(before, here, tolerance, precision, excess);
-        if (!root.found && !is_jump(root))
-          root = find_bracketed_root(root.side, root.other, tolerance, finest, excess);
+        if (!root.found && !is_jump(root)) root = find_bracketed_root(root.side, root.other, tolerance, finest, excess);
         out_.residual = std::max(out_.residual, std::abs(root.side.value));
         if (!root.found) mark_jump(out_);
         return;

@@ -33,7 +33,8 @@ constexpr std::string_view to_string(Unsolved reason) {
   case Unsolved::apart:
     return "wheel and rail do not touch";
   case Unsolved::no_height:
-    return "no height bears the vertical force: friction on the flange pulls the wheel down, or the bodies would overlap "
+    return "no height bears the vertical force: friction on the flange pulls the wheel down, or the bodies would "
+           "overlap "
            "by more than 1/1000 of the radius";
   case Unsolved::force_jumps:
     return "the vertical force jumps over the one given at this height";

@@ -10,6 +10,7 @@
 #include "microslip/railway/patch_damage.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
 #include "microslip/railway/relative_motion.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheel_status.hpp"
 #include "microslip/railway/wheel_warnings.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -218,7 +219,7 @@ struct WheelRail::Workspace {
     solve_left(left(state), vertical_force, out);
     if (is_solved(out.status) && !find_derivatives(left(state), vertical_force, out, derivatives)) {
       derivatives = {};
-      out.status = Status::not_converged, out.reason = Unsolved::derivatives;
+      out.status = Status::not_converged, out.residual = 1, out.reason = Unsolved::derivatives;
     }
     if (is_right()) mirror(out), mirror(derivatives);
   }

@@ -135,8 +135,9 @@ constexpr PatchQuantity all_patch_quantities[] = {
     {"wheel_y", "m", "of the wheel's profile there, in its own axes", [](Patch p) { return p.wheel_y; }},
     {"rolling_radius", "m", "of the wheel there", [](Patch p) { return p.rolling_radius; }},
     {"turn", "rad", "by how much the rail's surface turns across the patch", [](Patch p) { return p.turn; }},
-    {"conformity", "-", "how it was solved: 0 as a curved (or flat) patch, 1 as a conformal one, in between where it turns "
-                       "by 10 to 18 degrees",
+    {"conformity", "-",
+     "how it was solved: 0 as a curved (or flat) patch, 1 as a conformal one, in between where it turns "
+     "by 10 to 18 degrees",
      [](Patch p) { return p.conformity; }},
     {"approach", "m", "greatest overlap of the undeformed bodies along the normal", [](Patch p) { return p.approach; }},
     {"rolling_speed", "m/s", "rolling speed V", [](Patch p) { return p.rolling_speed; }},

@@ -24,6 +24,12 @@ struct StateQuantity {
   double value(WheelState<double> state) const { return of(state); }
 };
 
+/// The smallest and the largest vertical force [N] on a wheel or a wheelset, in every door.
+inline constexpr double least_vertical_force = 1e-6, largest_vertical_force = 1e9;
+inline bool is_vertical_force(double force) {
+  return force >= least_vertical_force && force <= largest_vertical_force;
+}
+
 /// A number of a solution for the wheel, or for one of its patches. Printed tables, JSON, HDF5 and Python read it from
 /// here. It is NaN where what it needs is not given, as a hardness, or not there, as a flange; tables and files leave
 /// out what no wheel or patch has.

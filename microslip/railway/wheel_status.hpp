@@ -3,15 +3,7 @@
 #include "microslip/railway/wheel_rail_types.hpp"
 #include "microslip/railway/wheel_state.hpp"
 
-#include <optional>
-
 namespace microslip {
-
-/// The smallest and the largest vertical force on a wheel [N].
-inline constexpr double least_vertical_force = 1e-6, largest_vertical_force = 1e9;
-inline bool is_vertical_force(double force) {
-  return force >= least_vertical_force && force <= largest_vertical_force;
-}
 
 /// Whether all numbers of a state are within their ranges (state_quantities()).
 bool is_in_range(WheelState<double> state) noexcept;

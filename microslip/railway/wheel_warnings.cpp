@@ -8,9 +8,9 @@
 namespace microslip {
 namespace {
 
-constexpr double softest_wheel = 1e9;    ///< Young's modulus [Pa]
+constexpr double softest_wheel = 1e9;      ///< Young's modulus [Pa]
 constexpr double deepest_of_wheels = 0.01; ///< approach over the rolling radius
-constexpr double heavy_wheel = 0.3; ///< radius [m] from which on loads are some kN
+constexpr double heavy_wheel = 0.3;        ///< radius [m] from which on loads are some kN
 
 double young_modulus(const CombinedMaterial& material) {
   return 2 * (1 + material.poisson_ratio) * material.shear_modulus;

@@ -13,8 +13,8 @@ inline constexpr double largest_flat_turn = 0.2419;
 /// body. Cost O(points).
 Warnings warnings_of(const WheelRailBodies& bodies);
 
-/// The wheel's y [m] where the flank has passed its steepest part towards the flange's tip and leans by 45 degrees: what
-/// stands there or behind it has derailed. Empty without a flange.
+/// The wheel's y [m] where the flank has passed its steepest part towards the flange's tip and leans by 45 degrees:
+/// what stands there or behind it has derailed. Empty without a flange.
 std::optional<double> flange_nose(const Profile& wheel);
 
 /// Warnings of a result that its patches, forces and dimensions tell; the others are found where what they need is

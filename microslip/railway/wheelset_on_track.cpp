@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 #include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/numerics/elimination.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheel_status.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
 

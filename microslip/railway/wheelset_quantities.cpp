@@ -1,23 +1,25 @@
 #include "microslip/railway/wheelset_quantities.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include <vector>
 
 namespace microslip {
 namespace {
 
-constexpr double largest_force = 1e9; // [N], [N m]
+constexpr double largest = largest_vertical_force; // [N], [N m]
 
 constexpr PrescribedForce all_prescribed_forces[] = {
-    {"vertical_force", "N", 1e-6, largest_force, "on both wheels together, upwards", &PrescribedForces::vertical_force},
-    {"roll_moment", "N m", -largest_force, largest_force,
+    {"vertical_force", "N", least_vertical_force, largest, "on both wheels together, upwards",
+     &PrescribedForces::vertical_force},
+    {"roll_moment", "N m", -largest, largest,
      "of the rails' forces on the wheelset about its centre, about the track's x", &PrescribedForces::roll_moment},
-    {"vertical_force_left", "N", 1e-6, largest_force, "on the left wheel, upwards",
+    {"vertical_force_left", "N", least_vertical_force, largest, "on the left wheel, upwards",
      &PrescribedForces::vertical_force_left},
-    {"vertical_force_right", "N", 1e-6, largest_force, "on the right wheel, upwards",
+    {"vertical_force_right", "N", least_vertical_force, largest, "on the right wheel, upwards",
      &PrescribedForces::vertical_force_right},
-    {"axle_torque", "N m", -largest_force, largest_force, "that drives the wheelset forward; 0: it rolls freely",
+    {"axle_torque", "N m", -largest, largest, "that drives the wheelset forward; 0: it rolls freely",
      &PrescribedForces::axle_torque},
 };
 

@@ -1,7 +1,7 @@
 #include "binding/codes.hpp"
 
-#include "microslip/contact/warnings.hpp"
 #include "microslip/contact/surface_fields.hpp"
+#include "microslip/contact/warnings.hpp"
 
 #include <string>
 

@@ -270,8 +270,9 @@ void bind_wheel_solution(py::module_& module) {
           "warnings", [](const WheelRailSolution& self) { return self.warnings.texts(); },
           "What makes the result doubtful, as texts: pressures beyond elasticity, a profile's end, a flange that\n"
           "climbs, numbers that look like other units.")
-      .def_property_readonly("reason", [](const WheelRailSolution& self) { return to_string(self.reason); },
-                             "Why the status is not ok; else empty.")
+      .def_property_readonly(
+          "reason", [](const WheelRailSolution& self) { return to_string(self.reason); },
+          "Why the status is not ok; else empty.")
       .def_readonly("status", &WheelRailSolution::status, "How the calculation ended.")
       .def("_repr_html_", &table, "For notebooks, in SI units [-].");
   add_value(solution, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status", "warnings"});
