@@ -10,15 +10,17 @@ namespace {
 constexpr double largest_force = 1e9; // [N], [N m]
 
 constexpr PrescribedForce all_prescribed_forces[] = {
-    {"vertical_force", "N", 1e-6, largest_force, "on both wheels together, upwards", &PrescribedForces::vertical_force},
+    {"vertical_force", "N", 1e-6, largest_force, "on both wheels together, upwards",
+     &PrescribedWheelsetForces::vertical_force},
     {"roll_moment", "N m", -largest_force, largest_force,
-     "of the rails' forces on the wheelset about its centre, about the track's x", &PrescribedForces::roll_moment},
+     "of the rails' forces on the wheelset about its centre, about the track's x",
+     &PrescribedWheelsetForces::roll_moment},
     {"vertical_force_left", "N", 1e-6, largest_force, "on the left wheel, upwards",
-     &PrescribedForces::vertical_force_left},
+     &PrescribedWheelsetForces::vertical_force_left},
     {"vertical_force_right", "N", 1e-6, largest_force, "on the right wheel, upwards",
-     &PrescribedForces::vertical_force_right},
+     &PrescribedWheelsetForces::vertical_force_right},
     {"axle_torque", "N m", -largest_force, largest_force, "that drives the wheelset forward; 0: it rolls freely",
-     &PrescribedForces::axle_torque},
+     &PrescribedWheelsetForces::axle_torque},
 };
 
 using Solution = const WheelsetSolution&;
@@ -81,7 +83,7 @@ void WheelsetStateQuantity::set(WheelsetState& state, double value) const {
   state.right_deflection = right.deflection, state.right_rail = right.rail;
 }
 
-PrescribedForces::PrescribedForces(const WheelsetLoad& load) : axle_torque(load.axle_torque) {
+PrescribedWheelsetForces::PrescribedWheelsetForces(const WheelsetLoad& load) : axle_torque(load.axle_torque) {
   if (!load.vertical) return;
   if (const auto* both = std::get_if<AxleLoad>(&*load.vertical)) {
     vertical_force = both->vertical_force, roll_moment = both->roll_moment;
@@ -91,7 +93,7 @@ PrescribedForces::PrescribedForces(const WheelsetLoad& load) : axle_torque(load.
   }
 }
 
-WheelsetLoad PrescribedForces::load() const {
+WheelsetLoad PrescribedWheelsetForces::load() const {
   WheelsetLoad load;
   load.axle_torque = axle_torque;
   if (vertical_force_left.has_value() != vertical_force_right.has_value())
