@@ -21,7 +21,7 @@ TEST(ProgramWheelRail, PrintsForcesAndAColumnForEachPatch) {
   const auto outcome = solve(folder, wheel_rail_text);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (const auto* text : {"left wheel, fastsim2, curved patches\n", "vertical force, upwards", " 80 kN\n", "patch 1",
+  for (const auto* text : {"left wheel, fastsim2, true surfaces\n", "vertical force, upwards", " 80 kN\n", "patch 1",
                            "patch 2\n", "y on the rail", "y on the wheel", "contact angle", " deg\n", "spin", " 1/m\n",
                            "peak pressure", " MPa\n", "T-gamma", "status", "out/result.h5\n"})
     EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
@@ -82,6 +82,22 @@ TEST(ProgramWheelRail, EndsWithOneWhereNothingTouches) {
   const auto outcome = solve(folder, with_part(wheel_rail_text, "vertical_force = 80e3", "vertical = 0.05"));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.errors.find("w.toml: wheel and rail do not touch"), std::string::npos) << outcome.errors;
+}
+
+TEST(ProgramWheelRail, EndsWithZeroWhereItOnlyWarns) {
+  const TemporaryFolder folder;
+  const auto outcome = solve(folder, with_part(wheel_rail_text, "80e3", "80"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.errors.find("is it in kN?"), std::string::npos) << outcome.errors;
+}
+
+TEST(ProgramWheelRail, EndsWithOneWhereAResultCannotBeMeant) {
+  const TemporaryFolder folder;
+  const auto outcome = solve(folder, with_part(wheel_rail_text, "s1002.prw\"", "s1002.prw\"\nz_axis = \"up\""));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("implausible"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.errors.find("are the files exchanged, or is z mirrored?"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("w.toml: solved, but it cannot be meant"), std::string::npos) << outcome.errors;
 }
 
 TEST(ProgramWheelRail, RefusesWhatMakesNoSense) {
