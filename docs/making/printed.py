@@ -146,6 +146,7 @@ def make_workplace(folder, build):
     for entry in ROOT.iterdir():
         if entry.name not in ("build", "results"):
             (folder / entry.name).symlink_to(entry)
+    (folder / "results").mkdir()
     (folder / BUILD).parent.mkdir()
     (folder / BUILD).symlink_to(ROOT / build)
 
