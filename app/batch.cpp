@@ -173,8 +173,8 @@ class RowParser {
 public:
   RowParser(const ContactTableReader& reader, BadRows bad_rows) : reader_(reader), bad_rows_(bad_rows) {}
 
-  ContactRows parse(const TextChunk& chunk) {
-    ContactRows rows = reader_.parse(chunk);
+  TableRows parse(const TextChunk& chunk) {
+    TableRows rows = reader_.parse(chunk);
     if (bad_rows_ == BadRows::stop && !rows.bad.empty()) throw Error(reader_.message(rows.bad.front()));
     if (!rows.bad.empty()) has_bad_ = true;
     if (rows.implausible.count > 0) remember(rows.implausible);
@@ -250,14 +250,14 @@ public:
              const Progress& progress) override {
     run_batch(chunks.size(), {.threads = threads_, .progress = progress}, [&]() -> BatchWorker {
       return [&, own = solver_](std::size_t i, std::size_t, const Progress& of_chunk) mutable {
-        ContactRows rows = parser.parse(chunks[i]);
+        TableRows rows = parser.parse(chunks[i]);
         results[i] = {solve(rows, own, of_chunk), std::move(rows.bad)};
       };
     });
   }
 
 private:
-  std::string solve(const ContactRows& rows, Solver& solver, const Progress& progress) {
+  std::string solve(const TableRows& rows, Solver& solver, const Progress& progress) {
     std::vector<ContactForces> forces(rows.contacts.size());
     // Few enough contacts at a time to see Ctrl-C and to move the bar also on the largest grids.
     const auto step = std::clamp<std::size_t>(1000000 / cells_of(solver), 1, 256);
@@ -284,10 +284,10 @@ public:
 
   void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
              const Progress& progress) override {
-    std::vector<ContactRows> tables;
+    std::vector<TableRows> tables;
     std::vector<const EllipticContact*> rows;
     for (const TextChunk& chunk : chunks) tables.push_back(parser.parse(chunk));
-    for (const ContactRows& table : tables)
+    for (const TableRows& table : tables)
       for (const EllipticContact& contact : table.contacts) rows.push_back(&contact);
     std::vector<ContactForces> forces(rows.size());
     std::vector<Iteration> iterations(rows.size());

@@ -215,7 +215,8 @@ std::vector<Column> varied_columns(const WheelsetCase& input) {
   for (const WheelsetStateQuantity& q : wheelset_state_quantities())
     add(q.name, q.of_wheel->unit, [&](const LoadedWheelsetState& s) { return q.value(s.state); });
   for (const PrescribedForce& f : prescribed_forces())
-    add(f.name, f.unit, [&](const LoadedWheelsetState& s) { return (PrescribedForces(s.load).*f.of).value_or(0); });
+    add(f.name, f.unit,
+        [&](const LoadedWheelsetState& s) { return (PrescribedWheelsetForces(s.load).*f.of).value_or(0); });
   return columns;
 }
 

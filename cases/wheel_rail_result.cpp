@@ -129,9 +129,9 @@ void write_states(ResultWriter& file, const WheelsetCase& input) {
       file.array("states/" + q.name, values, std::string(q.of_wheel->unit), std::string(q.of_wheel->description));
   }
   for (const PrescribedForce& f : prescribed_forces()) {
-    if (!(PrescribedForces(input.states.front().load).*f.of)) continue;
+    if (!(PrescribedWheelsetForces(input.states.front().load).*f.of)) continue;
     std::transform(input.states.begin(), input.states.end(), values.begin(),
-                   [&](const LoadedWheelsetState& s) { return (PrescribedForces(s.load).*f.of).value_or(0); });
+                   [&](const LoadedWheelsetState& s) { return (PrescribedWheelsetForces(s.load).*f.of).value_or(0); });
     file.array("states/" + std::string(f.name), values, std::string(f.unit),
                "prescribed, " + std::string(f.description));
   }

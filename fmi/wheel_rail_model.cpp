@@ -67,7 +67,8 @@ template <class Given, class Visit> void for_each_parameter(Given& p, const Visi
   visit("material.poisson_ratio", "-", "Of wheel and rail, 0 to 0.5", p.poisson_ratio);
   visit("friction.coefficient", "-", "Coefficient of friction", p.friction);
   visit("solution.theory", "", "fastsim2 or exact", p.theory);
-  visit("solution.shape", "", "Of exact patches: flat unless given, curved or conformal; empty with fastsim2", p.shape);
+  visit("solution.shape", "",
+        "Of exact patches: flat, curved or conformal; empty: the true surfaces; fastsim2 has no others", p.shape);
   visit("solution.grid", "", "Elements of the exact theory across each patch, 6 to 1000", p.grid);
   visit("solution.tolerance", "-", "Of the vertical force, relative, 1e-12 to 0.01", p.tolerance);
 }

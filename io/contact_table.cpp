@@ -184,8 +184,8 @@ bool ContactTableReader::read(TextChunk& chunk) {
   return !chunk.text.empty();
 }
 
-ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
-  ContactRows rows;
+TableRows ContactTableReader::parse(const TextChunk& chunk) const {
+  TableRows rows;
   CsvLine splitter(separator_);
   std::string_view text = chunk.text;
   for (std::size_t line_number = chunk.first_line; !text.empty(); ++line_number) {
@@ -216,7 +216,7 @@ ContactRows ContactTableReader::parse(const TextChunk& chunk) const {
 }
 
 /// Adds a row, or part of it with an Error.
-void ContactTableReader::parse_row(const std::vector<std::string_view>& fields, ContactRows& rows) const {
+void ContactTableReader::parse_row(const std::vector<std::string_view>& fields, TableRows& rows) const {
   auto& contact = rows.contacts.emplace_back();
   bool is_first = true;
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -245,7 +245,7 @@ std::string result_header(const std::vector<std::string>& columns, bool exact) {
   return line + "fx,fy,mz,adhesion_area,slip_area,status" + (exact ? ",residual,iterations\n" : "\n");
 }
 
-std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces,
+std::string result_rows(const TableRows& rows, std::span<const ContactForces> forces,
                         std::span<const Iteration> iterations) {
   std::string csv;
   std::size_t begin = 0;

@@ -32,7 +32,7 @@ struct ImplausibleRows {
 };
 
 /// Contacts of a table, with the text of their rows.
-struct ContactRows {
+struct TableRows {
   std::vector<EllipticContact> contacts = {};
   std::string text = {};              ///< the rows' fields as they were, joined by commas, rows without separator
   std::vector<std::size_t> ends = {}; ///< where in `text` each row ends
@@ -63,7 +63,7 @@ public:
   bool read(TextChunk& chunk);
   std::size_t bytes_read() const { return bytes_read_; }
   /// Rows in a chunk, bad ones by themselves. May be called from several threads at a time.
-  ContactRows parse(const TextChunk& chunk) const;
+  TableRows parse(const TextChunk& chunk) const;
   /// The message for a bad row, with file and line.
   std::string message(const BadRow& row) const { return name_ + ":" + std::to_string(row.line) + ": " + row.reason; }
 
@@ -79,7 +79,7 @@ private:
   void parse_header(std::string_view line);
   Use use_of(std::string_view field, std::vector<std::string_view>& strangers) const;
   void require_columns(std::span<const std::string_view> strangers) const;
-  void parse_row(const std::vector<std::string_view>& fields, ContactRows& rows) const;
+  void parse_row(const std::vector<std::string_view>& fields, TableRows& rows) const;
 
   std::istream& stream_;
   std::string name_, similar_only_;
@@ -102,7 +102,7 @@ struct Iteration {
 std::string result_header(const std::vector<std::string>& columns, bool exact = false);
 /// Its rows: the text of `rows` and the results, as the shortest decimal numbers that read back as the same. For the
 /// exact theory there is an iteration for each.
-std::string result_rows(const ContactRows& rows, std::span<const ContactForces> forces,
+std::string result_rows(const TableRows& rows, std::span<const ContactForces> forces,
                         std::span<const Iteration> iterations = {});
 
 } // namespace microslip

@@ -278,7 +278,7 @@ std::vector<LoadedWheelState> states_of(const LoadedWheelState& given, const std
 /// A wheelset's state and prescribed forces before they are known to go together.
 struct GivenWheelset {
   WheelsetState state;
-  PrescribedForces forces;
+  PrescribedWheelsetForces forces;
 };
 
 GivenWheelset read_wheelset_state(const TomlSection& root, const TomlSection& wheel, const Variables& variables,
@@ -303,7 +303,7 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
   std::vector<LoadedWheelsetState> states;
   for (std::size_t k = 0; k < (sweeps.empty() ? 1 : sweeps.front().values.size()); ++k) {
     WheelsetState state = given.state;
-    PrescribedForces forces = given.forces;
+    PrescribedWheelsetForces forces = given.forces;
     for (const Sweep& sweep : sweeps) {
       for (const WheelsetStateQuantity& q : wheelset_state_quantities())
         if (q.name == sweep.name) q.set(state, sweep.values[k]);

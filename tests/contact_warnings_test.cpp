@@ -1,11 +1,14 @@
 // What makes contacts of two bodies doubtful: units that look like others, pressures beyond elasticity; the table.
 
 #include "microslip/rolling/contact_warnings.hpp"
+#include "paths.hpp"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace microslip {
@@ -89,6 +92,28 @@ TEST(Warnings, HaveNamesAndTextsOfTheirOwnAndCodesThatComeBack) {
   EXPECT_EQ(Warnings{all.code}, all);
   EXPECT_TRUE(all.is_decisive());
   EXPECT_FALSE(set_of({Warning::profile_end, Warning::high_pressure}).is_decisive());
+}
+
+/// A row of the documentation's table.
+std::string row_of(const WarningInfo& one) {
+  std::ostringstream row;
+  row << "| `" << one.name << "` | ";
+  if (one.limit != 0) row << one.limit;
+  row << " | " << one.of << " | " << one.text << " | " << (one.is_decisive ? "`implausible`" : "") << " |";
+  return row.str();
+}
+
+TEST(Warnings, TheDocumentationHasTheTable) {
+  std::ifstream page(MICROSLIP_SOURCE_DIR "/docs/troubleshooting.md");
+  std::string line;
+  while (std::getline(page, line) && line != "## Warnings") continue;
+  while (std::getline(page, line) && !line.starts_with("|---")) continue;
+  for (const WarningInfo& one : warning_table()) {
+    ASSERT_TRUE(std::getline(page, line));
+    EXPECT_EQ(line, row_of(one));
+  }
+  ASSERT_TRUE(std::getline(page, line));
+  EXPECT_EQ(line, "");
 }
 
 } // namespace

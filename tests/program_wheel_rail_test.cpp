@@ -83,6 +83,22 @@ TEST(ProgramWheelRail, EndsWithOneWhereNothingTouches) {
   EXPECT_NE(outcome.errors.find("w.toml: wheel and rail do not touch"), std::string::npos) << outcome.errors;
 }
 
+TEST(ProgramWheelRail, EndsWithZeroWhereItOnlyWarns) {
+  const TemporaryFolder folder;
+  const auto outcome = solve(folder, with_part(wheel_rail_text, "80e3", "80"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.errors.find("is it in kN?"), std::string::npos) << outcome.errors;
+}
+
+TEST(ProgramWheelRail, EndsWithOneWhereAResultCannotBeMeant) {
+  const TemporaryFolder folder;
+  const auto outcome = solve(folder, with_part(wheel_rail_text, "s1002.prw\"", "s1002.prw\"\nz_axis = \"up\""));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("implausible"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.errors.find("are the files exchanged, or is z mirrored?"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("w.toml: solved, but it cannot be meant"), std::string::npos) << outcome.errors;
+}
+
 TEST(ProgramWheelRail, RefusesWhatMakesNoSense) {
   const TemporaryFolder folder;
   const auto outcome = solve(folder, with_part(wheel_rail_text, "60e1.prr", "gone.prr"));

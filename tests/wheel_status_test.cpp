@@ -34,8 +34,8 @@ const std::vector<ProfilePair>& pairs() {
 }
 
 WheelRail wheel_of(const ProfilePair& pair, WheelRailLevel level, double friction) {
-  static const auto table = std::make_shared<const CreepForceTable>(
-      read_creep_table(shipped_creep_table()), pairs().front().bodies.material.poisson_ratio);
+  static const auto table = std::make_shared<const CreepForceTable>(read_creep_table(shipped_creep_table()),
+                                                                    pairs().front().bodies.material.poisson_ratio);
   WheelRailBodies bodies = pair.bodies;
   bodies.friction = {{0, friction}};
   return WheelRail(bodies, {.level = level, .elements = 12, .table = table});
@@ -90,8 +90,8 @@ TEST(WheelStatus, WithoutContactThereAreNoForces) {
 }
 
 TEST(WheelStatus, WhateverIsNotOkHasAReason) {
-  for (const Status status : {Status::invalid_input, Status::not_converged, Status::no_contact, Status::no_solution,
-                              Status::implausible}) {
+  for (const Status status :
+       {Status::invalid_input, Status::not_converged, Status::no_contact, Status::no_solution, Status::implausible}) {
     WheelRailSolution s = solved();
     s.status = status;
     conclude(s, 0, tolerance);
@@ -101,8 +101,8 @@ TEST(WheelStatus, WhateverIsNotOkHasAReason) {
   }
 }
 
-/// Up to flange climbing on steep flanks, where friction pulls the wheel down: states on whose flanks an earlier version
-/// gave up with an error, for all states of a call.
+/// Up to flange climbing on steep flanks, where friction pulls the wheel down: states on whose flanks an earlier
+/// version gave up with an error, for all states of a call.
 TEST(WheelStatus, FlanksWithMuchFrictionGiveAStatus) {
   LoadedState one;
   one.state.lateral = 0.006577823564, one.state.yaw = 0.02717795, one.state.forward_velocity = -30, one.force = 7863.4;

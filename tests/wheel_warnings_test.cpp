@@ -31,7 +31,8 @@ WheelState<double> running(double lateral) {
   return s;
 }
 
-WheelRailSolution solve(const WheelRailBodies& bodies, double lateral, double force, const WheelRailMethod& method = {}) {
+WheelRailSolution solve(const WheelRailBodies& bodies, double lateral, double force,
+                        const WheelRailMethod& method = {}) {
   return WheelRail(bodies, method).solve(running(lateral), force);
 }
 

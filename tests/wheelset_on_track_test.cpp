@@ -192,7 +192,7 @@ TEST(WheelsetOnTrack, IsDrivenAndBrakedByATorque) {
 }
 
 /// The derivatives beside central differences.
-void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, const PrescribedForces& forces) {
+void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, const PrescribedWheelsetForces& forces) {
   WheelsetSolution found;
   WheelsetDerivatives d;
   wheelset.differentiate(state, forces.load(), found, d);
@@ -200,7 +200,7 @@ void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, c
   const std::size_t states = static_cast<std::size_t>(WheelsetVariable::vertical_force);
   for (std::size_t k = 0; k < wheelset_variables; ++k) {
     WheelsetState low = state, high = state;
-    PrescribedForces less = forces, more = forces;
+    PrescribedWheelsetForces less = forces, more = forces;
     double step = k >= states ? 10 : k >= 4 ? 2e-5 : 1e-8; // [N], [N m]; [m/s], [rad/s]; [m], [rad]
     const auto which = static_cast<WheelsetVariable>(k);
     const bool is_found = which == WheelsetVariable::pitch_velocity
@@ -244,12 +244,12 @@ void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, c
 
 TEST(WheelsetOnTrack, HasTheDerivativesOfItsForces) {
   WheelsetOnTrack wheelset(pair(), accurate);
-  PrescribedForces axle, turning, wheels;
+  PrescribedWheelsetForces axle, turning, wheels;
   axle.vertical_force = 100e3, axle.roll_moment = 2e3, axle.axle_torque = 0;
   turning.vertical_force = 100e3, turning.roll_moment = 0;
   wheels.vertical_force_left = 60e3, wheels.vertical_force_right = 40e3, wheels.axle_torque = 500;
   const WheelsetState state = running(2e-3, 2e-3);
-  for (const PrescribedForces& forces : {axle, turning, wheels}) expect_derivatives(wheelset, state, forces);
+  for (const PrescribedWheelsetForces& forces : {axle, turning, wheels}) expect_derivatives(wheelset, state, forces);
   expect_derivatives(wheelset, at(state, wheelset.solve(state, axle.load())), {});
 }
 

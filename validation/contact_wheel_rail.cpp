@@ -252,6 +252,8 @@ bool run_contact_wheel_rail(const StudyOptions& options, std::ostream& out) {
   report.heading("Cases run; geometry analysed, normal and tangential problems solved; seconds of the processor; "
                  "quantities, equal to the "
                  "printed digits, within 1 %");
+  report.line(fmt::format("{:<20} {:>3} {:>5} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6}", "", "run", "geo.", "norm.", "tang.",
+                          "time s", "all", "equal", "1 %"));
   for (const auto& row : rows) report.line(row);
   return report.all_met();
 }

@@ -62,7 +62,7 @@ RunningState running_state(std::uint64_t seed) {
 struct Compared {
   std::array<double, 5> error{}; ///< of the tangential force over mu Fn
   std::array<bool, 5> solved{};
-  bool warned = false;           ///< of the planes
+  bool warned = false; ///< of the planes
 };
 
 Compared compare(std::vector<WheelRail>& by, const RunningState& s) {
@@ -122,8 +122,8 @@ bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
     }
   report.figure("rms of the level as it is by itself", fmt::format("{:.4f}", worst), "at most 0.005", worst <= 0.005);
   report.figure("states that it does not solve", fmt::format("{}", refused), "0", refused == 0);
-  report.figure("flat patches beyond .02 without a warning", fmt::format("{} of {}, {} warned of", missed, needed, warned),
-                "at most 5 %", missed <= 0.05 * needed);
+  report.figure("flat patches beyond .02 without a warning",
+                fmt::format("{} of {}, {} warned of", missed, needed, warned), "at most 5 %", missed <= 0.05 * needed);
   return report.all_met();
 }
 

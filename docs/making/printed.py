@@ -1,24 +1,35 @@
-"""Renews the blocks of the pages that are marked `printed by: COMMAND` with what the commands print now.
+"""Renews the blocks of the pages that are marked `printed by: COMMAND` or `printed slowly by: COMMAND` with what the
+commands print now.
 
     printed.py --list          prints the commands
-    printed.py [WORD...]       runs the commands that have one of the words in them (none: all), and rewrites their blocks
-    printed.py --check WORD... only says which blocks would change; exit code 1 if there are any
+    printed.py [WORD...]       runs the commands with one of the words in them or in the name of a page that has what they
+                               print (none: all), and rewrites their blocks
+    printed.py --check WORD... only says which blocks have other figures than their marks allow; exit code 1 if there are any
+    printed.py --quick ...     leaves out the slow ones
 
-A block is an excerpt: its lines stand in the output in their order with the same words, and take over its figures and verdicts. Where the words have changed the block is left as it is and named: then page and prose need a hand. Exit code 1.
+A block is an excerpt: its lines stand in the output in their order with the same words, and take over its figures and verdicts. Where the words have changed the block is left as it is and named: then page and prose need a hand. Exit code 1; 77 where all commands lack stored results.
 """
 
 import argparse
+import os
 import re
 import subprocess
 import sys
+import tempfile
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from blocks import blocks
+from figures import VERDICT, other_line, parse
 from output import NUMBER
 
 ROOT = Path(__file__).resolve().parents[2]
-VERDICT = re.compile(r"\b(ok|NOT MET)\b")
+BUILD = "build/release"  # as the commands have it
+MARKS = ("printed by:", "printed slowly by:")
 OMITTED = "..."
+# What a study says whose stored results are not there.
+SKIPPED = re.compile(r"^ *SKIPPED: .*$", re.MULTILINE)
+NOTHING = 77  # the exit code where nothing could be run
 
 
 def words(line):
@@ -77,14 +88,29 @@ def renewed(text, output):
     raise ValueError(f"not printed so any more: '{missing.strip()}'")
 
 
+@dataclass
+class Printed:
+    """What pages have of a command's output."""
+
+    command: str
+    is_slow: bool = False
+    blocks: list = field(default_factory=list)
+
+    def has(self, word):
+        """Whether the word is in the command or in the path of a page."""
+        return word in self.command or any(word in str(block.page) for block in self.blocks)
+
+
 def commands(pages):
     """The marked blocks of all pages, by their command."""
     found = {}
     for page in pages:
         for block in blocks(page):
-            command = block.marked("printed by:")
-            if command:
-                found.setdefault(command, []).append(block)
+            quick, slow = (block.marked(word) for word in MARKS)
+            if command := quick or slow:
+                one = found.setdefault(command, Printed(command))
+                one.is_slow |= slow is not None
+                one.blocks.append(block)
     return found
 
 
@@ -104,17 +130,31 @@ def renew(block, output, write):
     except ValueError as error:
         print(f"{block.place}: {error}")
         return False
-    if text == block.text:
-        return True
-    print(f"{block.place}: {'renewed' if write else 'other figures'}")
     if write:
-        rewrite(block, text)
-    return write
+        if text != block.text:
+            print(f"{block.place}: renewed")
+            rewrite(block, text)
+        return True
+    other = other_line(block.text, text, parse(block.compared))
+    if other:
+        print(f"{block.place}: says\n  {other[0]}\nbut printed is\n  {other[1]}")
+    return other is None
 
 
-def run(command):
+def make_workplace(folder, build):
+    """Links to all that the commands name, so that what they write is written elsewhere; `build` in place of the usual one."""
+    for entry in ROOT.iterdir():
+        if entry.name not in ("build", "results"):
+            (folder / entry.name).symlink_to(entry)
+    (folder / "results").mkdir()
+    (folder / BUILD).parent.mkdir()
+    (folder / BUILD).symlink_to(ROOT / build)
+
+
+def run(command, folder):
     """What a command prints; a study whose figures are not met has the exit code 1 and is printed all the same."""
-    done = subprocess.run(["bash", "-c", command], text=True, stdout=subprocess.PIPE, cwd=ROOT)
+    environment = {**os.environ, "PATH": f"{folder / BUILD / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+    done = subprocess.run(["bash", "-c", command], text=True, stdout=subprocess.PIPE, cwd=folder, env=environment)
     if done.returncode not in (0, 1):
         raise SystemExit(f"{command}: exit code {done.returncode}")
     return done.stdout
@@ -124,25 +164,32 @@ def main(arguments):
     """The command line."""
     parser = argparse.ArgumentParser(description="Runs studies and benchmarks and rewrites what the documentation says "
                                      "that they print. All of them take an hour or so.")
-    parser.add_argument("words", nargs="*", metavar="WORD", help="only the commands with one of these in them")
+    parser.add_argument("words", nargs="*", metavar="WORD", help="only the commands with one of these in them or in their page's name")
     parser.add_argument("--list", action="store_true", help="print the commands and run none")
     parser.add_argument("--check", action="store_true", help="say which figures are others and rewrite none")
+    parser.add_argument("--quick", action="store_true", help="leave out commands that take more than some seconds")
+    parser.add_argument("--build", default=BUILD, help=f"the folder of the programs; default: {BUILD}")
     asked = parser.parse_args(arguments)
-    chosen = asked.words
-    found = commands([ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))])
+    found = commands([ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]).values()
+    wanted = [one for one in found if (not asked.words or any(map(one.has, asked.words))) and not (asked.quick and one.is_slow)]
     if asked.list:
-        print("\n".join(found))
+        print("\n".join(one.command for one in wanted))
         return 0
-    wanted = [command for command in found if not chosen or any(word in command for word in chosen)]
     if not wanted:
-        raise SystemExit(f"no command has {' or '.join(chosen)} in it; --list prints all")
-    right = True
-    for command in wanted:
-        print(f"{command} ...", flush=True)
-        output = run(command)
-        for block in found[command]:
-            right &= renew(block, output, not asked.check)
-    return 0 if right else 1
+        raise SystemExit(f"no command has {' or '.join(asked.words)} in it; --list prints all")
+    right, compared = True, False
+    with tempfile.TemporaryDirectory(prefix="microslip_printed_") as folder:
+        make_workplace(Path(folder), asked.build)
+        for one in wanted:
+            print(f"{one.command} ...", flush=True)
+            output = run(one.command, Path(folder))
+            if skipped := SKIPPED.search(output):
+                print(skipped[0])
+                continue
+            compared = True
+            for block in one.blocks:
+                right &= renew(block, output, not asked.check)
+    return (0 if compared else NOTHING) if right else 1
 
 
 if __name__ == "__main__":

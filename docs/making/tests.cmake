@@ -35,10 +35,22 @@ add_test(NAME docs_images
   COMMAND sh -c "${python_packages}; exec \"$0\" '${making}/images.py' --check --quick" ${python_interpreter})
 set_tests_properties(docs_images PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}" TIMEOUT 900)
 
-# With sanitizers tutorials take minutes and say nothing that the tests of the module do not.
+# With sanitizers what follows takes minutes and says nothing that the tests of programs and module do not.
 if(CMAKE_CXX_FLAGS MATCHES "sanitize")
   return()
 endif()
+
+# The figures of pages that are printed within seconds; tools/figures --check compares the others as well.
+foreach(page ${pages})
+  file(STRINGS ${page} printed REGEX "^<!-- printed by: ")
+  if(printed)
+    get_filename_component(name ${page} NAME)
+    add_test(NAME docs_printed_${name}
+      COMMAND sh -c "${python_packages}; exec \"$0\" \"$@\"" ${python_interpreter} ${making}/printed.py --check --quick
+        --build ${CMAKE_BINARY_DIR} /${name})
+    set_tests_properties(docs_printed_${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
+  endif()
+endforeach()
 file(GLOB tutorials CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/tutorials/*.py)
 foreach(tutorial ${tutorials})
   get_filename_component(name ${tutorial} NAME_WE)

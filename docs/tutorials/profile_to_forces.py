@@ -65,7 +65,7 @@ for k, (one, other) in enumerate(zip(fast.patches, exact.patches), 1):
 # %% [markdown]
 # ## Tractions
 #
-# The exact theory's patches hold their fields, each in its own plane, y along the rail's surface:
+# The exact theory's patches hold their fields, x along the track, y along the rail's surface:
 
 # %%
 def traction_on_fine_grid(patch, across=300):

@@ -1,7 +1,7 @@
 /* A function of Octave and MATLAB: the forces of a right wheel at y [mm] under 10 kN, rolling at 2 m/s.
  *
- *   mkoctfile --mex wheel_forces.c -I PREFIX/include -L PREFIX/lib -lcontact     Octave
- *   mex wheel_forces.c -IPREFIX/include -LPREFIX/lib -lcontact                   MATLAB
+ *   mkoctfile --mex wheel_forces.c -IPREFIX/include -LPREFIX/lib -Wl,-rpath,PREFIX/lib -lcontact     Octave
+ *   mex wheel_forces.c -IPREFIX/include -LPREFIX/lib -lcontact                                       MATLAB
  *
  *   forces = wheel_forces('RAIL.prr', 'WHEEL.prw', y)      the 24 numbers of cntc_getglobalforces
  */

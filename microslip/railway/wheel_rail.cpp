@@ -163,8 +163,6 @@ BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   return out;
 }
 
-} // namespace
-
 /// Whether the surfaces are more than a round wheel on a prismatic rail.
 bool has_general_surfaces(const WheelRailBodies& bodies) {
   return bodies.rail_surface || bodies.wheel_surface || bodies.track.roller_radius != 0;
@@ -188,6 +186,8 @@ private:
     return bodies;
   }
 };
+
+} // namespace
 
 /// Solves left wheels; right ones in a mirror.
 struct WheelRail::Workspace {

@@ -12,15 +12,16 @@ constexpr double largest = largest_vertical_force; // [N], [N m]
 
 constexpr PrescribedForce all_prescribed_forces[] = {
     {"vertical_force", "N", least_vertical_force, largest, "on both wheels together, upwards",
-     &PrescribedForces::vertical_force},
+     &PrescribedWheelsetForces::vertical_force},
     {"roll_moment", "N m", -largest, largest,
-     "of the rails' forces on the wheelset about its centre, about the track's x", &PrescribedForces::roll_moment},
+     "of the rails' forces on the wheelset about its centre, about the track's x",
+     &PrescribedWheelsetForces::roll_moment},
     {"vertical_force_left", "N", least_vertical_force, largest, "on the left wheel, upwards",
-     &PrescribedForces::vertical_force_left},
+     &PrescribedWheelsetForces::vertical_force_left},
     {"vertical_force_right", "N", least_vertical_force, largest, "on the right wheel, upwards",
-     &PrescribedForces::vertical_force_right},
+     &PrescribedWheelsetForces::vertical_force_right},
     {"axle_torque", "N m", -largest, largest, "that drives the wheelset forward; 0: it rolls freely",
-     &PrescribedForces::axle_torque},
+     &PrescribedWheelsetForces::axle_torque},
 };
 
 using Solution = const WheelsetSolution&;
@@ -83,7 +84,7 @@ void WheelsetStateQuantity::set(WheelsetState& state, double value) const {
   state.right_deflection = right.deflection, state.right_rail = right.rail;
 }
 
-PrescribedForces::PrescribedForces(const WheelsetLoad& load) : axle_torque(load.axle_torque) {
+PrescribedWheelsetForces::PrescribedWheelsetForces(const WheelsetLoad& load) : axle_torque(load.axle_torque) {
   if (!load.vertical) return;
   if (const auto* both = std::get_if<AxleLoad>(&*load.vertical)) {
     vertical_force = both->vertical_force, roll_moment = both->roll_moment;
@@ -93,7 +94,7 @@ PrescribedForces::PrescribedForces(const WheelsetLoad& load) : axle_torque(load.
   }
 }
 
-WheelsetLoad PrescribedForces::load() const {
+WheelsetLoad PrescribedWheelsetForces::load() const {
   WheelsetLoad load;
   load.axle_torque = axle_torque;
   if (vertical_force_left.has_value() != vertical_force_right.has_value())

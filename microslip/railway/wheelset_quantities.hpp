@@ -22,11 +22,11 @@ struct WheelsetStateQuantity {
 };
 
 /// The forces that doors may prescribe, by name.
-struct PrescribedForces {
+struct PrescribedWheelsetForces {
   std::optional<double> vertical_force, roll_moment, vertical_force_left, vertical_force_right, axle_torque;
 
-  PrescribedForces() = default;
-  explicit PrescribedForces(const WheelsetLoad& load);
+  PrescribedWheelsetForces() = default;
+  explicit PrescribedWheelsetForces(const WheelsetLoad& load);
   /// Throws Error for those that do not go together: both wheels' forces, or vertical_force with roll_moment, by
   /// default 0; or none.
   WheelsetLoad load() const;
@@ -35,7 +35,7 @@ struct PrescribedForce {
   std::string_view name, unit;
   double low, high; ///< what makes sense
   std::string_view description;
-  std::optional<double> PrescribedForces::*of;
+  std::optional<double> PrescribedWheelsetForces::*of;
 };
 
 using WheelsetQuantity = RailwayQuantity<WheelsetSolution>;

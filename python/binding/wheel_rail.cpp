@@ -349,9 +349,10 @@ void bind_wheel_rail(py::module_& module) {
            "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
            "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
            "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
-           "elements across each patch [-] and its patches' shape: flat (default), curved or conformal; rows of\n"
-           "fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength,\n"
-           "for wear and fatigue; whether solutions of fastsim2 have fields; of theory \"table\" the CreepForceTable,\n"
+           "elements across each patch [-] and its patches' shape: the true surfaces (None), or flat, curved,\n"
+           "conformal; rows of fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the\n"
+           "SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields; of theory \"table\" the "
+           "CreepForceTable,\n"
            "by default the one of microslip for the bodies' Poisson's ratio. Error for values out of range and\n"
            "profiles that do not fit the track or the wheelset.")
       .def("solve", &solve, state_text().c_str())

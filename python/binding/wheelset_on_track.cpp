@@ -52,7 +52,7 @@ struct GivenWheelset {
 
 GivenWheelset given_wheelset(const py::kwargs& given) {
   GivenWheelset out;
-  PrescribedForces forces;
+  PrescribedWheelsetForces forces;
   Names names, seen;
   for (const WheelsetStateQuantity& q : wheelset_state_quantities()) names.push_back(q.name);
   for (const PrescribedForce& f : prescribed_forces()) names.push_back(f.name);

@@ -1736,9 +1736,9 @@ class WheelRail:
         """The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both
         bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays
         (angles [rad], coefficients) of surfaces that rise to the field side; theory "exact" with grid
-        elements across each patch [-] and its patches' shape: flat (default), curved or conformal; rows of
-        fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the SurfaceStrength,
-        for wear and fatigue; whether solutions of fastsim2 have fields; of theory "table" the CreepForceTable,
+        elements across each patch [-] and its patches' shape: the true surfaces (None), or flat, curved,
+        conformal; rows of fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the
+        SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields; of theory "table" the CreepForceTable,
         by default the one of microslip for the bodies' Poisson's ratio. Error for values out of range and
         profiles that do not fit the track or the wheelset."""
     def solve(self, **kwargs) -> WheelRailSolution:

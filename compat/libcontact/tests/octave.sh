@@ -1,9 +1,14 @@
 #!/bin/sh
-# The example as a function of Octave: octave.sh MKOCTFILE OCTAVE INCLUDE LIBRARY EXAMPLES FOLDER
+# The example as a function of Octave, built by the command in its first lines:
+# octave.sh MKOCTFILE OCTAVE INCLUDE LIBRARY EXAMPLES FOLDER
 set -eu
-mkdir -p "$6" && cd "$6"
-library=$(dirname "$4")
-"$1" --mex -o wheel_forces.mex "$5/libcontact/wheel_forces.c" -I"$3" -L"$library" -lcontact -Wl,-rpath,"$library"
+mkdir -p "$6/prefix" && cd "$6"
+ln -sfn "$3" prefix/include
+ln -sfn "$(dirname "$4")" prefix/lib
+cp "$5/libcontact/wheel_forces.c" .
+arguments=$(sed -n 's|^ \*   mkoctfile \(.*[^ ]\)  *Octave$|\1|p' wheel_forces.c)
+[ -n "$arguments" ]
+"$1" $(echo "$arguments" | sed "s|PREFIX|$PWD/prefix|g") # several words
 "$2" --no-gui --quiet --no-init-file --eval "
   forces = @(y) wheel_forces('$5/profiles/60e1.prr', '$5/profiles/s1002.prw', y);
   f = forces(0); g = forces(3);

@@ -58,7 +58,7 @@ class PageTest(unittest.TestCase):
         self.page.write_text(text)
         (found,) = commands([self.page]).values()
         with redirect_stdout(StringIO()) as out:
-            right = [renew(block, OUTPUT, write) for block in found]
+            right = [renew(block, OUTPUT, write) for block in found.blocks]
         return right, out.getvalue(), self.page.read_text()
 
     def block(self, text):
@@ -72,8 +72,29 @@ class PageTest(unittest.TestCase):
         self.assertIn("page.md:4: renewed", out)
 
     def test_checking_changes_nothing(self):
-        wrong = self.block("Second table\n  Fx 10  rms   0.1  0.1  ok\n")
+        wrong = self.block("Second table\n  Fx 10  rms   0.1999  0.0111  ok\n")
         self.assertEqual(self.renew(wrong, write=False)[::2], ([False], wrong))
+
+    def test_checking_obeys_the_second_mark(self):
+        wrong = self.block("Second table\n  Fx 10  rms   0.0113  0.0109  ok\n")
+        near = wrong.replace("study -->", "study -->\n<!-- compared: within .03 -->")
+        self.assertEqual(self.renew(near, write=False)[0], [True])
+        self.assertEqual(self.renew(near.replace(".03", ".01"), write=False)[0], [False])
+        self.assertEqual(self.renew(near)[2], near.replace("0.0113", "0.0112").replace("0.0109", "0.0111"))
+
+    def test_tables_are_renewed(self):
+        page = "<!-- printed by: study -->\n| a | 1 |\n\nAfter.\n"
+        self.page.write_text(page)
+        (found,) = commands([self.page]).values()
+        with redirect_stdout(StringIO()):
+            self.assertTrue(renew(found.blocks[0], "| a | 2 |\n", True))
+        self.assertEqual(self.page.read_text(), page.replace("1", "2"))
+
+    def test_slow_commands_are_known(self):
+        self.page.write_text(self.block("x\n") + self.block("x\n").replace("printed by", "printed slowly by").replace("study", "long"))
+        found = commands([self.page])
+        self.assertEqual({name: one.is_slow for name, one in found.items()}, {"study": False, "long": True})
+        self.assertTrue(found["long"].has("lon") and found["long"].has("page.md") and not found["long"].has("study"))
 
     def test_what_cannot_be_renewed_is_named_and_left(self):
         wrong = self.block("Third table\n")
