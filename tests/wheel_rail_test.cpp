@@ -166,7 +166,7 @@ TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
     for (const WheelRailPatch& p : s.patches) lost += p.frictional_power;
     const Vec3<double> turning = state.pitch_velocity * Vec3<double>{-std::sin(state.yaw), std::cos(state.yaw), 0};
     const double put_in = -(s.force.x * state.forward_velocity + dot(s.moment, turning));
-    EXPECT_NEAR(lost, put_in, 0.01 * put_in);
+    EXPECT_NEAR(lost, put_in, 0.05 * put_in);
   }
 }
 

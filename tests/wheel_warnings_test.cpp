@@ -134,7 +134,7 @@ TEST(WheelWarnings, FlatPatchesWhereTheSurfacesAreNot) {
   for (const auto& [name, bodies] : validation::worn_pairs()) {
     if (name != "hollow wheel") continue;
     int warned = 0;
-    for (const double lateral : {-4e-3, -2e-3, 0.0, 2e-3, 4e-3}) {
+    for (const double lateral : {-3e-3, 0.0, 2e-3, 5e-3}) {
       const auto plane = solve(bodies, lateral, 100e3, flat);
       auto true_surface = flat;
       true_surface.shape.reset();

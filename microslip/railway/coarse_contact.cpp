@@ -447,8 +447,9 @@ void CoarseContact::sum(WheelRailSolution& out) {
 double CoarseContact::change_by_planes() {
   const std::size_t count = normal_rows_.size();
   std::copy_n(loaded_.begin(), count, flat_rows_.begin());
-  double bound = 0;
+  double bound = 0, across = 0; // of all rows, and the lateral force on planes less that on the true surfaces
   for (const ContactPatch& patch : patches()) {
+    const double inclination = patch.outline.frame.angle;
     const WheelRailPatch plane = describe(patch.outline, patch.least_gap, patch.speed);
     for (std::size_t k = patch.first; k < patch.first + patch.loaded.size(); ++k) {
       LoadedRow& row = flat_rows_[k];
@@ -457,14 +458,20 @@ double CoarseContact::change_by_planes() {
       row.creepage.longitudinal -= plane.creepage.spin * s;
       row.creepage.lateral -= plane.creepage.spin * patch.outline.frame.origin.x;
       bound += row.friction * row.load;
+      across -= row.load * (std::sin(inclination) - std::sin(normal_rows_[k].angle));
     }
   }
   (rolls_forward() ? forward_ : backward_)
       .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, std::span(flat_rows_).first(count),
              flat_forces_);
-  double along = 0, across = 0;
-  for (std::size_t k = 0; k < count; ++k)
-    along += flat_forces_[k].fx - forces_[k].fx, across += flat_forces_[k].fy - forces_[k].fy;
+  double along = 0;
+  for (const ContactPatch& patch : patches()) {
+    const double cosine = std::cos(patch.outline.frame.angle);
+    for (std::size_t k = patch.first; k < patch.first + patch.loaded.size(); ++k) {
+      along += flat_forces_[k].fx - forces_[k].fx;
+      across += flat_forces_[k].fy * cosine - forces_[k].fy * std::cos(normal_rows_[k].angle);
+    }
+  }
   return bound > 0 ? std::hypot(along, across) / bound : 0;
 }
 

@@ -240,7 +240,7 @@ private:
   void find_forces(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     if (!solve_coarse(state, vertical_force, out)) return;
     if (method.surface() == PatchShape::flat)
-      out.warnings.add_if(contact->coarse.change_by_planes() > limit(Warning::flat_surface), Warning::flat_surface);
+      out.warnings.add_if(contact->coarse.change_by_planes() > limit(Warning::flat_surface) / 2, Warning::flat_surface);
     if (method.level == WheelRailLevel::exact)
       solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out);
     else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
