@@ -100,6 +100,7 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.add("discretisation error of fx", simplified.discretisation_error.fx, "mu Fn");
   table.add("discretisation error of fy", simplified.discretisation_error.fy, "mu Fn");
   table.add("discretisation error of mz", simplified.discretisation_error.mz, "mu Fn sqrt(a b)");
+  table.add("discretisation error of power", simplified.discretisation_error.frictional_power, "W");
   table.add("status", {std::string(to_string(solution.report.status))});
   if (const auto assumption = simplified_assumption(input); !assumption.empty()) table.add("assumes", {assumption});
   table.print();
@@ -117,7 +118,7 @@ std::vector<TheoryColumn> theory_columns(const RollingCase& input, const Rolling
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<TheoryColumn> columns;
   if (result.exact) columns.push_back({"exact", &result.exact->contact, result.exact->discretisation_error});
-  if (result.table) columns.push_back({"table", &result.table->solution, {none, none, none}});
+  if (result.table) columns.push_back({"table", &result.table->solution, {none, none, none, none}});
   if (const auto& simplified = result.simplified)
     columns.push_back({simplified_name(input), &simplified->solution, simplified->discretisation_error});
   return columns;
@@ -155,6 +156,11 @@ public:
     table_.add(name, texts, unit);
   }
 
+  /// Of the first theory, the one that is asked for.
+  std::string unit_of(std::string_view name) const {
+    return std::string(quantity(name).unit_of(*columns_.front().solution));
+  }
+
   void add_status() {
     std::vector<std::string> texts;
     for (const TheoryColumn& column : columns_) texts.emplace_back(to_string(column.solution->report.status));
@@ -184,6 +190,8 @@ void add_totals(SideBySide& rows, const EllipticContact& contact) {
   rows.add_error("discretisation error of fx", "mu Fn", &DiscretisationError::fx);
   rows.add_error("discretisation error of fy", "mu Fn", &DiscretisationError::fy);
   rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &DiscretisationError::mz);
+  rows.add_error("discretisation error of power", rows.unit_of("frictional_power"),
+                 &DiscretisationError::frictional_power);
 }
 
 /// What the simplified theory, or a table, lets aside.

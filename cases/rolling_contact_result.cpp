@@ -27,18 +27,26 @@ EllipticContact similar(EllipticContact contact) {
   return contact;
 }
 
-DiscretisationError difference(const EllipticContact& contact, const ContactForces& a, const ContactForces& b) {
+DiscretisationError difference(const EllipticContact& contact, const Totals& a, const ContactForces& forces,
+                               double power) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
   if (limit == 0) return {};
   const auto length = std::sqrt(contact.a * contact.b);
-  return {std::abs(a.fx - b.fx) / limit, std::abs(a.fy - b.fy) / limit, std::abs(a.mz - b.mz) / (limit * length)};
+  return {.fx = std::abs(a.fx - forces.fx) / limit,
+          .fy = std::abs(a.fy - forces.fy) / limit,
+          .mz = std::abs(a.mz - forces.mz) / (limit * length),
+          .frictional_power = std::abs(a.frictional_power - power)};
+}
+
+DiscretisationError difference(const EllipticContact& contact, const ContactSolution& a, const ContactSolution& b) {
+  return difference(contact, a.totals, b.forces(), b.totals.frictional_power);
 }
 
 /// By a solver for a grid and one for twice its cells in each direction.
 template <class Solver> SimplifiedResult solve_simplified(const EllipticContact& contact, Solver solver, Solver finer) {
   SimplifiedResult result;
   result.solution = solver.fields(contact);
-  result.discretisation_error = difference(contact, result.solution.forces(), finer.solve(contact));
+  result.discretisation_error = difference(contact, result.solution, finer.fields(contact));
   result.curve = creep_curve(contact, simplified_curve_points, [&](const auto& moved) { return solver.solve(moved); });
   return result;
 }
@@ -94,13 +102,13 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
   EllipticContactSolver solver(options);
   ExactResult result;
   result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
-  result.discretisation_error = {nan, nan, nan};
+  result.discretisation_error = {nan, nan, nan, nan};
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
   if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion, rest).gap;
   if (coarser.mx == options.mx && coarser.my == options.my) return result;
   const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
-  result.discretisation_error = difference(contact, result.contact.forces(), coarse.forces());
+  result.discretisation_error = difference(contact, result.contact, coarse);
   return result;
 }
 
@@ -113,7 +121,8 @@ ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& c
   options.mx = options.my = result.limit->elements;
   result.contact.fields.gap =
       EllipticContactSolver(options).deformed_gap(contact, {}, essential_part(progress, 0.8, 0.9)).gap;
-  result.discretisation_error = difference(contact, result.contact.forces(), result.limit->coarser);
+  result.discretisation_error =
+      difference(contact, result.contact.totals, result.limit->coarser, result.limit->coarser_power);
   return result;
 }
 
@@ -234,14 +243,15 @@ void write_inputs(ResultWriter& file, const RollingCase& input, const EllipticCo
 }
 
 void write_tolerances(ResultWriter& file, const std::string& theory, const DiscretisationError& error,
-                      const std::string& cells) {
-  const auto write = [&](const std::string& force, double value, const std::string& unit) {
-    file.scalar("tolerances/" + theory + "/discretisation_error_" + force, value, unit,
-                "discretisation error of " + force + ": difference to the grid with " + cells + " in each direction");
+                      const ContactSolution& of, const std::string& cells) {
+  const auto write = [&](const std::string& name, double value, std::string_view unit) {
+    file.scalar("tolerances/" + theory + "/discretisation_error_" + name, value, std::string(unit),
+                "discretisation error of " + name + ": difference to the grid with " + cells + " in each direction");
   };
   write("fx", error.fx, "mu Fn");
   write("fy", error.fy, "mu Fn");
   write("mz", error.mz, "mu Fn sqrt(a b)");
+  write("frictional_power", error.frictional_power, quantity("frictional_power").unit_of(of));
 }
 
 ResultWriter::Shape shape_of(const Elements& elements) {
@@ -430,7 +440,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   if (const auto& exact = result.exact) {
     write_theory(file, "exact", exact->contact);
     write_history(file, exact->contact.history, step_of(input, result.contact));
-    write_tolerances(file, "exact", exact->discretisation_error, "half the elements");
+    write_tolerances(file, "exact", exact->discretisation_error, exact->contact, "half the elements");
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
@@ -444,7 +454,7 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
     const auto name = simplified_name(input);
     write_theory(file, name, simplified->solution);
     write_assumption(file, name, simplified_assumption(input));
-    write_tolerances(file, name, simplified->discretisation_error, "twice the cells");
+    write_tolerances(file, name, simplified->discretisation_error, simplified->solution, "twice the cells");
     write_curve(file, name, simplified->curve);
     write_curve_point(file, simplified->curve, result.contact.creepage);
   }

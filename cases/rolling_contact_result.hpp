@@ -15,8 +15,9 @@ namespace microslip {
 
 /// How far totals are from those on another grid; NaN where there is none, as for a single element.
 struct DiscretisationError {
-  double fx = 0, fy = 0; ///< in units of mu Fn
-  double mz = 0;         ///< in units of mu Fn sqrt(a b)
+  double fx = 0, fy = 0;       ///< in units of mu Fn
+  double mz = 0;               ///< in units of mu Fn sqrt(a b)
+  double frictional_power = 0; ///< [W]; for a shift of the work [J]
 };
 
 /// What the simplified theory makes of a case.

@@ -75,8 +75,8 @@ TEST(EllipticContact, TotalsAreSumsOverTheFields) {
       EXPECT_NEAR(bound, unit, 1e-12 * unit);
       EXPECT_NEAR(load, contact.normal_force, 1e-12 * contact.normal_force);
       EXPECT_NEAR(s.totals.elastic_energy, energy, 1e-12 * energy);
-      const bool second_order = discretisation == Discretisation::second_order;
-      EXPECT_NEAR(f.totals.frictional_power, second_order ? f.totals.power_by_creepage : power, 1e-9 * power);
+      EXPECT_NEAR(f.totals.frictional_power, f.totals.power_by_creepage, 1e-9 * f.totals.power_by_creepage);
+      EXPECT_NEAR(power, f.totals.frictional_power, 0.3 * f.totals.frictional_power); // (E23), with few elements
       EXPECT_NEAR(f.totals.slip_area, slip, 1e-12 * slip);
       EXPECT_NEAR(f.totals.adhesion_area, adhesion, 1e-12 * adhesion);
     }

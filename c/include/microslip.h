@@ -390,7 +390,7 @@ typedef struct microslip_exact_result {
   double approach;              /* [m] */
   double peak_pressure;         /* [Pa] */
   double peak_traction;         /* [Pa] */
-  double frictional_power;      /* [W], >= 0; for a shift the work [J] */
+  double frictional_power;      /* [W]; more accurate than a sum of -V p.s area over fields; for a shift the work [J] */
   double power_by_creepage;     /* -V (xi fx + eta fy + phi mz) [W] */
   double elastic_energy;        /* of the tangential tractions [J] */
   double residual;              /* relative, of the last Newton step */

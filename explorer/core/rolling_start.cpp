@@ -83,8 +83,8 @@ Json rolling_start(const RollingCase& input) {
     step.start = frames.empty() ? StepStart::fresh : StepStart::previous;
     ContactStepSolution found = sequence.solve(step);
     status = found.status;
-    const ContactSolution solution = contact_solution(step.grid, std::move(found.tangential), found.normal, 1,
-                                                      step.motion.motion, input.rolling_speed);
+    const ContactSolution solution =
+        contact_solution(step.grid, std::move(found.tangential), found.normal, 1, step.motion);
     if (frames.empty()) add_fields(solution, still_fields, result, units);
     frames.push_back(frame_of(solution, k * rolled, units));
   }

@@ -35,4 +35,12 @@ struct ContactSolution {
 /// Without fields, all numbers NaN, with a status that is not ok and its reason.
 ContactSolution solution_without_result(Status status, std::string reason);
 
+/// Makes status and numbers of a solution agree, and of each step of its history; all solutions of two bodies pass
+/// here, whatever theory found them:
+/// - `ok` if all numbers are finite and the residual is at most `tolerance`, or 1e-10, which rounding may leave;
+/// - `invalid_input` with NaN and without fields, also where the computation has overflown;
+/// - `no_contact` without forces, moments, areas and powers;
+/// - whatever is not ok has a reason, and what is ok has none.
+void conclude(ContactSolution& solution, double tolerance);
+
 } // namespace microslip

@@ -11,7 +11,9 @@ namespace microslip {
 enum class CellState : unsigned char { exterior = 0, adhesion = 1, slip = 2 };
 
 /// What a solution tells of the surfaces, one value for each of its Elements. A field that its solver does not compute
-/// is empty. Tractions act on body 1, displacements and slip are those of body 1 less those of body 2.
+/// is empty. Tractions act on body 1, displacements and slip are those of body 1 less those of body 2. The slip is that
+/// of the discrete equations: the sum of -V p.s times area differs from Totals::frictional_power, which is more
+/// accurate, by a per cent on the mean at second order and by 10 to 30 % on 20 classical elements across.
 struct SurfaceFields {
   VectorField traction;      ///< p [Pa]
   VectorField slip;          ///< relative slip s [-]; in a shift the slip distance [m]

@@ -17,9 +17,11 @@ struct Totals {
   /// leads: rolling along +x, where a wheel turns positively about y, it is negative, along -x positive, and over the
   /// wheel's radius it is the force that keeps the wheel rolling. Zero to rounding for similar elastic bodies.
   double my = 0;
-  double adhesion_area = 0;     ///< [m^2]
-  double slip_area = 0;         ///< [m^2]
-  double frictional_power = 0;  ///< -V integral of p.s (E22), (S22) [W], >= 0; for a shift the work, without V [J]
+  double adhesion_area = 0; ///< [m^2]
+  double slip_area = 0;     ///< [m^2]
+  /// -V integral of p.s [W], for a shift the work, without V [J]. In steady rolling the best that the discretisation
+  /// has for it, (E23a), (S22): of elastic bodies of one material that by creepages. Else the sum over the elements.
+  double frictional_power = 0;
   double power_by_creepage = 0; ///< -V (xi fx + eta fy + phi mz) (E22) [W]; for a shift the work, without V [J]
   double elastic_energy = 0;    ///< of the tangential tractions, half the integral of p.u [J]
   double peak_pressure = 0;     ///< largest pressure of an element [Pa]

@@ -33,6 +33,7 @@ AccurateContact extrapolate(const ContactSolution& coarse, ContactSolution fine)
   AccurateContact out;
   const ContactForces f = coarse.forces(), g = fine.forces();
   out.coarser = f;
+  out.coarser_power = coarse.totals.frictional_power;
   out.forces = g;
   out.forces.fx = limit_of_second_order(f.fx, g.fx);
   out.forces.fy = limit_of_second_order(f.fy, g.fy);

@@ -8,13 +8,14 @@ namespace microslip {
 
 /// Steady rolling on two nested grids and its limit.
 struct AccurateContact {
-  ContactSolution finest; ///< on the finer grid
-  ContactForces coarser;  ///< on half the elements
-  ContactForces forces;   ///< the limit, extrapolated; areas and status of the finer grid
-  Creepage creepage;      ///< the limit, where a force is given
-  double error = 0;       ///< estimated error of the limit, see AccurateContactSolver
-  int elements = 0;       ///< across the ellipse, of the finer grid
-  long products = 0;      ///< on all grids
+  ContactSolution finest;   ///< on the finer grid
+  ContactForces coarser;    ///< on half the elements
+  double coarser_power = 0; ///< the frictional power there [W]
+  ContactForces forces;     ///< the limit, extrapolated; areas and status of the finer grid
+  Creepage creepage;        ///< the limit, where a force is given
+  double error = 0;         ///< estimated error of the limit, see AccurateContactSolver
+  int elements = 0;         ///< across the ellipse, of the finer grid
+  long products = 0;        ///< on all grids
 };
 
 /// The limit of a force or creepage, F(h/2) + (F(h/2) - F(h))/4, from its values on a grid and on one with twice as

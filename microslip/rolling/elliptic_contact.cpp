@@ -124,9 +124,35 @@ void EllipticContactSolver::forget() {
 }
 
 /// Solves the tangential problem; transient rolling step by step.
-TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, const ExactMotion& motion,
+TangentialSolution EllipticContactSolver::roll(TangentialInput input, int steps, double normal_force,
                                                std::span<const double> bound, const Progress& progress,
                                                std::vector<SolutionStep>& history) {
+  const bool transient = input.motion == ContactMotion::transient;
+  input.progress = transient ? within_step(steps, history, progress) : progress;
+  TangentialState state;
+  TangentialSolution s = tangential_->solve(bound, input);
+  if (!transient) return s;
+  const auto remember = [&] {
+    history.push_back(solution_step(contact_solution(grid_, s, normal_, normal_force, input)));
+    return !progress || progress(double(history.size()) / steps);
+  };
+  input.previous = &state;
+  try {
+    while (remember() && static_cast<int>(history.size()) < steps) {
+      state = s.tractions;
+      s = tangential_->solve(bound, input);
+    }
+  } catch (const Stopped&) { // within a step
+  }
+  if (is_cut_short(history, steps, s.forces.status)) s.forces.status = Status::not_converged;
+  return s;
+}
+
+ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& contact, const ExactMotion& motion,
+                                                       const Progress& progress) {
+  prepare_classical(contact, progress);
+  std::vector<double> bound = normal_.pressure;
+  for (double& g : bound) g *= capacity_of(contact);
   TangentialInput input;
   input.motion = motion.kind;
   input.creepage = contact.creepage;
@@ -136,35 +162,10 @@ TangentialSolution EllipticContactSolver::roll(const EllipticContact& contact, c
   input.direction = options_.direction;
   input.rolling_speed = contact.rolling_speed;
   input.tolerance = options_.tolerance;
-  input.progress = motion.kind == ContactMotion::transient ? within_step(motion.steps, history, progress) : progress;
-  TangentialState state;
-  TangentialSolution s = tangential_->solve(bound, input);
-  if (motion.kind != ContactMotion::transient) return s;
-  const auto remember = [&] {
-    history.push_back(
-        solution_step(contact_solution(grid_, s, normal_, contact.normal_force, motion.kind, contact.rolling_speed)));
-    return !progress || progress(double(history.size()) / motion.steps);
-  };
-  input.previous = &state;
-  try {
-    while (remember() && static_cast<int>(history.size()) < motion.steps) {
-      state = s.tractions;
-      s = tangential_->solve(bound, input);
-    }
-  } catch (const Stopped&) { // within a step
-  }
-  if (is_cut_short(history, motion.steps, s.forces.status)) s.forces.status = Status::not_converged;
-  return s;
-}
-
-ContactSolution EllipticContactSolver::solve_classical(const EllipticContact& contact, const ExactMotion& motion,
-                                                       const Progress& progress) {
-  prepare_classical(contact, progress);
-  std::vector<double> bound = normal_.pressure;
-  for (double& g : bound) g *= capacity_of(contact);
   std::vector<SolutionStep> history;
-  ContactSolution out = contact_solution(grid_, roll(contact, motion, bound, progress, history), normal_,
-                                         contact.normal_force, motion.kind, contact.rolling_speed);
+  ContactSolution out =
+      contact_solution(grid_, roll(input, motion.steps, contact.normal_force, bound, progress, history), normal_,
+                       contact.normal_force, input);
   out.history = std::move(history);
   if (normal_.status != Status::ok) out.report.status = normal_.status;
   for (std::size_t i = 0; i + 1 < out.history.size(); ++i) {
@@ -288,7 +289,6 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
   }
   const FittedContact& fitted = second_order_->contact();
   ExactDerivatives out{.solution = fitted_solution(solution, fitted, contact)};
-  add_reason(out.solution.report);
   out.products = derivatives.products;
   const double side = options_.direction == RollingDirection::forward ? 1 : -1;
   for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
@@ -302,6 +302,7 @@ ExactDerivatives EllipticContactSolver::differentiate(const EllipticContact& con
       out.jacobian[2][i] += sign * side * (e.centre() * change.py[k] - y * change.px[k]) * area;
     }
   }
+  conclude(out.solution, options_.tolerance);
   return out;
 }
 
@@ -323,7 +324,7 @@ ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, con
   } catch (const Stopped&) {
     out = solution_without_result(Status::not_converged, ended);
   }
-  add_reason(out.report);
+  conclude(out, options_.tolerance);
   return out;
 }
 

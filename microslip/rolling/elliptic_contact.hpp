@@ -105,7 +105,7 @@ private:
   void forget();
   bool is_of_last(const EllipticContact& contact);
   ContactSolution solve_classical(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);
-  TangentialSolution roll(const EllipticContact& contact, const ExactMotion& motion, std::span<const double> bound,
+  TangentialSolution roll(TangentialInput input, int steps, double normal_force, std::span<const double> bound,
                           const Progress& progress, std::vector<SolutionStep>& history);
   ContactStep sequence_step(const EllipticContact& contact, const ExactMotion& motion) const;
   ContactSolution solve_sequence(const EllipticContact& contact, const ExactMotion& motion, const Progress& progress);

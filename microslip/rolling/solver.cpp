@@ -52,7 +52,6 @@ ContactSolution with_limit(AccurateContact found) {
   out.report.products = found.products;
   out.report.estimated_error = found.error;
   out.report.reason.clear();
-  add_reason(out.report);
   return out;
 }
 
@@ -92,7 +91,6 @@ ContactSolution look_up(const CreepForceTable& table, const EllipticContact& con
   out.report.status = forces.status;
   if (forces.status != Status::ok && forces.status != Status::invalid_input)
     out.report.reason = out_of_range(table.axes(), contact);
-  add_reason(out.report);
   return out;
 }
 
@@ -170,7 +168,6 @@ struct Solver::Kept {
     ContactSolution out = method.theory == Theory::fastrip
                               ? Fastrip(options).fields(contact)
                               : RowSolver(marching_scheme(method.theory), options).fields(contact);
-    add_reason(out.report);
     return out;
   }
 
@@ -209,7 +206,6 @@ struct Solver::Kept {
     } catch (const Stopped& stopped) {
       out = solution_without_result(Status::not_converged, stopped.what());
     }
-    add_reason(out.report);
     return out;
   }
 };
@@ -231,7 +227,10 @@ const Method& Solver::method() const {
 
 ContactSolution Solver::solve(const RollingProblem& problem, const Progress& progress) {
   require_compatible(problem, kept_->method);
-  return is_hertzian(problem) ? kept_->solve_ellipse(problem, progress) : kept_->solve_on_grid(problem, progress);
+  ContactSolution out =
+      is_hertzian(problem) ? kept_->solve_ellipse(problem, progress) : kept_->solve_on_grid(problem, progress);
+  conclude(out, kept_->method.tolerance);
+  return out;
 }
 
 } // namespace microslip

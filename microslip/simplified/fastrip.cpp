@@ -152,6 +152,7 @@ ContactSolution Fastrip::fields(const EllipticContact& contact) {
   for (int j = 0; j < out.elements.my(); ++j) theory.solve(row_of(out, j, contact));
   keep_within_bound(out.fields);
   set_totals(out, contact);
+  conclude(out, 0); // nothing is iterated
   return out;
 }
 

@@ -321,7 +321,9 @@ ContactSolution RowSolver::fields(const EllipticContact& contact) {
   } catch (const Error& refusal) {
     return solution_without_result(Status::invalid_input, refusal.what());
   }
-  return workspace_->fields(contact);
+  ContactSolution out = workspace_->fields(contact);
+  conclude(out, 0); // nothing is iterated
+  return out;
 }
 ContactSolution RowSolver::fields(const PatchRows& patch, const PatchMotion& motion) {
   return march_patch(workspace_->kernels, workspace_->travel, patch, motion);

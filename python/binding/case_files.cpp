@@ -38,7 +38,8 @@ inline constexpr auto fields<BodyInput> =
 template <>
 inline constexpr auto fields<DiscretisationError> =
     std::tuple{Field{"fx", &DiscretisationError::fx}, Field{"fy", &DiscretisationError::fy},
-               Field{"mz", &DiscretisationError::mz}};
+               Field{"mz", &DiscretisationError::mz},
+               Field{"frictional_power", &DiscretisationError::frictional_power}};
 template <>
 inline constexpr auto fields<CreepCurve> =
     std::tuple{Field{"variable", &CreepCurve::variable}, Field{"unit", &CreepCurve::unit},
@@ -265,8 +266,9 @@ void bind_theories(py::module_& module) {
       py::class_<DiscretisationError>(module, "DiscretisationError", "How far totals are from those on another grid.");
   error.def_readonly("fx", &DiscretisationError::fx, "In units of mu Fn [-].")
       .def_readonly("fy", &DiscretisationError::fy, "In units of mu Fn [-].")
-      .def_readonly("mz", &DiscretisationError::mz, "In units of mu Fn sqrt(a b) [-].");
-  add_value(error, {"fx", "fy", "mz"});
+      .def_readonly("mz", &DiscretisationError::mz, "In units of mu Fn sqrt(a b) [-].")
+      .def_readonly("frictional_power", &DiscretisationError::frictional_power, "[W]; for a shift of the work [J].");
+  add_value(error, {"fx", "fy", "mz", "frictional_power"});
 
   py::class_<SimplifiedResult> simplified(module, "SimplifiedResult", "What the simplified theory makes of a case.");
   simplified.def_readonly("solution", &SimplifiedResult::solution, "The ContactSolution.")
@@ -274,7 +276,7 @@ void bind_theories(py::module_& module) {
           "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
       .def_readonly("discretisation_error", &SimplifiedResult::discretisation_error,
-                    "To the grid with twice the cells [-].")
+                    "To the grid with twice the cells [-], [W].")
       .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
   add_value(simplified, {"solution", "discretisation_error"});
 
@@ -283,7 +285,7 @@ void bind_theories(py::module_& module) {
       .def_property_readonly(
           "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
       .def_readonly("discretisation_error", &ExactResult::discretisation_error,
-                    "To the grid with half the elements [-].")
+                    "To the grid with half the elements [-], [W].")
       .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
       .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
   add_value(exact, {"solution", "discretisation_error", "limit"});

@@ -551,6 +551,9 @@ class DiscretisationError:
     @property
     def mz(self) -> float:
         """In units of mu Fn sqrt(a b) [-]."""
+    @property
+    def frictional_power(self) -> float:
+        """[W]; for a shift of the work [J]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -743,7 +746,7 @@ class ExactResult:
         """The totals, as ContactForces."""
     @property
     def discretisation_error(self) -> DiscretisationError:
-        """To the grid with half the elements [-]."""
+        """To the grid with half the elements [-], [W]."""
     @property
     def limit(self) -> AccurateContact | None:
         """AccurateContact if the case asks for an accuracy, else None."""
@@ -1407,7 +1410,7 @@ class SimplifiedResult:
         """The totals, as ContactForces."""
     @property
     def discretisation_error(self) -> DiscretisationError:
-        """To the grid with twice the cells [-]."""
+        """To the grid with twice the cells [-], [W]."""
     @property
     def curve(self) -> CreepCurve:
         """The CreepCurve through the case."""

@@ -5,12 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
 
 namespace microslip {
 namespace {
 
 using Field = std::vector<double>;
+
+/// Of a step, with all that is tried on the way: nearly all take some tens, those of the study random-problems that
+/// have a solution at most 200.
+constexpr int most_newton_steps_of_a_step = 400;
+constexpr long most_products_of_a_step = 20L * most_newton_steps_of_a_step;
+constexpr double tolerance_of_pressure = 1e-10; // of viscoelastic bodies; Newton's last steps cost little
 
 /// Whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
 bool same_elasticity(const Bodies& a, const Bodies& b) {
@@ -25,8 +33,7 @@ bool same_elements(const ElementGrid& a, ElementGrid b) {
 
 /// Whether tractions change the pressure, or pressure the slip.
 bool is_coupled(const ContactStep& step) {
-  return !step.bodies.are_elastic() || !step.response.is_half_space() ||
-         (!step.frictionless && step.bodies.are_coupled());
+  return !step.response.is_half_space() || (!step.frictionless && step.bodies.are_coupled());
 }
 
 bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
@@ -164,6 +171,26 @@ Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
   return v;
 }
 
+/// Whether the forces given are beyond what any slip lets friction bear.
+bool is_beyond(const ContactStep& step, const SlipFriction& law, const Field& pressure) {
+  Field bound(pressure.size());
+  law.largest(pressure, bound);
+  const double normal = std::accumulate(pressure.begin(), pressure.end(), 0.0);
+  return std::hypot(step.force_x.value_or(0), step.force_y.value_or(0)) * normal >=
+         std::accumulate(bound.begin(), bound.end(), 0.0);
+}
+
+/// Why no creepage gives the forces that a step prescribes, if it is not that they exceed mu Fn.
+std::string reason_of_no_solution(const ContactStep& step, const ContactStepSolution& s) {
+  const double wanted = std::hypot(step.force_x.value_or(0), step.force_y.value_or(0));
+  const auto mu = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
+  double friction = 0, pressure = 0;
+  for (std::size_t k = 0; k < mu.size(); ++k)
+    friction += mu[k] * s.normal.pressure[k], pressure += s.normal.pressure[k];
+  if (!step.bodies.layer.yields() || !(wanted * pressure < friction)) return "";
+  return "prescribed force exceeds what the layer bears as it yields; the result shown is full sliding";
+}
+
 /// Without friction or contact nothing resists.
 TangentialSolution without_tractions(const ContactStep& step) {
   const auto n = step.grid.count();
@@ -207,11 +234,14 @@ const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step
   normal_of_.reset();
   if (step.given) {
     normal_ = given_normal(step);
+  } else if (!step.bodies.are_elastic()) {
+    normal_ = solve_frictionless(step).normal;
   } else {
     normal_ = solve_normal(normal_problem(step), step);
   }
   normal_of_ = std::make_unique<ContactStep>(step);
   normal_of_->motion.progress = {};
+  normal_of_->motion.budget = nullptr;
   return normal_;
 }
 
@@ -269,13 +299,17 @@ ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, cons
   return out;
 }
 
+/// The normal problem of viscoelastic bodies, which conjugate gradients do not solve.
+ContactStepSolution ContactSequence::solve_frictionless(const ContactStep& step) {
+  ContactStep alone = step;
+  alone.frictionless = true;
+  alone.force_x = alone.force_y = {};
+  alone.motion.tolerance = tolerance_of_pressure;
+  return coupled_contact(step).solve(alone, {Field(step.grid.count())}, {}, {});
+}
+
 ContactStepSolution ContactSequence::solve_coupled(const ContactStep& step, const ElementFriction& friction,
                                                    const TangentialState& previous, const TangentialState& start) {
-  if (step.frictionless && step.bodies.are_elastic() && step.motion.motion != ContactMotion::shift) {
-    ContactStep shift = step; // without tractions motion does not matter, and a shift costs least
-    shift.motion.motion = ContactMotion::shift;
-    return solve_coupled(shift, friction, previous, start);
-  }
   ContactStepSolution out = coupled_contact(step).solve(step, friction, previous, start);
   if (step.given) out.normal = solve_normal_part(step);
   return out;
@@ -296,7 +330,7 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
 /// solution that belongs to it, and Newton's method is tried on the way. Without such friction it is tried before.
 ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& step, SlipFriction& law,
                                                           const TangentialState& previous, TangentialState start) {
-  constexpr int most_rounds = 256, most_steps_of_a_trial = 12;
+  constexpr int most_rounds = 256, most_steps_of_a_round = 50, most_steps_of_a_trial = 12;
   constexpr double tolerance_of_a_round = 1e-3;
   const Field at_rest = law.static_coefficients();
   long products = 0;
@@ -316,16 +350,17 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
     return s;
   };
   ContactStepSolution out;
-  if (!law.falls()) {
+  Field slip = first_slip(step, start), pressure = start.pressure;
+  if (pressure.empty()) pressure = solve_normal_part(step).pressure;
+  if (!law.falls() || is_beyond(step, law, pressure)) {
     out = solve(step, {at_rest, &law});
     if (out.tangential.tractions.px.empty()) return out;
     if (out.status != Status::not_converged) return finish(std::move(out));
   }
   ContactStep round = step, trial = step;
   round.motion.tolerance = std::max(tolerance_of_a_round, step.motion.tolerance);
+  round.motion.most_steps = most_steps_of_a_round;
   trial.motion.most_steps = most_steps_of_a_trial;
-  Field slip = first_slip(step, start), pressure = start.pressure;
-  if (pressure.empty()) pressure = solve_normal_part(step).pressure;
   for (int n = 1, next_trial = 1;; ++n) {
     const Field coefficients = coefficients_of(law.state(slip, pressure), pressure, at_rest);
     ContactStepSolution s = solve(round, {coefficients});
@@ -333,16 +368,19 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
     start = s.tangential.tractions;
     start.pressure = pressure = s.normal.pressure;
     slip = slip_velocity(step, s.tangential);
-    if (n < next_trial) continue;
+    const bool last = n >= most_rounds || is_spent(step.motion.budget);
+    if (n < next_trial && !last) continue;
     next_trial = 2 * n;
     out = solve(trial, {at_rest, &law});
-    if (out.status != Status::not_converged || n >= most_rounds) return finish(std::move(out));
+    if (out.status != Status::not_converged || last) return finish(std::move(out));
   }
 }
 
 ContactStepSolution ContactSequence::solve(const ContactStep& given) {
   ContactStep step = given;
   step.motion.progress = essential_part(given.motion.progress, 0, 1);
+  NewtonBudget budget(most_newton_steps_of_a_step, most_products_of_a_step);
+  step.motion.budget = &budget;
   check(step.grid);
   check(step);
   const State& origin = step.start == StepStart::repeated ? before_ : after_;
@@ -359,7 +397,15 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
     out = law.is_constant() ? solve_with(step, {law.static_coefficients()}, previous, start)
                             : solve_slip_dependent(step, law, previous, start);
   }
-  if (step.frictionless || out.tangential.tractions.px.empty()) out.tangential = without_tractions(step);
+  if (step.frictionless || out.tangential.tractions.px.empty()) {
+    out.tangential = without_tractions(step);
+    const bool forces_given = step.force_x.value_or(0) != 0 || step.force_y.value_or(0) != 0;
+    if (out.status == Status::ok && forces_given && !step.frictionless) {
+      out.status = out.tangential.forces.status = Status::no_solution;
+      out.tangential.residual = std::numeric_limits<double>::infinity(); // a force over none
+    }
+  }
+  if (out.status == Status::no_solution) out.reason = reason_of_no_solution(step, out);
   out.contact_elements = out.normal.contact_elements;
   out.normal_force = step.given ? step.given->normal_force : out.normal.normal_force;
   out.adhesion_elements =

@@ -41,6 +41,7 @@ private:
   CoupledContact& coupled_contact(const ContactStep& step);
   ContactStepSolution solve_similar(const ContactStep& step, const ElementFriction& friction,
                                     const TangentialState& previous, const TangentialState& start);
+  ContactStepSolution solve_frictionless(const ContactStep& step);
   ContactStepSolution solve_coupled(const ContactStep& step, const ElementFriction& friction,
                                     const TangentialState& previous, const TangentialState& start);
   ContactStepSolution solve_with(const ContactStep& step, const ElementFriction& friction,

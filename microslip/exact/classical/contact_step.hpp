@@ -5,6 +5,7 @@
 #include "microslip/exact/normal/normal_problem.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace microslip {
@@ -70,6 +71,7 @@ struct ContactStepSolution {
   double normal_force = 0; ///< Fn [N]
   int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
   Status status = Status::ok;
+  std::string reason = {};      ///< of a status that is not ok, where there is more to say than usual; else empty
   std::vector<double> friction; ///< traction bound of the elements over their pressure [-]; empty without tractions
   /// Where the bound depends on the slip, else empty.
   SlipFriction::State slip_friction;

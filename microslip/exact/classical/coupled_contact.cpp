@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -22,6 +24,23 @@ Field gap_within(const ContactStep& step) {
   for (std::size_t k = 0; k < step.excluded.size(); ++k)
     if (step.excluded[k]) gap[k] = std::numeric_limits<double>::infinity();
   return gap;
+}
+
+/// Few Newton steps are allowed: where they do not lead to the solution nothing else is tried.
+bool is_trial(const ContactStep& step) {
+  return step.motion.most_steps < most_newton_steps;
+}
+
+/// Whether the forces given are beyond what these pressures let friction bear.
+bool is_beyond(const ContactStep& step, const ElementFriction& friction, const Field& pressure) {
+  Field bound = pressure;
+  if (friction.slip_dependent)
+    friction.slip_dependent->largest(pressure, bound);
+  else
+    for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= friction.coefficients[k];
+  const double wanted = std::hypot(step.force_x.value_or(0), step.force_y.value_or(0));
+  const double normal = std::accumulate(pressure.begin(), pressure.end(), 0.0);
+  return wanted > 0 && wanted * normal >= std::accumulate(bound.begin(), bound.end(), 0.0);
 }
 
 /// Of the tractions, sum of p.u dx dy/2 [J].
@@ -91,6 +110,15 @@ void CoupledContact::find_displacements(ContactStepSolution& out) {
                       std::array{std::span(t.ux), std::span(t.uy), std::span(out.normal.displacement)});
 }
 
+/// The pressure without tractions.
+NormalSolution CoupledContact::solve_alone(const ContactStep& step) {
+  if (bodies_.are_elastic() || step.frictionless) return solve_normal(normal_, step);
+  ContactStep alone = step;
+  alone.frictionless = true;
+  alone.force_x = alone.force_y = {};
+  return solve_newton(alone, {Field(grid_.count())}, {}, {}).normal;
+}
+
 ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const ElementFriction& friction,
                                                  const TangentialState& previous, const TangentialState& start) {
   const auto n = grid_.count();
@@ -106,13 +134,15 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
   add_previous(step.motion, way, previous, cx, cy);
 
   const Field gap = gap_within(step);
-  const NormalSolution alone = solve_normal(normal_, step);
+  const NormalSolution alone = solve_alone(step);
   if (alone.contact_elements == 0) {
     out.normal = alone;
     return out;
   }
-  CoupledOperator& response = coupled_operator(step.motion, way);
-  if (step.motion.motion == ContactMotion::steady) response.expect_contact(alone.pressure, step.motion.direction);
+  // Without tractions motion does not matter.
+  CoupledOperator& response = step.frictionless ? displacement_ : coupled_operator(step.motion, way);
+  if (step.motion.motion == ContactMotion::steady && !step.frictionless)
+    response.expect_contact(alone.pressure, step.motion.direction);
   const bool starts = !start.px.empty() && !start.pressure.empty();
   const CoupledFrictionProblem problem{response,
                                        gap,
@@ -125,21 +155,26 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
                                        step.force_y,
                                        friction.slip_dependent};
   // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
-  CoupledNewton::Options options{
-      .tolerance = step.motion.tolerance, .most_steps = 30, .progress = step.motion.progress};
+  CoupledNewton::Options options{.tolerance = step.motion.tolerance,
+                                 .most_steps = 30,
+                                 .budget = step.motion.budget,
+                                 .progress = step.motion.progress};
   CoupledFrictionSolution s = newton_.solve(
       problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
-  if (s.friction.status != Status::ok) { // tractions that belong to a pressure are a better start
+  if (s.friction.status == Status::not_converged &&
+      !is_trial(step)) { // tractions that belong to a pressure are a better start
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const TangentialState& better = with_pressure.tangential.tractions;
     long products = s.friction.products + with_pressure.tangential.products;
+    int newton_steps = s.friction.newton_steps + with_pressure.tangential.newton_steps;
     for (const bool preconditioned : {true, false}) {
-      if (s.friction.status == Status::ok) break;
+      if (s.friction.status == Status::ok || is_spent(step.motion.budget)) break;
       options.preconditioned = preconditioned;
-      options.most_steps = 100;
+      options.most_steps = most_newton_steps;
       s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
       s.friction.products = products += s.friction.products;
+      s.friction.newton_steps = newton_steps += s.friction.newton_steps;
     }
   }
 
@@ -148,7 +183,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
   normal.residual = s.friction.residual;
   normal.products = s.friction.products + alone.products;
   normal.iterations = s.friction.newton_steps;
-  normal.status = s.friction.status;
+  normal.status = s.friction.status == Status::no_solution ? alone.status : s.friction.status;
   tangential.creepage.longitudinal += s.friction.constant_x;
   tangential.creepage.lateral += s.friction.constant_y;
   tangential.bound = normal.pressure;
@@ -198,7 +233,8 @@ void CoupledContact::find_tangential(const ContactStep& step, const ElementFrict
 /// Panagiotopoulos: the pressure with the tractions given, the tractions with the pressure given, and so on.
 ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, const ElementFriction& friction,
                                                       const TangentialState& previous, const TangentialState& start) {
-  constexpr int most = 200;
+  constexpr int most = 200, most_unsolved = 3;
+  int unsolved = 0; // tangential problems one after the other
   const auto n = grid_.count();
   const Field none(n);
   ContactStepSolution out;
@@ -214,6 +250,7 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
     products += out.normal.products;
     if (out.normal.status != Status::ok) break;
     find_tangential(step, friction, out.normal.pressure, previous, tractions, out);
+    unsolved = out.tangential.forces.status == Status::not_converged ? unsolved + 1 : 0;
     const double change = distance(out.normal.pressure, before);
     before = out.normal.pressure;
     const double moved = tractions.px.empty() ? HUGE_VAL
@@ -222,7 +259,7 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
     tractions = out.tangential.tractions;
     const double goal = 5 * step.motion.tolerance * norm(before);
     if (change <= goal && moved <= goal) break;
-    if (out.alternations == most) {
+    if (out.alternations == most || unsolved == most_unsolved || is_spent(step.motion.budget)) {
       out.normal.status = Status::not_converged;
       out.normal.residual = std::max(change, moved) / norm(before);
       break;
@@ -244,6 +281,23 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
   return out;
 }
 
+/// If everything slides in the direction of the forces given and bears less than these: then no creepage gives them.
+/// Sliding changes the pressure of dissimilar bodies, with which their friction is compared; of viscoelastic ones it is
+/// that without tractions.
+std::optional<ContactStepSolution> CoupledContact::slide_fully(const ContactStep& step, const ElementFriction& friction,
+                                                               const TangentialState& previous) {
+  if (step.frictionless || !(step.force_x || step.force_y)) return {};
+  ContactStepSolution out;
+  out.normal = solve_alone(step);
+  if (!is_beyond(step, friction, out.normal.pressure)) return {};
+  if (bodies_.are_elastic() && response_.is_half_space())
+    out = solve_alternating(step, friction, previous, {});
+  else
+    find_tangential(step, friction, out.normal.pressure, previous, {}, out);
+  if (out.normal.status != Status::ok || out.tangential.forces.status != Status::no_solution) return {};
+  return out;
+}
+
 ContactStepSolution CoupledContact::solve(const ContactStep& step, const ElementFriction& friction,
                                           const TangentialState& previous, const TangentialState& start) {
   if (!bodies_.are_elastic() && step.motion.motion != ContactMotion::steady)
@@ -260,8 +314,9 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, const Element
     if (!bodies_.are_elastic()) throw Error("coupling: the alternating process is for elastic bodies");
     return solve_alternating(step, friction, previous, start);
   }
+  if (auto sliding = slide_fully(step, friction, previous)) return std::move(*sliding);
   ContactStepSolution out = solve_newton(step, friction, previous, start);
-  if (out.normal.status != Status::not_converged || !bodies_.are_elastic()) return out;
+  if (out.normal.status != Status::not_converged || !bodies_.are_elastic() || is_trial(step)) return out;
   ContactStepSolution other =
       solve_alternating(step, friction, previous, start); // slower, and goes where this does not
   const bool better = other.normal.status == Status::ok && other.tangential.forces.status == Status::ok;

@@ -4,6 +4,7 @@
 #include "microslip/exact/newton/coupled_newton.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace microslip {
@@ -38,6 +39,9 @@ private:
                                         const TangentialState& previous, const TangentialState& start);
   void find_tangential(const ContactStep& step, const ElementFriction& friction, const Field& pressure,
                        const TangentialState& previous, const TangentialState& start, ContactStepSolution& out);
+  NormalSolution solve_alone(const ContactStep& step);
+  std::optional<ContactStepSolution> slide_fully(const ContactStep& step, const ElementFriction& friction,
+                                                 const TangentialState& previous);
   void find_displacements(ContactStepSolution& out);
 
   Bodies bodies_;

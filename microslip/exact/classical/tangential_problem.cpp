@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -267,49 +266,43 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   for (const EnteringElement& e : entering) share[e.element] = e.share;
   find_free_slip(input, out.creepage, step, entering, cx, cy);
 
-  const double area = grid_.element_area(), capacity = std::accumulate(bound.begin(), bound.end(), 0.0) * area;
-  const double wanted = std::hypot(input.force_x.value_or(0), input.force_y.value_or(0));
-  FrictionSolution s;
-  if (wanted >= capacity && wanted > 0) {
-    // No creepage gives this force: full sliding in its direction.
-    s.status = Status::no_solution;
-    s.residual = wanted / capacity - 1;
-    for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(n, 0.0);
-    s.sliding.assign(n, 1);
-    for (std::size_t k = 0; k < n; ++k) {
-      s.px[k] = bound[k] * input.force_x.value_or(0) / wanted;
-      s.py[k] = bound[k] * input.force_y.value_or(0) / wanted;
-    }
-  } else {
-    const bool steady = input.motion == ContactMotion::steady;
-    FrictionNewton::Options options{
-        .tolerance = input.tolerance, .most_steps = input.most_steps, .progress = input.progress};
-    FrictionStart start;
-    CoarseStart coarse;
-    if (input.start) {
-      start = {.px = input.start->px, .py = input.start->py};
-    } else if (!steady && input.previous && !input.previous->px.empty()) {
-      // A step changes what was there before, so that is where to begin.
-      start = {.px = input.previous->px, .py = input.previous->py};
-    } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
-      coarse = start_from_coarser(bound, input, step);
-      start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
-      options.progress = part(input.progress, share_of_coarser, 1);
-      if (coarse.stopped) return nothing_found(grid_, input, std::move(out));
-    }
-    if (!steady) options.before = tractions_of(input.previous);
-    SlipOperator* slip = steady ? &difference(input, step) : &displacement(input.progress);
-    std::optional<StepOperator> of_step;
-    if (input.motion == ContactMotion::transient) slip = &of_step.emplace(*slip, std::abs(step));
-    std::optional<LeadingEdgeOperator> corrected;
-    if (steady && input.leading_edge)
-      slip = &corrected.emplace(*slip, displacement(input.progress), step, std::move(entering));
-    std::optional<RollingOperator> preconditioned;
-    if (steady && input.heading == 0) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
-    s = newton_.solve(
-        {*slip, bound, cx, cy, area, input.force_x, input.force_y, share, {}, input.slip_dependent, input.pressure},
-        options, start);
+  const bool steady = input.motion == ContactMotion::steady;
+  FrictionNewton::Options options{
+      .tolerance = input.tolerance, .most_steps = input.most_steps, .budget = input.budget, .progress = input.progress};
+  FrictionStart start;
+  CoarseStart coarse;
+  if (input.start) {
+    start = {.px = input.start->px, .py = input.start->py};
+  } else if (!steady && input.previous && !input.previous->px.empty()) {
+    // A step changes what was there before, so that is where to begin.
+    start = {.px = input.previous->px, .py = input.previous->py};
+  } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
+    coarse = start_from_coarser(bound, input, step);
+    start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
+    options.progress = part(input.progress, share_of_coarser, 1);
+    if (coarse.stopped) return nothing_found(grid_, input, std::move(out));
   }
+  if (!steady) options.before = tractions_of(input.previous);
+  SlipOperator* slip = steady ? &difference(input, step) : &displacement(input.progress);
+  std::optional<StepOperator> of_step;
+  if (input.motion == ContactMotion::transient) slip = &of_step.emplace(*slip, std::abs(step));
+  std::optional<LeadingEdgeOperator> corrected;
+  if (steady && input.leading_edge)
+    slip = &corrected.emplace(*slip, displacement(input.progress), step, std::move(entering));
+  std::optional<RollingOperator> preconditioned;
+  if (steady && input.heading == 0) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
+  FrictionSolution s = newton_.solve({*slip,
+                                      bound,
+                                      cx,
+                                      cy,
+                                      grid_.element_area(),
+                                      input.force_x,
+                                      input.force_y,
+                                      share,
+                                      {},
+                                      input.slip_dependent,
+                                      input.pressure},
+                                     options, start);
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;
   out.ux.resize(n), out.uy.resize(n);

@@ -48,6 +48,7 @@ struct TangentialInput {
   /// FrictionNewton::Options::before.
   double tolerance = 1e-6;
   int most_steps = most_newton_steps;
+  NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
   /// Is told of the Newton steps; false ends the iteration, with status not_converged. While influence coefficients
   /// are computed false ends with Stopped.
   Progress progress = {};
@@ -68,9 +69,10 @@ struct TangentialSolution {
   std::vector<double> slip_direction; ///< angle of the slip from the x axis [rad], -pi to pi; 0 where nothing slips
   std::vector<CellState> state;
   ContactForces forces;
-  Creepage creepage;           ///< as given, or as found where a force is given
-  double elastic_energy = 0;   ///< of the tangential tractions, sum of p.u dx dy/2 [J]
-  double frictional_power = 0; ///< -V sum of p.s dx dy [W]; for a shift the work, without V [J]
+  Creepage creepage;         ///< as given, or as found where a force is given
+  double elastic_energy = 0; ///< of the tangential tractions, sum of p.u dx dy/2 [J]
+  /// -V sum of p.s dx dy (E22) [W], not yet (E23a) as in Totals; for a shift the work, without V [J].
+  double frictional_power = 0;
   double power_by_creepage =
       0;                    ///< -V (xi fx + eta fy + phi mz) [W], equal to it in steady rolling as the grid is refined
   double peak_traction = 0; ///< [Pa]

@@ -1,7 +1,5 @@
 #include "microslip/exact/fitted/fitted_problem.hpp"
 
-#include <cmath>
-
 namespace microslip {
 
 std::vector<double> area_shares(const FittedContact& contact) {
@@ -37,21 +35,6 @@ double work_on_rigid_slip(const FittedContact& contact, const Creepage& creepage
     work -= (px[k] * cx[k] + py[k] * cy[k]) * e.width() * contact.grid.dy;
   }
   return work;
-}
-
-std::optional<FrictionSolution> full_sliding(const FittedContact& contact, std::span<const double> bound,
-                                             std::optional<double> force_x, std::optional<double> force_y) {
-  const double fx = force_x.value_or(0), fy = force_y.value_or(0), wanted = std::hypot(fx, fy);
-  double capacity = 0;
-  for (std::size_t k = 0; k < bound.size(); ++k) capacity += bound[k] * contact.elements[k].width() * contact.grid.dy;
-  if (!(wanted >= capacity && wanted > 0)) return {};
-  FrictionSolution s;
-  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(bound.size(), 0.0);
-  s.sliding.assign(bound.size(), 1);
-  s.status = Status::no_solution;
-  s.residual = wanted / capacity - 1;
-  for (std::size_t k = 0; k < bound.size(); ++k) s.px[k] = bound[k] * fx / wanted, s.py[k] = bound[k] * fy / wanted;
-  return s;
 }
 
 } // namespace microslip

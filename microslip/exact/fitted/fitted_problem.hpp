@@ -3,9 +3,7 @@
 #include "microslip/contact/creepage.hpp"
 #include "microslip/exact/fitted/fitted_contact.hpp"
 #include "microslip/exact/fitted/row_variation.hpp"
-#include "microslip/exact/newton/friction_problem.hpp"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,10 +20,5 @@ void find_rigid_slip(const FittedContact& contact, const Creepage& creepage, con
 /// bodies give back what they store, without the error of slip between the centres of elements (E23).
 double work_on_rigid_slip(const FittedContact& contact, const Creepage& creepage, const RowVariation& variation,
                           std::span<const double> px, std::span<const double> py);
-
-/// If no creepage gives the forces that are prescribed [N], as they are beyond friction's: everything slides in their
-/// direction, status no_solution.
-std::optional<FrictionSolution> full_sliding(const FittedContact& contact, std::span<const double> bound,
-                                             std::optional<double> force_x, std::optional<double> force_y);
 
 } // namespace microslip

@@ -174,7 +174,7 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
     ContactSolution nothing;
     nothing.creepage = motion.creepage;
     nothing.report.status = normal_.status == Status::ok ? Status::no_contact : normal_.status;
-    add_reason(nothing.report);
+    conclude(nothing, motion.tolerance);
     return nothing;
   }
   const double capacity = motion.friction * normal_.normal_force;
@@ -205,7 +205,7 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
   centred_ = std::move(found.centred);
   out.fields.gap = normal_.gap;
   if (normal_.status != Status::ok) out.report.status = normal_.status;
-  add_reason(out.report);
+  conclude(out, motion.tolerance);
   return out;
 }
 

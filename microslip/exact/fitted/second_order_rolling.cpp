@@ -84,10 +84,7 @@ SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, con
   out.centred.assign(bound.size(), 0);
   if (input.force_x) out.creepage.longitudinal = 0;
   if (input.force_y) out.creepage.lateral = 0;
-  if (auto sliding = full_sliding(contact_, bound, input.force_x, input.force_y))
-    out.friction = std::move(*sliding);
-  else
-    solve_twice(bound, input, out);
+  solve_twice(bound, input, out);
   const FrictionSolution& s = out.friction;
   out.creepage.longitudinal += s.constant_x;
   out.creepage.lateral += s.constant_y;

@@ -1,9 +1,11 @@
 #include "microslip/exact/newton/coupled_newton.hpp"
 
 #include "microslip/exact/newton/coupled_equations.hpp"
+#include "microslip/exact/newton/full_sliding.hpp"
 #include "microslip/exact/newton/semismooth_newton.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -19,9 +21,16 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
   CoupledEquations equations(problem, start.pressure, options.preconditioned);
   std::vector<double> x(equations.size()), response(equations.responses()), f(equations.size());
   equations.start(start, x, response);
+  if (auto sliding = full_sliding(problem, start.pressure)) {
+    CoupledFrictionSolution s = equations.solution(x, response); // for the approach
+    s.pressure.assign(start.pressure.begin(), start.pressure.end());
+    s.friction = std::move(*sliding);
+    s.friction.products = problem.coupled_operator.products() - products_before;
+    return s;
+  }
   const double wanted = options.tolerance * equations.scale();
   const double goal = std::max(wanted / equations.strictness(), std::min(wanted, least_goal * equations.scale()));
-  const NewtonLimits limits{goal, options.most_steps, options.progress};
+  const NewtonLimits limits{goal, options.most_steps, options.budget, options.progress};
   NewtonState state;
   for (bool done = false; !done;) {
     take_newton_steps(equations, gmres_, limits, x, response, state);

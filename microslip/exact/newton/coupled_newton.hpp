@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/newton/coupled_friction_problem.hpp"
+#include "microslip/exact/newton/newton_budget.hpp"
 #include "microslip/numerics/gmres.hpp"
 
 namespace microslip {
@@ -14,10 +15,12 @@ public:
   struct Options {
     double tolerance = 1e-6;
     int most_steps = 200;
-    bool preconditioned = true; ///< else slower, and at times where that does not converge
-    Progress progress = {};     ///< is told after each step and before each product; false ends the iteration
+    NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
+    bool preconditioned = true;     ///< else slower, and at times where that does not converge
+    Progress progress = {};         ///< is told after each step and before each product; false ends the iteration
   };
 
+  /// Forces that no creepage gives end at once, with the pressure of the start: full_sliding().
   CoupledFrictionSolution solve(const CoupledFrictionProblem& problem, const Options& options,
                                 const CoupledFrictionStart& start);
 

@@ -1,6 +1,7 @@
 #include "microslip/exact/newton/friction_newton.hpp"
 
 #include "microslip/exact/newton/friction_equations.hpp"
+#include "microslip/exact/newton/full_sliding.hpp"
 #include "microslip/exact/newton/semismooth_newton.hpp"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ bool is(const FrictionStart& start, const TractionsView& tractions) {
 
 FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Options& options,
                                        const FrictionStart& start) {
+  if (auto sliding = full_sliding(problem)) return std::move(*sliding);
   const long products_before = problem.slip_operator.products();
   FrictionEquations equations(problem);
   Field x(equations.size()), slip(equations.responses()), f(equations.size());
@@ -36,7 +38,7 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   }
   goal = std::max(goal / equations.strictness(), std::min(goal, least_goal * equations.scale()));
   if (!options.before || !is(start, *options.before)) equations.start(start, x, slip);
-  const NewtonLimits limits{goal, options.most_steps, options.progress};
+  const NewtonLimits limits{goal, options.most_steps, options.budget, options.progress};
   NewtonState state;
   take_newton_steps(equations, gmres_, limits, x, slip, state);
   int steps = state.steps;

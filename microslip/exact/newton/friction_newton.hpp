@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/newton/friction_problem.hpp"
+#include "microslip/exact/newton/newton_budget.hpp"
 #include "microslip/numerics/gmres.hpp"
 #include "microslip/progress.hpp"
 
@@ -17,12 +18,14 @@ public:
   struct Options {
     double tolerance = 1e-6; ///< of FrictionSolution::residual
     int most_steps = most_newton_steps;
+    NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
     /// below 1e-12: a step however small is done to its own scale, and nothing of it is lost in the next one.
     std::optional<TractionsView> before = {};
     Progress progress = {}; ///< is told after each step; false ends the iteration
   };
 
+  /// Forces that no creepage gives end at once: full_sliding().
   FrictionSolution solve(const FrictionProblem& problem, const Options& options, const FrictionStart& start = {});
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/exact/newton/newton_budget.hpp"
 #include "microslip/numerics/gmres.hpp"
 #include "microslip/progress.hpp"
 
@@ -15,7 +16,8 @@ namespace microslip {
 struct NewtonLimits {
   double goal; ///< of |F|
   int most_steps;
-  Progress progress = {}; ///< is told after each step and before each product; false ends the iteration
+  NewtonBudget* budget = nullptr; ///< of the whole solve; none: that of this iteration alone
+  Progress progress = {};         ///< is told after each step and before each product; false ends the iteration
 };
 
 /// Ends a linear solve when the progress function returns false.
@@ -98,9 +100,12 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
   const double first_norm = norm;
   double done = 0;
   const auto before_product = [&] {
+    if (limits.budget) limits.budget->take_product();
     if (limits.progress && !limits.progress(done)) throw LinearSolveStopped();
   };
-  for (; norm > limits.goal && state.steps < limits.most_steps && !state.stopped; ++state.steps) {
+  const auto may_go_on = [&] { return state.steps < limits.most_steps && !is_spent(limits.budget) && !state.stopped; };
+  for (; norm > limits.goal && may_go_on(); ++state.steps) {
+    if (limits.budget) limits.budget->take_step();
     problem.linearise(x, response);
     std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
     const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
