@@ -438,7 +438,8 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
   check("wheel_on_rail.toml", [](const TomlSection& root) { read_wheel_rail_case(root); });
   check("wheelset_in_curve.toml", [](const TomlSection& root) { read_wheelset_case(root); });
   EXPECT_GT(count, 60u);
-  for (const StateQuantity& q : state_quantities()) EXPECT_EQ(number_in_unit("x", "0 " + std::string(q.unit), q.unit), 0);
+  for (const StateQuantity& q : state_quantities())
+    EXPECT_EQ(number_in_unit("x", "0 " + std::string(q.unit), q.unit), 0);
   for (const PrescribedForce& f : prescribed_forces())
     EXPECT_EQ(number_in_unit("x", "0 " + std::string(f.unit), f.unit), 0);
 }
