@@ -486,7 +486,6 @@ void check_files(const BatchArguments& arguments) {
 int batch(const BatchArguments& arguments) {
   check_files(arguments);
   require_count("--threads", arguments.threads, 1, most_threads);
-  const InterruptGuard guard;
   Batch work(arguments);
   const bool all_solved = work.run();
   if (arguments.json) print_document(arguments, work);

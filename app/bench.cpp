@@ -240,7 +240,6 @@ Json document_of(const std::vector<BenchRow>& rows) {
 }
 
 void bench(bool json) {
-  const InterruptGuard guard;
   std::vector<BenchRow> rows = bench_rows();
   ProgressBar bar("bench");
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -1,6 +1,10 @@
 #include "app/child_process.hpp"
 
+#include "app/interrupt.hpp"
+
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -18,7 +22,21 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
+std::atomic<pid_t> running = 0;
+static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler may not wait");
+
+/// Waits until a child has ended; its number stays its own.
+void wait_for(pid_t child) {
+  siginfo_t ended{};
+  while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+  }
+}
+
 } // namespace
+
+void end_child() noexcept {
+  if (const pid_t child = running; child > 0) ::kill(child, SIGTERM);
+}
 
 std::vector<std::string> environment_variables() {
   std::vector<std::string> variables;
@@ -38,9 +56,14 @@ int run_child(std::vector<std::string> arguments, std::vector<std::string> envir
                                  pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) return -error;
+  running = child;
+  if (InterruptGuard::interrupted()) end_child();
+  wait_for(child);
+  running = 0;
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  InterruptGuard::throw_if_interrupted();
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -217,7 +217,6 @@ std::string title_of(const ConicityArguments& arguments) {
 
 void write_result(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResults& result,
                   const fs::path& path) {
-  const InterruptGuard guard;
   create_folder(arguments.folder);
   ResultFile file(path,
                   {.kind = "conicity", .title = title_of(arguments), .command_line = command_line(), .case_file = ""});

@@ -48,7 +48,6 @@ void print_document(const ConvertArguments& arguments, const Json& written, cons
 }
 
 int convert(const ConvertArguments& arguments) {
-  const InterruptGuard guard;
   std::error_code ignored;
   if (fs::is_directory(arguments.input, ignored))
     throw Error(arguments.input.string() + ": cannot be read: it is a folder");

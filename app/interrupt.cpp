@@ -1,5 +1,6 @@
 #include "app/interrupt.hpp"
 
+#include "app/child_process.hpp"
 #include "app/exit_code.hpp"
 #include "io/output_file.hpp"
 
@@ -7,12 +8,13 @@
 #include <csignal>
 #include <string_view>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace microslip {
 namespace {
 
-constexpr unsigned patience = 1; // [s]
+constexpr timeval patience = {.tv_sec = 0, .tv_usec = 150000};
 
 std::atomic<bool> was_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler may not wait");
@@ -27,9 +29,16 @@ struct sigaction old_interrupt, old_termination, old_alarm;
   ::_exit(ExitCode::interrupted);
 }
 
+/// SIGALRM after a time; none after no time. A mere system call, which a signal handler may make.
+void set_alarm(const timeval& after) {
+  const itimerval once = {.it_interval = {}, .it_value = after};
+  ::setitimer(ITIMER_REAL, &once, nullptr);
+}
+
 void note(int signal) {
   if (was_interrupted.exchange(true)) end_at_once(signal);
-  ::alarm(patience);
+  end_child();
+  set_alarm(patience);
 }
 
 void handle(int signal, void (*handler)(int), struct sigaction& old) {
@@ -52,7 +61,7 @@ InterruptGuard::~InterruptGuard() {
   // A signal until here may set the alarm, which must not outlive its handler: SIGALRM would end the process.
   sigaction(SIGINT, &old_interrupt, nullptr);
   sigaction(SIGTERM, &old_termination, nullptr);
-  ::alarm(0);
+  set_alarm({});
   sigaction(SIGALRM, &old_alarm, nullptr);
 }
 

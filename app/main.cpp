@@ -82,6 +82,7 @@ int fail(const char* message, int exit_code) {
   return exit_code;
 }
 
+/// Throws Interrupted, at the latest when a command has done all.
 int run(std::vector<std::string> arguments) {
   CLI::App program("Frictional rolling contact of two bodies: forces, tractions and slip.", "microslip");
   int exit_code = ExitCode::done;
@@ -95,6 +96,7 @@ int run(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     return fail(usage_error(program, error).c_str(), ExitCode::bad_input);
   }
+  InterruptGuard::throw_if_interrupted();
   return exit_code;
 }
 
@@ -104,6 +106,7 @@ int run(std::vector<std::string> arguments) {
 int main(int count, char** arguments) {
   using namespace microslip;
   leave_hdf5_at_exit();
+  const InterruptGuard guard;
   try {
     const int exit_code = run(program_arguments(count, arguments));
     return output_is_written() ? exit_code : fail(output_lost, ExitCode::bad_input);

@@ -72,8 +72,12 @@ std::string said_of_input(int code, const std::vector<std::string>& messages) {
   return is_said ? messages.back().substr(name.size()) : "";
 }
 
-/// Why Python could not draw, in one line.
-std::string problem(int code, const std::vector<std::string>& messages) {
+/// Why Python could not draw a file, in one line.
+std::string problem(const std::string& file, int code, const std::vector<std::string>& messages) {
+  constexpr int first_signal = 128;
+  if (code > first_signal) // HDF5 crashes over some damages
+    return file + ": cannot be drawn: " + python() + " crashed over it (signal " + std::to_string(code - first_signal) +
+           "); the file is perhaps cut short or damaged: copy it again, or write it again by the command that made it";
   if (auto text = said_of_input(code, messages); !text.empty()) return text;
   const auto who = "pictures are missing: " + python() + " ";
   const std::string remedy = "; install python3-h5py, python3-matplotlib and python3-numpy, or use --no-pictures";
@@ -92,7 +96,7 @@ Pictures draw_pictures(const std::vector<std::string>& arguments) {
   if (!output || !errors) return {.problem = "pictures are missing: temporary files cannot be made"};
   const auto code = run(arguments, output.get(), errors.get());
   Pictures pictures = {.files = lines_of(contents(output.get()))};
-  if (code != 0) pictures.problem = problem(code, lines_of(contents(errors.get())));
+  if (code != 0) pictures.problem = problem(arguments.front(), code, lines_of(contents(errors.get())));
   return pictures;
 }
 

@@ -15,7 +15,7 @@ struct Pictures {
 /// Draws the pictures of an HDF5 result file into a folder with the Python package microslip.plot. Python is what the
 /// environment variable MICROSLIP_PYTHON names, or the one found at build time. Never throws for what Python lacks.
 Pictures draw_pictures(const std::filesystem::path& result_file, const std::filesystem::path& folder);
-/// The same with any arguments of microslip.plot.
+/// The same with any arguments of microslip.plot, the file's name first.
 Pictures draw_pictures(const std::vector<std::string>& arguments);
 
 } // namespace microslip

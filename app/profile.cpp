@@ -122,7 +122,6 @@ void print_document(const ProfileArguments& arguments, const ProfileFindings& fi
 // Files
 
 void write_result(const ProfileArguments& arguments, const ProfileFindings& findings, const fs::path& path) {
-  const InterruptGuard guard;
   create_folder(arguments.folder);
   ResultFile file(path, {.kind = "profile",
                          .title = arguments.file.filename().string(),

@@ -360,7 +360,6 @@ private:
 };
 
 int run(const RunArguments& arguments) {
-  const InterruptGuard guard;
   return Run(arguments).run() ? ExitCode::done : ExitCode::not_met;
 }
 

@@ -255,7 +255,6 @@ void print_table(const RollingCase& input, const RollingContactResult& result) {
 // Input is a RollingCase, a WheelRailCase or a WheelsetCase, Result what solve_case makes of it.
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
-  const InterruptGuard guard;
   ProgressBar bar(name);
   auto result = solve_case(input, [&](double fraction) {
     bar.update(fraction);
@@ -278,7 +277,6 @@ Provenance provenance_of(const SolveArguments& arguments, const Input& input, co
 template <class Input, class Result>
 void write(const SolveArguments& arguments, const Input& input, const Result& result, const Provenance& provenance,
            const fs::path& file) {
-  const InterruptGuard guard;
   create_folder(arguments.folder);
   write_result(input, result, provenance, file);
   InterruptGuard::throw_if_interrupted();

@@ -144,7 +144,6 @@ private:
 
 int sweep(const SweepArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
-  const InterruptGuard guard;
   const auto ranks = launched_ranks();
   try {
     return SweepRun(arguments, *ranks).run();

@@ -94,7 +94,6 @@ int make(MakeArguments arguments) {
   }
   std::sort(making.axes.poisson_ratios.begin(), making.axes.poisson_ratios.end());
   making.threads = arguments.threads;
-  const InterruptGuard guard;
   {
     ProgressBar bar("table");
     making.progress = [&bar](double fraction) {

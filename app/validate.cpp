@@ -70,16 +70,13 @@ std::vector<std::string> draw(const Study& study, const std::filesystem::path& f
   std::replace(name.begin(), name.end(), '-', '_');
   const std::filesystem::path results = folder / (name + ".h5");
   if (!std::filesystem::exists(results)) return {}; // a study of numbers only
-  const InterruptGuard guard;
   Pictures pictures = draw_pictures(results, folder);
-  InterruptGuard::throw_if_interrupted();
   if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
   return pictures.files;
 }
 
 /// Returns whether all figures are met; they are printed to `out` and added to `figures`.
 bool run(const Study& study, const ValidateArguments& arguments, std::ostream& out, std::vector<Figure>& figures) {
-  const InterruptGuard guard;
   ProgressBar bar{std::string(study.name)};
   const auto progress = [&bar](double fraction) {
     bar.update(fraction);
@@ -138,7 +135,6 @@ int report(const std::vector<const Study*>& studies, ValidateArguments arguments
   arguments.output = folder;
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));
-  const InterruptGuard guard;
   const std::vector<std::string> written = write_validation_report(folder, records);
   InterruptGuard::throw_if_interrupted();
   for (const auto& file : written) fmt::print("written: {}\n", file);

@@ -1,4 +1,5 @@
 #include "app/child_process.hpp"
+#include "app/interrupt.hpp"
 #include "app/windows_text.hpp"
 
 #include <cerrno>
@@ -62,8 +63,11 @@ int run_child(std::vector<std::string> arguments, std::vector<std::string> envir
   ::GetExitCodeProcess(child.hProcess, &code);
   ::CloseHandle(child.hThread);
   ::CloseHandle(child.hProcess);
+  InterruptGuard::throw_if_interrupted();
   return static_cast<int>(code);
 }
+
+void end_child() noexcept {} // the console tells it as well
 
 bool open_in_browser(const std::string& address) {
   const auto code = ::ShellExecuteW(nullptr, L"open", wide(address).c_str(), nullptr, nullptr, SW_SHOWNORMAL);

@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-constexpr DWORD patience = 1000; // [ms]
+constexpr DWORD patience = 150; // [ms]
 
 std::atomic<bool> was_interrupted = false;
 std::atomic<int> guards = 0; ///< raised where one begins or ends: what the guard was for is over

@@ -6,6 +6,7 @@
 #include "io/csv_line.hpp"
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
+#include "io/units.hpp"
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
 
@@ -411,7 +412,7 @@ toml::table SweepSpec::case_as_written(std::size_t index) const {
   return table;
 }
 
-void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units, Units& converter) const {
+void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units) const {
   const SweepParameter& parameter = parameters_[k];
   const auto unit = units.find(parameter.keys.front());
   if (unit == units.end()) return; // texts that begin with a digit
@@ -420,7 +421,7 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& 
       throw Error(axis.place + parameter.name + ": keys of different units cannot take the same text with a unit");
   const auto number = [&](const std::string& text, std::size_t index) {
     try {
-      return converter.number(parameter.name, text, unit->second);
+      return number_in_unit(parameter.name, text, unit->second);
     } catch (const Error& error) {
       throw Error((list_name_.empty() ? axis.place : place(index)) + error.what());
     }
@@ -436,18 +437,17 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& 
 }
 
 void SweepSpec::convert_units(const TomlSection::KeyUnits& units) {
-  Units converter;
   for (SweepParameter& parameter : parameters_)
     if (const auto unit = units.find(parameter.keys.front()); unit != units.end()) parameter.unit = unit->second;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     if (!axes_[k]->has_units()) continue;
-    convert(*axes_[k], k, units, converter);
+    convert(*axes_[k], k, units);
     const auto& list = axes_[k]->list;
     parameters_[k].is_number = std::all_of(list.begin(), list.end(), [](const auto& node) { return node.is_number(); });
   }
   for (const auto& [key, unit] : units)
     if (const auto* text = base_.at_path(key).as_string())
-      put(key, {.number = converter.number(key, text->get(), unit)}, base_);
+      put(key, {.number = number_in_unit(key, text->get(), unit)}, base_);
 }
 
 std::uint64_t SweepSpec::identity() const {

@@ -90,7 +90,7 @@ private:
   static Axis range_of(const TomlSection& range, bool has_count);
   void put(std::size_t k, const CaseValue& value, toml::table& table) const;
   void put(const std::string& key, const CaseValue& value, toml::table& table) const;
-  void convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units, Units& converter) const;
+  void convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units) const;
   [[noreturn]] void fail(const toml::source_region& place, const std::string& what) const;
 
   std::string title_, text_, name_, base_name_, base_text_;

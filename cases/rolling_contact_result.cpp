@@ -133,7 +133,7 @@ ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, cons
   contact.creepage = result.contact.creepage;
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
     result.interior = interior_states(interior_body(input, input.body1), interior_body(input, input.body2),
-                                      result.contact, input.interior);
+                                      result.contact, input.interior, essential_part(progress, 0.9, 0.9));
   }
   const bool ok = result.contact.report.status == Status::ok;
   auto options = exact_options(input);

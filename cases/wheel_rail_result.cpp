@@ -288,13 +288,14 @@ Json document_of(const Input& input, const Result& result, const Provenance& pro
   return document;
 }
 
-/// Solves all states; `solve` makes a solution of each.
+/// Solves all states; `solve` makes a solution of each and may tell of its progress, of no fraction.
 template <class Result, class Input, class Solve>
 Result solve_states(const Input& input, const Progress& progress, const Solve& solve) {
   Result result;
   for (const auto& state : input.states) {
-    go_on(progress, static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size()));
-    result.solutions.push_back(solve(state));
+    const double done = static_cast<double>(result.solutions.size()) / static_cast<double>(input.states.size());
+    go_on(progress, done);
+    result.solutions.push_back(solve(state, essential_part(progress, done, done)));
   }
   go_on(progress, 1);
   add_status(result);
@@ -318,10 +319,11 @@ WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress)
 WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const Progress& progress) {
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
   std::vector<std::vector<InteriorState>> interior;
-  auto result = solve_states<WheelRailResult>(input, progress, [&](const LoadedWheelState& s) {
-    WheelRailSolution solution = solver.solve(s.state, s.vertical_force);
+  auto result = solve_states<WheelRailResult>(input, progress, [&](const LoadedWheelState& s, const Progress& within) {
+    WheelRailSolution solution = solver.solve(s.state, s.vertical_force, within);
     for (const ContactSolution& fields : solution.fields)
-      if (has_points) interior.push_back(interior_states(input.material, input.material, fields, input.interior));
+      if (has_points)
+        interior.push_back(interior_states(input.material, input.material, fields, input.interior, within));
     // Of a sweep at the level fastsim2 they were needed for stresses only.
     if (!is_single && input.method.level == WheelRailLevel::fastsim2) solution.fields.clear();
     return solution;
@@ -335,8 +337,10 @@ WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
   method.fields = method.level != WheelRailLevel::table && input.states.size() == 1;
   WheelsetOnTrack solver = solver_of(input, method);
-  auto result = solve_states<WheelsetResult>(
-      input, progress, [&](const LoadedWheelsetState& s) { return solver.solve(s.state, s.load); });
+  auto result =
+      solve_states<WheelsetResult>(input, progress, [&](const LoadedWheelsetState& s, const Progress& within) {
+        return solver.solve(s.state, s.load, within);
+      });
   for (const auto* profile : {&input.right_rail, &input.right_wheel})
     if (*profile) add_profile_warnings(**profile, result.warnings);
   std::vector<const WheelsetSolution*> wheelsets;

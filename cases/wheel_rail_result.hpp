@@ -25,7 +25,8 @@ constexpr const char* kind_of(const WheelRailCase&) {
   return "wheel_rail";
 }
 
-/// Solves all states. `progress` is told after each. Throws Stopped if it returns false.
+/// Solves all states. `progress` is told after each, and often within the exact theory and sums inside the bodies.
+/// Throws Stopped if it returns false.
 WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress = {});
 /// How: the method of the case, with fields where its result has them.
 WheelRailMethod solving_method(const WheelRailCase& input);

@@ -152,7 +152,7 @@ ContactTableReader::Use ContactTableReader::use_of(std::string_view field,
   const Column& column = known_columns[known];
   if (std::any_of(uses_.begin(), uses_.end(), [&](const Use& use) { return use.known == known; }))
     throw Error(std::string(column.label) + ": is there twice");
-  return {known, true, unit.empty() ? UnitScale() : Units().scale(column.label, unit, column.unit)};
+  return {known, true, unit.empty() ? UnitScale() : scale_to_unit(column.label, unit, column.unit)};
 }
 
 /// A column that resembles one that is not there is that one, misspelt.

@@ -21,10 +21,13 @@
 namespace microslip {
 namespace {
 
-std::filesystem::path follow_links(const std::filesystem::path& path) {
+/// Where links lead, also if nothing is there yet. With links that lead to one another, one of them.
+std::filesystem::path follow_links(std::filesystem::path path) {
+  constexpr int most_links = 40; // as Linux has it
   std::error_code error;
-  const auto target = std::filesystem::canonical(path, error);
-  return error ? path : target;
+  for (int k = 0; k < most_links && std::filesystem::is_symlink(path, error); ++k)
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  return path;
 }
 
 /// The descriptor that a name such as /dev/stdout stands for, or -1. To open the name again would lose the place where
@@ -119,6 +122,8 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_
     if (descriptor_ < 0) fail(errno);
     return;
   }
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(target_, ignored)) fail(ELOOP);
   remove_remains(target_.parent_path());
   open_temporary();
 }
@@ -164,7 +169,8 @@ void OutputFile::commit() {
 }
 
 void OutputFile::fail(int error_number) const {
-  throw Error(path_.string() + ": cannot be written: " + std::generic_category().message(error_number));
+  const std::string leads_to = target_ == path_ ? "" : ", a link to " + target_.string();
+  throw Error(path_.string() + leads_to + ": cannot be written: " + std::generic_category().message(error_number));
 }
 
 void remove_temporary_files() noexcept {

@@ -6,10 +6,11 @@
 namespace microslip {
 
 /// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by commit().
-/// Without commit() nothing is left and an older file of that name stays as it was. Symbolic links are followed. What
-/// is no regular file (a pipe, a terminal, /dev/null) and what a name such as /dev/stdout stands for is written
-/// directly. Failures throw an Error with the path and the system's reason. Temporary names end with the computer's
-/// name and the process number; what killed processes of this computer have left in the folder is removed.
+/// Without commit() nothing is left and an older file of that name stays as it was. Symbolic links are followed, also
+/// to where nothing is yet. What is no regular file (a pipe, a terminal, /dev/null) and what a name such as /dev/stdout
+/// stands for is written directly. Failures throw an Error with the path and the system's reason. Temporary names end
+/// with the computer's name and the process number; what killed processes of this computer have left in the folder is
+/// removed.
 class OutputFile {
 public:
   explicit OutputFile(const std::filesystem::path& path);

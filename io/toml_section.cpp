@@ -2,6 +2,7 @@
 
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
+#include "io/units.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -259,7 +260,7 @@ double TomlSection::value_of(std::string_view key, const toml::node& node, std::
   if (node.is_floating_point()) return node.as_floating_point()->get();
   if (!node.is_string()) wrong_type(key, node, wanted);
   double value = 0;
-  at(key, [&] { value = units_->number(full(key), node.as_string()->get(), unit); });
+  at(key, [&] { value = number_in_unit(full(key), node.as_string()->get(), unit); });
   return value;
 }
 

@@ -2,11 +2,9 @@
 
 #include "io/option_words.hpp"
 #include "io/toml.hpp"
-#include "io/units.hpp"
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,7 +28,7 @@ public:
 
   /// The whole file, or a table in it with its name for messages. The units of all numbers that are read go to `units`.
   TomlSection(const toml::table& table, const std::string& file, std::string name = {}, KeyUnits* units = nullptr)
-      : table_(&table), name_(std::move(name)), file_(file), units_(std::make_shared<Units>()), key_units_(units) {}
+      : table_(&table), name_(std::move(name)), file_(file), key_units_(units) {}
   /// The file's name for messages.
   const std::string& file() const { return file_; }
   TomlSection required_section(std::string_view name) const;
@@ -77,8 +75,7 @@ private:
   using Check = std::function<double(std::string_view field, double value)>;
 
   TomlSection(const toml::table* table, std::string name, const TomlSection& parent)
-      : table_(table), name_(std::move(name)), file_(parent.file_), units_(parent.units_),
-        key_units_(parent.key_units_) {}
+      : table_(table), name_(std::move(name)), file_(parent.file_), key_units_(parent.key_units_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
@@ -89,7 +86,6 @@ private:
   const toml::table* table_ = nullptr;
   std::string name_;
   const std::string& file_;
-  std::shared_ptr<Units> units_;
   KeyUnits* key_units_ = nullptr;
 };
 

@@ -196,7 +196,8 @@ std::optional<double> angle_of_slope(double rise, std::string_view rest) {
 
 /// Only temperatures may differ by their zero. Of all that the system knows only what is plain: with other texts
 /// UDUNITS would lose memory.
-UnitSystem::Conversion conversion(const UnitSystem& system, std::string_view name, const Choice& choice) {
+UnitSystem::Conversion conversion(std::string_view name, const Choice& choice) {
+  static const UnitSystem system; // of constants
   const std::string given = in_ascii(name);
   const PlainUnit plain(given);
   const auto& symbols = plain.symbols();
@@ -226,15 +227,7 @@ std::span<const UnitPrefix> unit_prefixes() {
   return prefixes;
 }
 
-Units::Units() = default;
-Units::~Units() = default;
-
-UnitSystem& Units::system() {
-  if (!system_) system_ = std::make_unique<UnitSystem>();
-  return *system_;
-}
-
-double Units::number(std::string_view field, std::string_view text, std::string_view unit) {
+double number_in_unit(std::string_view field, std::string_view text, std::string_view unit) {
   try {
     const Choice& choice = choice_of(unit);
     const auto [value, name] = split(text, choice);
@@ -244,18 +237,18 @@ double Units::number(std::string_view field, std::string_view text, std::string_
       if (const auto angle = angle_of_slope(value, name)) return *angle;
     if (name.empty()) throw Error("has no unit; " + choice.sentence());
     if (name == unit) return value;
-    const auto converted = conversion(system(), name, choice);
+    const auto converted = conversion(name, choice);
     return converted(0) != 0 ? converted(value) : scale_of(converted(1))(value);
   } catch (const Error& error) {
     throw Error(std::string(field) + " = " + printable(text) + " [" + std::string(unit) + "]: " + error.what());
   }
 }
 
-UnitScale Units::scale(std::string_view field, std::string_view from, std::string_view unit) {
+UnitScale scale_to_unit(std::string_view field, std::string_view from, std::string_view unit) {
   if (from == unit) return {};
   try {
     const Choice& choice = choice_of(unit);
-    const auto converted = conversion(system(), from, choice);
+    const auto converted = conversion(from, choice);
     if (converted(0) != 0) throw Error("differs by its zero, too");
     return scale_of(converted(1));
   } catch (const Error& error) {

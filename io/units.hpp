@@ -1,12 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 
 namespace microslip {
-
-class UnitSystem;
 
 /// Numbers in one unit as such in another. Only one of the two is not 1, so that decimal numbers of a prefix, 1435 mm,
 /// are the nearest numbers of the unit without it.
@@ -15,29 +12,17 @@ struct UnitScale {
   double operator()(double value) const { return value * times / over; }
 };
 
-/// Numbers with a unit as files have them, "80 kN" or "0.4 1/m", by the grammar of UDUNITS: blanks, dots, `*` and `/`
-/// between units, exponents as m2, m^2 or m-1, prefixes from n to G. Its units are listed in docs/quick-start.md. An
-/// object keeps what UDUNITS needs to know of them, some 25 microseconds of work at the first text; no more than one
-/// thread at a time is in UDUNITS, whose parser has global state.
-class Units {
-public:
-  Units();
-  ~Units();
-  Units(const Units&) = delete;
-  Units& operator=(const Units&) = delete;
+// Numbers with a unit as files have them, "80 kN" or "0.4 1/m", by the grammar of UDUNITS: blanks, dots, `*` and `/`
+// between units, exponents as m2, m^2 or m-1, prefixes from n to G. Its units are listed in docs/quick-start.md. What
+// UDUNITS needs to know of them is made once, with the first text, since UDUNITS does not free all of it; no more than
+// one thread at a time is in UDUNITS, whose parser has global state.
 
-  /// What `text` is in `unit`: 80e3 for "80 kN" in "N". A temperature in "deg C" may be given in K or degF, a
-  /// difference in "K" in nothing else; spin and curvature in "1/m" as an angle by a length, too. Error for text
-  /// without a number or without a unit, an unknown unit, and one of another kind: `FIELD = "80 mm" [N]: must be in N,
-  /// kN, MN, kgf or lbf, e.g. "80 kN"`. Cost: about a microsecond.
-  double number(std::string_view field, std::string_view text, std::string_view unit);
-  /// From a unit to another without an offset. Error as above.
-  UnitScale scale(std::string_view field, std::string_view from, std::string_view unit);
-
-private:
-  UnitSystem& system();
-
-  std::unique_ptr<UnitSystem> system_;
-};
+/// What `text` is in `unit`: 80e3 for "80 kN" in "N". A temperature in "deg C" may be given in K or degF, a difference
+/// in "K" in nothing else; spin and curvature in "1/m" as an angle by a length, too. Error for text without a number or
+/// without a unit, an unknown unit, and one of another kind: `FIELD = "80 mm" [N]: must be in N, kN, MN, kgf or lbf,
+/// e.g. "80 kN"`. Cost: about a microsecond.
+double number_in_unit(std::string_view field, std::string_view text, std::string_view unit);
+/// From a unit to another without an offset. Error as above.
+UnitScale scale_to_unit(std::string_view field, std::string_view from, std::string_view unit);
 
 } // namespace microslip

@@ -1,18 +1,25 @@
 #include "io/case_file.hpp"
 
 #include "io/toml_section.hpp"
+#include "io/units.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 #include "paths.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -381,9 +388,35 @@ TEST(CaseFile, TakesTextsWithUnits) {
             "w.toml:13: load.normal_force = -80000 [N]: must be positive and finite");
 }
 
+#ifdef __GLIBC__
+/// Memory that malloc has given and nobody has given back [bytes].
+long memory_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<long>(info.uordblks + info.hblkhd);
+}
+
+/// A process that reads cases without end does not grow.
+TEST(CaseFile, LeavesNothingInMemory) {
+#ifdef MICROSLIP_SANITIZED
+  GTEST_SKIP() << "the sanitizer has an allocator of its own, and looks for leaks itself";
+#endif
+  const std::string text = read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
+  const std::string wrong = with("80e3", "\"80 mm\"");
+  const auto read = [&](int times) {
+    for (int k = 0; k < times; ++k) {
+      parse_case(text, "w.toml");
+      EXPECT_NE(message_of(wrong), "");
+    }
+  };
+  read(10); // what is made once
+  const long before = memory_in_use();
+  read(1000);
+  EXPECT_LT(memory_in_use() - before, 10000);
+}
+#endif
+
 /// Every number of every example has a unit of which text may give another, or none.
 TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
-  Units units;
   std::size_t count = 0;
   const auto check = [&](const std::string& name, const auto& read) {
     const std::string file = MICROSLIP_SOURCE_DIR "/examples/" + name;
@@ -393,7 +426,7 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
     for (const auto& [key, unit] : found) {
       ++count;
       try {
-        units.number(key, "1 kg s", unit);
+        number_in_unit(key, "1 kg s", unit);
         ADD_FAILURE() << key;
       } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("must be in "), std::string::npos) << error.what();
@@ -405,9 +438,10 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
   check("wheel_on_rail.toml", [](const TomlSection& root) { read_wheel_rail_case(root); });
   check("wheelset_in_curve.toml", [](const TomlSection& root) { read_wheelset_case(root); });
   EXPECT_GT(count, 60u);
-  for (const StateQuantity& q : state_quantities()) EXPECT_EQ(units.number("x", "0 " + std::string(q.unit), q.unit), 0);
+  for (const StateQuantity& q : state_quantities())
+    EXPECT_EQ(number_in_unit("x", "0 " + std::string(q.unit), q.unit), 0);
   for (const PrescribedForce& f : prescribed_forces())
-    EXPECT_EQ(units.number("x", "0 " + std::string(f.unit), f.unit), 0);
+    EXPECT_EQ(number_in_unit("x", "0 " + std::string(f.unit), f.unit), 0);
 }
 
 TEST(CaseFile, NamesWrongTypes) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -34,6 +35,16 @@ void write_file(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
+/// Why a file cannot be written, without its name.
+std::string refusal(const fs::path& path) {
+  try {
+    const OutputFile file(path);
+  } catch (const Error& error) {
+    return std::string(error.what()).substr(path.string().size());
+  }
+  return "no error";
+}
+
 TEST(OutputFile, AppearsAtCommitOnly) {
   const TemporaryFolder folder;
   OutputFile file(folder / "f");
@@ -60,6 +71,30 @@ TEST(OutputFile, FollowsLinks) {
   write_file(folder / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
   EXPECT_EQ(contents(folder / "f"), "new");
+}
+
+TEST(OutputFile, FollowsLinksToWhereNothingIsYet) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "there");
+  fs::create_symlink("there/f", folder / "link");
+  fs::create_symlink(folder / "link", folder / "link_to_link");
+  write_file(folder / "link_to_link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link_to_link"));
+  EXPECT_EQ(contents(folder / "there/f"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "there"), fs::directory_iterator()), 1);
+}
+
+TEST(OutputFile, RefusesLinksThatLeadNowhere) {
+  const TemporaryFolder folder;
+  fs::create_symlink("none/f", folder / "link");
+  fs::create_symlink("round", folder / "round");
+  EXPECT_EQ(refusal(folder / "link"),
+            ", a link to " + (folder / "none/f").string() + ": cannot be written: No such file or directory");
+  EXPECT_NE(refusal(folder / "round").find(": cannot be written: Too many levels of symbolic links"),
+            std::string::npos);
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_TRUE(fs::is_symlink(folder / "round"));
 }
 
 TEST(OutputFile, WritesStreamsInPlace) {
@@ -136,18 +171,10 @@ TEST(OutputFile, TakesAnotherNameThanTheRemainsOfAKilledProgram) {
 TEST(OutputFile, NamesFileAndReasonOfAFailure) {
   const TemporaryFolder folder;
   write_file(folder / "file", "x");
-  const auto message = [](const fs::path& path) {
-    try {
-      const OutputFile file(path);
-    } catch (const Error& error) {
-      return std::string(error.what()).substr(path.string().size());
-    }
-    return std::string("no error");
-  };
-  EXPECT_EQ(message(folder / "none/f"), ": cannot be written: No such file or directory");
-  EXPECT_EQ(message(folder / "file/f"), ": cannot be written: Not a directory");
-  EXPECT_EQ(message("/proc/f"), ": cannot be written: No such file or directory");
-  EXPECT_EQ(message(folder.path()), ": cannot be written: Is a directory");
+  EXPECT_EQ(refusal(folder / "none/f"), ": cannot be written: No such file or directory");
+  EXPECT_EQ(refusal(folder / "file/f"), ": cannot be written: Not a directory");
+  EXPECT_EQ(refusal("/proc/f"), ": cannot be written: No such file or directory");
+  EXPECT_EQ(refusal(folder.path()), ": cannot be written: Is a directory");
   EXPECT_EQ(folder.entries(), Names{"file"});
 }
 

@@ -1,4 +1,4 @@
-// Ctrl-C: every command that writes ends at once and leaves whole files only.
+// Ctrl-C and SIGTERM: every command ends at once and leaves whole files only.
 
 #include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
@@ -10,8 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -26,11 +29,32 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+constexpr auto apart = std::chrono::milliseconds(1); ///< of looks at what others do
+constexpr int patience = 60000;                      ///< looks
+
 /// Whether a process handles SIGINT by itself.
 bool handles_interrupt(pid_t process) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);)
     if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  return false;
+}
+
+/// Whether a process has computed for a while: it has read its input and is at work.
+bool is_at_work(pid_t process) {
+  constexpr long enough = 30; // hundredths of a second
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
+  std::vector<std::string> all{std::istream_iterator<std::string>(fields), {}};
+  return all.size() > 12 && std::stol(all[11]) + std::stol(all[12]) > enough; // utime and stime
+}
+
+/// Whether a process group has ended, or does so soon.
+bool ends(pid_t group) {
+  for (int k = 0; k < patience; ++k, std::this_thread::sleep_for(apart))
+    if (kill(-group, 0) != 0) return true;
   return false;
 }
 
@@ -46,10 +70,10 @@ void run_in_child(const TemporaryFolder& folder, Names words) {
   _exit(127);
 }
 
-/// Starts the program in a folder, sends SIGINT `times` to it and its children, as a terminal does, once it is `ready`,
-/// and returns the exit code as a shell has it.
+/// Starts the program in a folder, sends SIGINT `times` to it and its children, as a terminal does, or SIGTERM to it
+/// alone, once it is `ready`, and returns the exit code as a shell has it.
 int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::function<bool(pid_t)>& ready,
-              int times = 1) {
+              int times = 1, int signal = SIGINT) {
   Names words = {"microslip"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t child = fork();
@@ -57,17 +81,18 @@ int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::
   setpgid(child, child);
   int status = 0;
   bool ended = false;
-  for (int k = 0; k < 60000 && !ended && !ready(child); ++k) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int k = 0; k < patience && !ended && !ready(child); ++k) {
+    std::this_thread::sleep_for(apart);
     ended = waitpid(child, &status, WNOHANG) == child;
   }
   EXPECT_FALSE(ended) << "ended before it could be interrupted";
   if (!ended) {
     for (int k = 0; k < times; ++k) {
-      kill(-child, SIGINT);
+      kill(signal == SIGINT ? -child : child, signal);
       std::this_thread::sleep_for(std::chrono::milliseconds(10)); // two at a time would be one
     }
     waitpid(child, &status, 0);
+    EXPECT_TRUE(ends(child)) << "a child of the program goes on";
   }
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
@@ -78,12 +103,56 @@ bool has_ending(const TemporaryFolder& folder, const std::string& ending) {
   return false;
 }
 
+/// The example of two bodies with other lines in the place of some.
+std::string case_with(const std::vector<std::pair<std::string, std::string>>& changes) {
+  auto text = contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
+  for (const auto& [from, to] : changes) text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
 TEST(ProgramInterrupt, Solve) {
   const TemporaryFolder folder;
-  auto text = contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
-  save(folder / "c.toml", text.replace(text.find("[40, 40]"), 8, "[300, 300]"));
+  save(folder / "c.toml", case_with({{"[40, 40]", "[300, 300]"}}));
   EXPECT_EQ(interrupt(folder, {"solve", "c.toml", "-o", "out"}, handles_interrupt), 130);
   EXPECT_EQ(folder.entries(), Names{"c.toml"});
+}
+
+/// A million sums, which would take minutes.
+TEST(ProgramInterrupt, SumsInsideTheBodies) {
+  const TemporaryFolder folder;
+  std::string many;
+  for (int k = 0; k < 100; ++k) many += (k > 0 ? ", " : "") + std::to_string(-5e-3 + 1.0003e-4 * k);
+  const std::string interior = "\n[interior]\nx = [" + many + "]\ny = [" + many + "]\nz = [" + many + "]\n";
+  save(folder / "c.toml", case_with({}) + interior);
+  for (const int signal : {SIGINT, SIGTERM})
+    EXPECT_EQ(interrupt(folder, {"solve", "c.toml", "-o", "out"}, is_at_work, 1, signal), 130);
+  EXPECT_EQ(folder.entries(), Names{"c.toml"});
+}
+
+TEST(ProgramInterrupt, Sigterm) {
+  const TemporaryFolder folder;
+  save(folder / "c.toml", case_with({{"[40, 40]", "[500, 500]"}}));
+  EXPECT_EQ(interrupt(folder, {"solve", "c.toml", "-o", "out"}, handles_interrupt, 1, SIGTERM), 130);
+  EXPECT_EQ(interrupt(folder, {"table", "make", "-o", "t.creep"}, is_at_work, 1, SIGTERM), 130);
+  EXPECT_EQ(interrupt(folder, {"validate", "fastsim2-table1", "-o", "."}, is_at_work, 1, SIGTERM), 130);
+  EXPECT_EQ(folder.entries(), Names{"c.toml"});
+}
+
+/// Pictures are drawn by another process, which ends as well.
+TEST(ProgramInterrupt, EndsWhatDrawsPictures) {
+  const TemporaryFolder folder;
+  save(folder / "python", "#!/bin/sh\ntouch begun\nexec sleep 1000\n");
+  std::filesystem::permissions(folder / "python", std::filesystem::perms::owner_all);
+  setenv("MICROSLIP_PYTHON", (folder / "python").c_str(), 1);
+  const auto has_begun = [&](pid_t) { return std::filesystem::exists(folder / "begun"); };
+  save(folder / "c.toml", case_with({}));
+  for (const Names& arguments : {Names{"plot", "r.h5"}, Names{"table", "draw"}, Names{"solve", "c.toml", "-o", "out"}})
+    for (const int signal : {SIGINT, SIGTERM}) {
+      EXPECT_EQ(interrupt(folder, arguments, has_begun, 1, signal), 130) << arguments[0] << " " << signal;
+      std::filesystem::remove(folder / "begun");
+    }
+  unsetenv("MICROSLIP_PYTHON");
+  EXPECT_EQ(folder.entries(), (Names{"c.toml", "out", "out/result.h5", "python"}));
 }
 
 /// `batch` waits for more of its table, as work that looks for no signals does.

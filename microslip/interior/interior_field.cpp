@@ -5,6 +5,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 #include "microslip/exact/halfspace/retarded_influence.hpp"
+#include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,8 @@ constexpr std::array<Parity, components> component_parity = {{{true, false},
                                                               {true, false},
                                                               {false, true}}};
 constexpr int retarded_components = 3; // the displacements, which come first
+
+constexpr std::size_t work_of_threads = 100000; // points times elements that are worth several threads
 
 /// Of what a load does to a component: it is odd where only one of them is.
 Parity influence_parity(int load, int component) {
@@ -163,8 +166,9 @@ std::vector<InteriorInfluence> InteriorField::retarded_influence(double x_first,
 }
 
 /// Row by row, as the history of an element's displacement is that of the next one as well.
-void InteriorField::add_late(const InteriorPoint& point, InteriorState& sum) const {
+void InteriorField::add_late(const InteriorPoint& point, const Progress& progress, InteriorState& sum) const {
   for (const auto& [begin, end] : loaded_rows_) {
+    go_on(progress, 0);
     const int first = loaded_[begin].i, last = loaded_[end - 1].i, row = loaded_[begin].j;
     const auto retarded =
         retarded_influence(point.x - grid_.x(last), last - first + 1, point.y - grid_.y(row), point.depth);
@@ -177,45 +181,52 @@ void InteriorField::add_late(const InteriorPoint& point, InteriorState& sum) con
   }
 }
 
-InteriorState InteriorField::at(const InteriorPoint& point) const {
+InteriorState InteriorField::at(const InteriorPoint& point, const Progress& progress) const {
+  constexpr std::size_t at_once = 64;
   require_finite("x", point.x, "m");
   require_finite("y", point.y, "m");
   require_depth(point.depth);
   InteriorState sum;
-  for (const LoadedElement& e : loaded_) {
+  for (std::size_t k = 0; k < loaded_.size(); ++k) {
+    if (k % at_once == 0) go_on(progress, 0);
+    const LoadedElement& e = loaded_[k];
     const InteriorInfluence a = influence(point.x - grid_.x(e.i), point.y - grid_.y(e.j), point.depth);
     if (e.px != 0) add(sum, e.px, a.px);
     if (e.py != 0) add(sum, e.py, a.py);
     if (e.pn != 0) add(sum, e.pn, a.pn);
   }
-  if (has_retardation()) add_late(point, sum);
+  if (has_retardation()) add_late(point, progress, sum);
   return sum;
 }
 
-std::vector<InteriorState> InteriorField::at(std::span<const InteriorPoint> points) const {
-  for (const InteriorPoint& p : points) { // exceptions must not leave a parallel loop
+std::vector<InteriorState> InteriorField::at(std::span<const InteriorPoint> points, const Progress& progress) const {
+  constexpr std::size_t together = 16;
+  for (const InteriorPoint& p : points) { // the first bad one is named
     require_finite("x", p.x, "m");
     require_finite("y", p.y, "m");
     require_depth(p.depth);
   }
   std::vector<InteriorState> states(points.size());
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
-#pragma omp parallel for schedule(static, 16) if (count * std::ptrdiff_t(loaded_.size()) > 100000)
-  for (std::ptrdiff_t k = 0; k < count; ++k) states[k] = at(points[k]);
+  const auto blocks = static_cast<int>((points.size() + together - 1) / together);
+  share_out(blocks, threads_for(points.size() * loaded_.size(), work_of_threads), progress,
+            [&](int block, int, const Progress& on) {
+              const std::size_t first = block * together, last = std::min(first + together, points.size());
+              for (std::size_t k = first; k < last; ++k) states[k] = at(points[k], on);
+            });
   return states;
 }
 
-InteriorLayers::InteriorLayers(InteriorField field, int margin)
+InteriorLayers::InteriorLayers(InteriorField field, int margin, const Progress& progress)
     : field_(std::move(field)), grid_(with_margin(field_, margin)), transform_(grid_.mx, grid_.my) {
-  load();
+  load(progress);
 }
 
-void InteriorLayers::set_tractions(const SurfaceTractions& tractions) {
+void InteriorLayers::set_tractions(const SurfaceTractions& tractions, const Progress& progress) {
   field_.set_tractions(tractions);
-  load();
+  load(progress);
 }
 
-void InteriorLayers::load() {
+void InteriorLayers::load(const Progress& progress) {
   const std::array all = {&field_.px(), &field_.py(), &field_.pn()};
   std::vector<std::vector<double>> padded;
   loads_.clear();
@@ -225,29 +236,33 @@ void InteriorLayers::load() {
       padded.push_back(embedded(*all[load], field_.grid(), grid_));
     }
   const std::vector<std::span<const double>> spans(padded.begin(), padded.end());
-  transform_.load(spans);
+  transform_.load(spans, progress);
 }
 
-InteriorLayers::Influences InteriorLayers::influences(double depth) const {
+InteriorLayers::Influences InteriorLayers::influences(double depth, const Progress& progress) const {
   const int width = 2 * grid_.mx - 1;
   Influences found;
   found.quadrant.resize(grid_.count());
   if (field_.has_retardation()) found.retarded.resize(static_cast<std::size_t>(width) * grid_.my);
-#pragma omp parallel for schedule(dynamic) if (grid_.count() > 1000 || field_.has_retardation())
-  for (int j = 0; j < grid_.my; ++j) {
+  const int threads = field_.has_retardation() ? omp_get_max_threads() : threads_for(grid_.count(), 1000);
+  share_out(grid_.my, threads, progress, [&](int j, int, const Progress& on) {
     const double y = j * grid_.dy;
-    for (int i = 0; i < grid_.mx; ++i)
+    for (int i = 0; i < grid_.mx; ++i) {
+      if (i % 64 == 0) on(0);
       found.quadrant[static_cast<std::size_t>(j) * grid_.mx + i] = field_.influence(i * grid_.dx, y, depth);
-    if (!field_.has_retardation()) continue;
+    }
+    if (!field_.has_retardation()) return;
     const auto row = field_.retarded_influence((1 - grid_.mx) * grid_.dx, width, y, depth);
     std::copy(row.begin(), row.end(), found.retarded.begin() + std::ptrdiff_t(j) * width);
-  }
+  });
   return found;
 }
 
 /// A retarded influence is neither even nor odd in x: the part with the elastic one's parity is added to that, the
 /// other one is a kernel of its own.
-void InteriorLayers::find_kernels(int load, const Influences& influences, LoadKernels& kernels) {
+InteriorLayers::LoadKernels InteriorLayers::find_kernels(int load, const Influences& influences,
+                                                         const Progress& progress) {
+  LoadKernels kernels;
   const int middle = grid_.mx - 1, width = 2 * grid_.mx - 1;
   for (int component = 0; component < components; ++component) {
     const auto value = [&](const InteriorInfluence& a) { return component_of(a.*loads[load], component); };
@@ -259,27 +274,34 @@ void InteriorLayers::find_kernels(int load, const Influences& influences, LoadKe
       return (value(row[i]) + sign * value(row[-i])) / 2;
     };
     const double sign = parity.odd_x ? -1 : 1;
-    kernels.push_back(transform_.spectrum(parity, [&](int j, std::span<double> entries) {
-      for (int i = 0; i < grid_.mx; ++i) {
-        entries[i] = value(influences.quadrant[static_cast<std::size_t>(j) * grid_.mx + i]);
-        if (retarded) entries[i] += half(j, i, sign);
-      }
-    }));
+    kernels.push_back(transform_.spectrum(
+        parity,
+        [&](int j, std::span<double> entries) {
+          for (int i = 0; i < grid_.mx; ++i) {
+            entries[i] = value(influences.quadrant[static_cast<std::size_t>(j) * grid_.mx + i]);
+            if (retarded) entries[i] += half(j, i, sign);
+          }
+        },
+        progress));
     if (!retarded) continue;
-    kernels.push_back(transform_.spectrum({!parity.odd_x, parity.odd_y}, [&](int j, std::span<double> entries) {
-      for (int i = 0; i < grid_.mx; ++i) entries[i] = half(j, i, -sign);
-    }));
+    kernels.push_back(transform_.spectrum(
+        {!parity.odd_x, parity.odd_y},
+        [&](int j, std::span<double> entries) {
+          for (int i = 0; i < grid_.mx; ++i) entries[i] = half(j, i, -sign);
+        },
+        progress));
   }
+  return kernels;
 }
 
 /// Those of the loads that there are, at least.
-const InteriorLayers::Kernels& InteriorLayers::kernels(double depth) {
+const InteriorLayers::Kernels& InteriorLayers::kernels(double depth, const Progress& progress) {
   Kernels& kernels = kept_[depth];
   const bool complete = std::all_of(loads_.begin(), loads_.end(), [&](int load) { return !kernels[load].empty(); });
   if (complete) return kernels;
-  const Influences found = influences(depth);
+  const Influences found = influences(depth, progress);
   for (const int load : loads_)
-    if (kernels[load].empty()) find_kernels(load, found, kernels[load]);
+    if (kernels[load].empty()) kernels[load] = find_kernels(load, found, progress);
   return kernels;
 }
 
@@ -292,19 +314,19 @@ void InteriorLayers::limit_memory(double depth) {
   if (bytes > most_kept) kept_.erase(depth);
 }
 
-std::vector<InteriorState> InteriorLayers::at_depth(double depth) {
+std::vector<InteriorState> InteriorLayers::at_depth(double depth, const Progress& progress) {
   std::vector<int> columns(grid_.mx), rows(grid_.my);
   std::iota(columns.begin(), columns.end(), 0);
   std::iota(rows.begin(), rows.end(), 0);
-  return at_depth(depth, columns, rows);
+  return at_depth(depth, columns, rows, progress);
 }
 
 std::vector<InteriorState> InteriorLayers::at_depth(double depth, std::span<const int> columns,
-                                                    std::span<const int> rows) {
+                                                    std::span<const int> rows, const Progress& progress) {
   require_depth(depth);
   std::vector<InteriorState> states(columns.size() * rows.size());
   if (loads_.empty()) return states;
-  const Kernels& of_depth = kernels(depth);
+  const Kernels& of_depth = kernels(depth, progress);
 
   std::vector<double> values(rows.size() * grid_.mx);
   std::array<std::size_t, loads.size()> next{}; // kernel of each load
@@ -318,7 +340,7 @@ std::vector<InteriorState> InteriorLayers::at_depth(double depth, std::span<cons
       parity.odd_x = !parity.odd_x;
       terms.push_back({in, &of_depth[load][next[in]++], parity});
     }
-    transform_.apply(terms, rows, values);
+    transform_.apply(terms, rows, values, progress);
     for (std::size_t r = 0, k = 0; r < rows.size(); ++r)
       for (const int column : columns) component_of(states[k++], component) = values[r * grid_.mx + column];
   }

@@ -4,6 +4,7 @@
 #include "microslip/elasticity/interior_influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/numerics/parity_toeplitz.hpp"
+#include "microslip/progress.hpp"
 
 #include <array>
 #include <map>
@@ -45,9 +46,9 @@ public:
 
   /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
   /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
-  InteriorState at(const InteriorPoint& point) const;
-  /// The same at many points, which OpenMP's threads share out.
-  std::vector<InteriorState> at(std::span<const InteriorPoint> points) const;
+  InteriorState at(const InteriorPoint& point, const Progress& progress = {}) const;
+  /// The same at many points, which OpenMP's threads share out. `progress` is told often; false throws Stopped.
+  std::vector<InteriorState> at(std::span<const InteriorPoint> points, const Progress& progress = {}) const;
 
   /// Instantaneous influence of an element at an offset from it.
   InteriorInfluence influence(double x, double y, double depth) const;
@@ -71,7 +72,7 @@ private:
     std::size_t begin, end;
   };
 
-  void add_late(const InteriorPoint& point, InteriorState& sum) const;
+  void add_late(const InteriorPoint& point, const Progress& progress, InteriorState& sum) const;
 
   Material material_;
   Retardation delay_;
@@ -96,19 +97,23 @@ class InteriorLayers {
 public:
   /// Points at the elements' centres and, beyond the grid, `margin` more columns and rows on each side (rows not for a
   /// line contact).
-  /// Throws Error for a plane that needs more memory than the machine has.
-  explicit InteriorLayers(InteriorField field, int margin = 0);
-  /// Other tractions in the place of the field's. Throws Error as InteriorField does.
-  void set_tractions(const SurfaceTractions& tractions);
+  /// Throws Error for a plane that needs more memory than the machine has. `progress` is told often; false throws
+  /// Stopped.
+  explicit InteriorLayers(InteriorField field, int margin = 0, const Progress& progress = {});
+  /// Other tractions in the place of the field's. Throws Error as InteriorField does; where it is Stopped tractions
+  /// must be set once more.
+  void set_tractions(const SurfaceTractions& tractions, const Progress& progress = {});
 
   /// Where the points are.
   const ElementGrid& grid() const { return grid_; }
   const InteriorField& field() const { return field_; }
 
-  /// States at the points, index j mx + i. Throws Error unless depth >= 0 and finite.
-  std::vector<InteriorState> at_depth(double depth);
+  /// States at the points, index j mx + i. Throws Error unless depth >= 0 and finite, and Stopped where `progress`
+  /// returns false.
+  std::vector<InteriorState> at_depth(double depth, const Progress& progress = {});
   /// At the points of some columns, i, and rows, j, of the grid only: row by row.
-  std::vector<InteriorState> at_depth(double depth, std::span<const int> columns, std::span<const int> rows);
+  std::vector<InteriorState> at_depth(double depth, std::span<const int> columns, std::span<const int> rows,
+                                      const Progress& progress = {});
 
 private:
   /// Influences at a depth: of offsets x, y >= 0, and retarded ones of all x and y >= 0.
@@ -119,10 +124,10 @@ private:
   using LoadKernels = std::vector<ParityToeplitz::Spectrum>;
   using Kernels = std::array<LoadKernels, 3>; ///< of px, py, pn; empty ones have not been needed
 
-  void load();
-  Influences influences(double depth) const;
-  void find_kernels(int load, const Influences& influences, LoadKernels& kernels);
-  const Kernels& kernels(double depth);
+  void load(const Progress& progress);
+  Influences influences(double depth, const Progress& progress) const;
+  LoadKernels find_kernels(int load, const Influences& influences, const Progress& progress);
+  const Kernels& kernels(double depth, const Progress& progress);
   void limit_memory(double depth);
 
   InteriorField field_;

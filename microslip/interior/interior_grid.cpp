@@ -113,13 +113,14 @@ std::vector<double> on_grid(const Elements& e, const std::vector<double>& tracti
 } // namespace
 
 InteriorLayers& InteriorSequence::layers_of(const InteriorBody& body, Body number, const ElementGrid& elements,
-                                            const SurfaceTractions& tractions) {
+                                            const SurfaceTractions& tractions, const Progress& progress) {
   auto& known = bodies_[number == Body::first ? 0 : 1];
   if (known && are_same(known->body, body) && known->layers.grid() == elements)
-    known->layers.set_tractions(tractions);
+    known->layers.set_tractions(tractions, progress);
   else
     known.emplace(
-        OfBody{body, InteriorLayers(InteriorField(body.material, number, elements, tractions, body.retardation))});
+        OfBody{body, InteriorLayers(InteriorField(body.material, number, elements, tractions, body.retardation), 0,
+                                    progress)});
   return known->layers;
 }
 
@@ -132,18 +133,21 @@ std::vector<InteriorState> InteriorSequence::states(const InteriorBody& body1, c
   std::array<InteriorLayers*, 2> layers{};
   std::array<std::optional<InteriorField>, 2> fields;
   std::vector<InteriorState> all;
-  for (const double z : points.z) {
-    go_on(progress, static_cast<double>(all.size()) / static_cast<double>(points.count()));
+  for (std::size_t k = 0; k < points.z.size(); ++k) {
+    const double z = points.z[k], planes = static_cast<double>(points.z.size());
+    const Progress of_plane =
+        essential_part(progress, static_cast<double>(k) / planes, (static_cast<double>(k) + 1) / planes);
+    go_on(of_plane, 0);
     const std::size_t n = z < 0 ? 1 : 0;
     const InteriorBody& body = z < 0 ? body2 : body1;
     const Body number = z < 0 ? Body::second : Body::first;
     std::vector<InteriorState> plane;
     if (transforms) {
-      if (layers[n] == nullptr) layers[n] = &layers_of(body, number, elements, tractions);
-      plane = layers[n]->at_depth(std::abs(z), *columns, *rows);
+      if (layers[n] == nullptr) layers[n] = &layers_of(body, number, elements, tractions, of_plane);
+      plane = layers[n]->at_depth(std::abs(z), *columns, *rows, of_plane);
     } else {
       if (!fields[n]) fields[n].emplace(body.material, number, elements, tractions, body.retardation);
-      plane = fields[n]->at(plane_of(points, std::abs(z)));
+      plane = fields[n]->at(plane_of(points, std::abs(z)), of_plane);
     }
     all.insert(all.end(), plane.begin(), plane.end());
   }
@@ -152,18 +156,19 @@ std::vector<InteriorState> InteriorSequence::states(const InteriorBody& body1, c
 
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
                                            const ElementGrid& elements, const SurfaceTractions& tractions,
-                                           const InteriorGrid& points) {
-  return InteriorSequence().states(body1, body2, elements, tractions, points);
+                                           const InteriorGrid& points, const Progress& progress) {
+  return InteriorSequence().states(body1, body2, elements, tractions, points, progress);
 }
 
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
-                                           const ContactSolution& solution, const InteriorGrid& points) {
+                                           const ContactSolution& solution, const InteriorGrid& points,
+                                           const Progress& progress) {
   const Elements& e = solution.elements;
   const SurfaceFields& f = solution.fields;
   if (f.pressure.size() != e.size()) throw Error("solution: has no pressures; stresses need one of the exact theory");
   if (e.size() == 0) return {};
   const auto px = on_grid(e, f.traction.x), py = on_grid(e, f.traction.y), pn = on_grid(e, f.pressure);
-  return interior_states(body1, body2, e.grid, {px, py, pn}, points);
+  return interior_states(body1, body2, e.grid, {px, py, pn}, points, progress);
 }
 
 std::vector<InteriorExtreme> interior_extremes(const std::vector<InteriorState>& states) {

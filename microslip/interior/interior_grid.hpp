@@ -35,7 +35,7 @@ struct InteriorBody {
 /// several points below elements' centres, else by InteriorField. Errors as theirs.
 ///
 /// Keeps what InteriorLayers keeps: where bodies and elements are those of the call before, depths that have occurred
-/// cost transforms of the tractions only. `progress` is told between the planes; false throws Stopped.
+/// cost transforms of the tractions only. `progress` is told between and within the planes; false throws Stopped.
 class InteriorSequence {
 public:
   std::vector<InteriorState> states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
@@ -48,7 +48,7 @@ private:
     InteriorLayers layers;
   };
   InteriorLayers& layers_of(const InteriorBody& body, Body number, const ElementGrid& elements,
-                            const SurfaceTractions& tractions);
+                            const SurfaceTractions& tractions, const Progress& progress);
 
   std::array<std::optional<OfBody>, 2> bodies_;
 };
@@ -56,7 +56,7 @@ private:
 /// The same once.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
                                            const ElementGrid& elements, const SurfaceTractions& tractions,
-                                           const InteriorGrid& points);
+                                           const InteriorGrid& points, const Progress& progress = {});
 
 /// The same for a solution with pressures: of the exact theory, whatever solved it, or of a wheel on a rail at either
 /// level. An element that is fitted to the edge counts as one of the grid's with the same forces, and the forces of
@@ -64,7 +64,8 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
 /// element deep only. Throws Error for a solution without pressures (FASTSIM's and FASTSIM2's on ellipses) or with
 /// numbers that are not finite.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
-                                           const ContactSolution& solution, const InteriorGrid& points);
+                                           const ContactSolution& solution, const InteriorGrid& points,
+                                           const Progress& progress = {});
 
 /// The largest value of a measure of stress among points, or the smallest of one that is a compression.
 struct InteriorExtreme {

@@ -27,12 +27,13 @@ struct Start {
 };
 
 /// The best point of the planes.
-Start best_of_planes(InteriorLayers& layers, std::span<const double> depths, StressMeasure measure) {
+Start best_of_planes(InteriorLayers& layers, std::span<const double> depths, StressMeasure measure,
+                     const Progress& progress) {
   const ElementGrid& grid = layers.grid();
   Start best;
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t d = 0; d < depths.size(); ++d) {
-    const std::vector<InteriorState> states = layers.at_depth(depths[d]);
+    const std::vector<InteriorState> states = layers.at_depth(depths[d], progress);
     for (std::size_t k = 0; k < states.size(); ++k) {
       const double value = measure(states[k].stress);
       if (value <= largest) continue;
@@ -47,11 +48,12 @@ Start best_of_planes(InteriorLayers& layers, std::span<const double> depths, Str
 /// The search's steps.
 class Compass {
 public:
-  Compass(const InteriorLayers& layers, std::span<const double> depths, StressMeasure measure)
-      : field_(layers.field()), grid_(layers.grid()), low_(depths.front()), high_(depths.back()), measure_(measure) {}
+  Compass(const InteriorLayers& layers, std::span<const double> depths, StressMeasure measure, const Progress& progress)
+      : field_(layers.field()), grid_(layers.grid()), low_(depths.front()), high_(depths.back()), measure_(measure),
+        progress_(progress) {}
 
   InteriorPeak at(const InteriorPoint& point) const {
-    const InteriorState state = field_.at(point);
+    const InteriorState state = field_.at(point, progress_);
     return {measure_(state.stress), point, state};
   }
 
@@ -77,14 +79,16 @@ private:
   const ElementGrid& grid_;
   double low_, high_;
   StressMeasure measure_;
+  const Progress& progress_;
 };
 
 } // namespace
 
-InteriorPeak find_largest(InteriorLayers& layers, std::span<const double> depths, StressMeasure measure) {
+InteriorPeak find_largest(InteriorLayers& layers, std::span<const double> depths, StressMeasure measure,
+                          const Progress& progress) {
   check_depths(depths);
-  const auto [start, depth_step] = best_of_planes(layers, depths, measure);
-  const Compass compass(layers, depths, measure);
+  const auto [start, depth_step] = best_of_planes(layers, depths, measure, progress);
+  const Compass compass(layers, depths, measure, progress);
   InteriorPeak best = compass.at(start);
   for (double size = 1; size > 1e-3;)
     if (!compass.improve(best, {size * layers.grid().dx / 2, size * layers.grid().dy / 2, size * depth_step}))

@@ -19,7 +19,9 @@ struct InteriorPeak {
 /// compass search goes on, with steps of half an element and half the distance to the next plane, down to a thousandth
 /// of these, within the depths and the grid of the layers. The value is then right to about 1e-6, the point to a
 /// thousandth of an element. It is a local maximum, the largest one if the planes are close enough. With depths.front()
-/// below an element's size it may be one of the steps between elements. Throws Error if there are no depths.
-InteriorPeak find_largest(InteriorLayers& layers, std::span<const double> depths, StressMeasure measure);
+/// below an element's size it may be one of the steps between elements. Throws Error if there are no depths, and
+/// Stopped where `progress` returns false.
+InteriorPeak find_largest(InteriorLayers& layers, std::span<const double> depths, StressMeasure measure,
+                          const Progress& progress = {});
 
 } // namespace microslip

@@ -72,15 +72,15 @@ struct ParityToeplitz::Plans {
   std::size_t table_size() const { return static_cast<std::size_t>(kernel_lines) * lanes; }
   std::size_t column_size() const { return static_cast<std::size_t>(ny) * line; }
   std::size_t loaded_size() const { return waves.count() * column_size(); }
-  template <class Function> void share(int count, const Function& function) {
-    share_out(count, waves.threads(), [&](int b, int thread) { function(b, thread); });
+  template <class Function> void share(int count, const Progress& progress, const Function& function) {
+    share_out(count, waves.threads(), progress, [&](int b, int thread, const Progress&) { function(b, thread); });
   }
   static double* line_of(double* lines, int j) { return lines + static_cast<std::ptrdiff_t>(j) * line; }
 
   // --- kernels
 
   /// Rows of a kernel, whose transforms are real or imaginary, to the first lines of the table.
-  void transform_kernel_rows(bool odd, const KernelRow& kernel, Spectrum& to) {
+  void transform_kernel_rows(bool odd, const KernelRow& kernel, const Progress& progress, Spectrum& to) {
     std::vector<double> rows(static_cast<std::size_t>(my + my % 2) * nx);
     for (int j = 0; j < my; ++j) {
       double* row = rows.data() + static_cast<std::size_t>(j) * nx;
@@ -89,7 +89,7 @@ struct ParityToeplitz::Plans {
       for (int i = 1; i < mx; ++i) row[nx - i] = odd ? -row[i] : row[i];
     }
     const RowPairs<const double> all = {rows.data(), rows.data() + nx, 2 * static_cast<std::size_t>(nx)};
-    share(waves.batches(), [&](int b, int thread) { waves.forward(b, all, nx, thread); });
+    share(waves.batches(), progress, [&](int b, int thread) { waves.forward(b, all, nx, thread); });
     for (int b = 0; b < waves.count(); ++b)
       for (int j = 0; j < my; ++j)
         std::copy_n(line_of(waves.block(b), j) + (odd ? lanes : 0), lanes,
@@ -121,10 +121,13 @@ struct ParityToeplitz::Plans {
     }
   }
 
-  Spectrum spectrum_of(Parity parity, const KernelRow& kernel) {
+  Spectrum spectrum_of(Parity parity, const KernelRow& kernel, const Progress& progress) {
     Spectrum found(waves.count() * table_size());
-    transform_kernel_rows(parity.odd_x, kernel, found);
-    for (int b = 0; b < waves.count(); b += 2) transform_kernel_columns(b, parity.odd_y, found);
+    transform_kernel_rows(parity.odd_x, kernel, progress, found);
+    for (int b = 0; b < waves.count(); b += 2) {
+      go_on(progress, 0);
+      transform_kernel_columns(b, parity.odd_y, found);
+    }
     const double scale = 1.0 / nx / ny;
     for (double& value : found) value *= scale;
     return found;
@@ -132,10 +135,10 @@ struct ParityToeplitz::Plans {
 
   // --- grid functions
 
-  void transform(std::span<const double> in, double* to) {
+  void transform(std::span<const double> in, const Progress& progress, double* to) {
     const RowPairs<const double> rows = {in.data(), in.data() + mx, 2 * static_cast<std::size_t>(mx)};
-    share(waves.batches(), [&](int b, int thread) { waves.forward(b, rows, mx, thread); });
-    share(waves.count(), [&](int b, int thread) {
+    share(waves.batches(), progress, [&](int b, int thread) { waves.forward(b, rows, mx, thread); });
+    share(waves.count(), progress, [&](int b, int thread) {
       columns.forward({waves.block(b), line, my}, waves.lanes_of(b), to + b * column_size(),
                       works[thread].scratch.get());
     });
@@ -163,12 +166,12 @@ struct ParityToeplitz::Plans {
   }
 
   /// Columns of the product in the chosen rows, to the first lines of the blocks of waves.
-  void columns_back(std::span<const Term> terms, std::span<const int> chosen) {
+  void columns_back(std::span<const Term> terms, std::span<const int> chosen, const Progress& progress) {
     const bool few = chosen.size() <= few_rows;
     std::vector<Complex> w;
     for (std::size_t r = 0; few && r < chosen.size(); ++r)
       for (int ky = 0; ky < ny; ++ky) w.push_back(wave(ky, chosen[r]));
-    share(waves.count(), [&](int b, int thread) {
+    share(waves.count(), progress, [&](int b, int thread) {
       Work& work = works[thread];
       add_terms(terms, b, work.sum.get());
       if (!few) columns.backward(work.sum.get(), {work.rows.get(), line, my}, waves.lanes_of(b), work.scratch.get());
@@ -188,9 +191,10 @@ struct ParityToeplitz::Plans {
     });
   }
 
-  void rows_back(int count, std::span<double> out) {
+  void rows_back(int count, const Progress& progress, std::span<double> out) {
     const RowPairs<double> to = {out.data(), out.data() + mx, 2 * static_cast<std::size_t>(mx)};
-    share(WaveBlocks<double>::batches_of(count), [&](int b, int thread) { waves.backward(b, count, to, mx, thread); });
+    share(WaveBlocks<double>::batches_of(count), progress,
+          [&](int b, int thread) { waves.backward(b, count, to, mx, thread); });
   }
 };
 
@@ -203,19 +207,20 @@ ParityToeplitz::ParityToeplitz(ParityToeplitz&&) noexcept = default;
 ParityToeplitz& ParityToeplitz::operator=(ParityToeplitz&&) noexcept = default;
 ParityToeplitz::~ParityToeplitz() = default;
 
-ParityToeplitz::Spectrum ParityToeplitz::spectrum(Parity parity, const KernelRow& kernel) {
-  return plans_->spectrum_of(parity, kernel);
+ParityToeplitz::Spectrum ParityToeplitz::spectrum(Parity parity, const KernelRow& kernel, const Progress& progress) {
+  return plans_->spectrum_of(parity, kernel, progress);
 }
 
-void ParityToeplitz::load(std::span<const std::span<const double>> in) {
+void ParityToeplitz::load(std::span<const std::span<const double>> in, const Progress& progress) {
   Plans& p = *plans_;
   p.loaded.resize(in.size() * p.loaded_size());
-  for (std::size_t n = 0; n < in.size(); ++n) p.transform(in[n], p.loaded.data() + n * p.loaded_size());
+  for (std::size_t n = 0; n < in.size(); ++n) p.transform(in[n], progress, p.loaded.data() + n * p.loaded_size());
 }
 
-void ParityToeplitz::apply(std::span<const Term> terms, std::span<const int> rows, std::span<double> out) {
-  plans_->columns_back(terms, rows);
-  plans_->rows_back(static_cast<int>(rows.size()), out);
+void ParityToeplitz::apply(std::span<const Term> terms, std::span<const int> rows, std::span<double> out,
+                           const Progress& progress) {
+  plans_->columns_back(terms, rows, progress);
+  plans_->rows_back(static_cast<int>(rows.size()), progress, out);
 }
 
 } // namespace microslip

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "microslip/progress.hpp"
+
+#include <atomic>
 #include <cstddef>
+#include <exception>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -31,6 +35,31 @@ template <class Work> void share_out(int count, int threads, const Work& work) {
   }
 #pragma omp parallel for num_threads(threads)
   for (int i = 0; i < count; ++i) work(i, omp_get_thread_num());
+}
+
+/// Calls work(i, thread, progress) likewise, in any order. Thread 0 is the calling one and the only one that tells
+/// `progress`: before each i, and where the work tells its own. When that returns false or throws, the others' throws
+/// Stopped, nothing more is begun, and Stopped or what was thrown is thrown here; as is the first that work throws.
+template <class Work> void share_out(int count, int threads, const Progress& progress, const Work& work) {
+  std::atomic<bool> ended = false;
+  std::exception_ptr reason;
+  const auto begin = [&](int i, int thread) {
+    if (ended) return;
+    const Progress on = [&, i, thread](double part) {
+      if (ended) throw Stopped();
+      if (thread == 0) go_on(progress, (i + part) / count);
+      return true;
+    };
+    try {
+      on(0);
+      work(i, thread, on);
+    } catch (...) {
+      if (!ended.exchange(true)) reason = std::current_exception();
+    }
+  };
+#pragma omp parallel for num_threads(threads) schedule(dynamic) if (threads > 1)
+  for (int i = 0; i < count; ++i) begin(i, omp_get_thread_num());
+  if (reason) std::rethrow_exception(reason);
 }
 
 } // namespace microslip

@@ -14,9 +14,13 @@ namespace {
 /// Adds what is between two places, and the second one.
 class Refiner {
 public:
-  Refiner(WheelsetSearch& search, RollRule rule, double yaw) : search_(search), rule_(rule), yaw_(yaw) {}
+  Refiner(WheelsetSearch& search, RollRule rule, double yaw, const Progress& progress)
+      : search_(search), rule_(rule), yaw_(yaw), progress_(progress) {}
 
-  WheelsetContact at(double lateral) { return search_.solve(lateral, yaw_, rule_); }
+  WheelsetContact at(double lateral) {
+    go_on(progress_, 0);
+    return search_.solve(lateral, yaw_, rule_);
+  }
 
   /// False if there is no contact further on.
   bool extend(WheelsetCurve& curve, double to) { return add(curve, at(to)); }
@@ -41,6 +45,7 @@ private:
   WheelsetSearch& search_;
   RollRule rule_;
   double yaw_;
+  const Progress& progress_;
 };
 
 void check(const WheelsetBase& base) {
@@ -59,12 +64,13 @@ bool is_cylindrical(const RollingRadiusDifference& difference, double amplitude)
 
 } // namespace
 
-WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, RollRule rule, double yaw, double step) {
+WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, RollRule rule, double yaw,
+                             const Progress& progress, double step) {
   require_between("from", from, "m", -1, 0);
   require_between("to", to, "m", 0, 1);
   require_positive("step", step, "m");
   if (!(from < to)) throw Error("wheelset curve: from must be less than to");
-  Refiner refiner(search, rule, yaw);
+  Refiner refiner(search, rule, yaw, progress);
   const auto side = [&](double end) {
     WheelsetCurve curve{refiner.at(0)};
     if (curve.front().status != Status::ok)
@@ -81,10 +87,10 @@ WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, Rol
   return curve;
 }
 
-WheelsetCurve curve_of_amplitudes(WheelsetSearch& search, double largest_amplitude, bool sides_are_alike,
-                                  RollRule rule) {
+WheelsetCurve curve_of_amplitudes(WheelsetSearch& search, double largest_amplitude, bool sides_are_alike, RollRule rule,
+                                  const Progress& progress) {
   const double reach = largest_amplitude + (sides_are_alike ? 1e-4 : 5e-3);
-  return wheelset_curve(search, -reach, reach, rule);
+  return wheelset_curve(search, -reach, reach, rule, 0, progress);
 }
 
 RollingRadiusDifference::RollingRadiusDifference(std::vector<Value> values) : values_(std::move(values)) {

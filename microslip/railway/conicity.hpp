@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/progress.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
 
 #include <optional>
@@ -14,14 +15,15 @@ using WheelsetCurve = std::vector<WheelsetContact>;
 
 /// From `from` to `to` [m], from < to, with 0 between or at an end: at steps of `step` and between them, as fine as the
 /// rolling radius difference needs to be linear in between within 1e-7 m. Throws Error for a range that is empty, and
-/// if there is no contact at 0. Cost 100 to 1000 contacts per mm.
+/// if there is no contact at 0. Cost 100 to 1000 contacts per mm, each of which `progress` is told before, of no
+/// fraction; where it returns false Stopped is thrown.
 WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, RollRule rule = RollRule::equilibrium,
-                             double yaw = 0, double step = 1e-4);
+                             double yaw = 0, const Progress& progress = {}, double step = 1e-4);
 
 /// The curve that motions with amplitudes [m] up to the largest one need. Sides that differ run beside the track's
 /// middle. Throws Error as above.
 WheelsetCurve curve_of_amplitudes(WheelsetSearch& search, double largest_amplitude, bool sides_are_alike,
-                                  RollRule rule = RollRule::equilibrium);
+                                  RollRule rule = RollRule::equilibrium, const Progress& progress = {});
 
 /// The rolling radius difference over the lateral displacement, linear between values, with its integral.
 class RollingRadiusDifference {

@@ -105,7 +105,7 @@ void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
 
 /// With elements over all of the overlap or where the coarse level's rows bear load.
 std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
-                                  bool all_of_overlap) {
+                                  bool all_of_overlap, const Progress& progress) {
   const std::span<const ContactPatch> patches = coarse.patches();
   std::vector<PatchOutline> outlines;
   double depth = 0;
@@ -137,7 +137,7 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
     const PatchOutline covered = all_of_overlap ? group.outline : limited_to_load(group.outline, patches, group.shares);
     const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn)};
-    ExactPatch exact(bodies.material, surface, covered, shape, element, motion);
+    ExactPatch exact(bodies.material, surface, covered, shape, element, motion, progress);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
     // Rows of the coarse level have planes of their own.
@@ -369,12 +369,13 @@ bool no_balance(WheelRailSolution& out) {
 /// Solves with the patches that the coarse level has in its height. False if `others` may be found and these do not
 /// hold in the height that bears the vertical force, in which the wheel is then.
 bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
-                        std::optional<double> vertical_force, bool others, WheelRailSolution& out) {
+                        std::optional<double> vertical_force, bool others, WheelRailSolution& out,
+                        const Progress& progress) {
   constexpr int most_rounds = 12;
   std::vector<Loaded> loaded;
   double lowering = 0;
   for (const bool all_of_overlap : {false, true}) {
-    loaded = loaded_groups(coarse, bodies, method, all_of_overlap);
+    loaded = loaded_groups(coarse, bodies, method, all_of_overlap, progress);
     if (loaded.empty()) {
       out.status = coarse.patches().empty() ? Status::no_contact : Status::not_converged;
       return true;
@@ -424,11 +425,12 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
 
 /// In a state, from the patches of the coarse level there.
 void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
-                       const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
+                       const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
+                       const Progress& progress) {
   constexpr int most_heights = 4; // the coarse level may have missed the height, or found it with other patches
   for (int k = 1; k <= most_heights; ++k) {
     out.fields.clear();
-    if (solve_with_patches(coarse, bodies, method, vertical_force, k < most_heights, out)) break;
+    if (solve_with_patches(coarse, bodies, method, vertical_force, k < most_heights, out, progress)) break;
     state.vertical = out.vertical;
     coarse.solve(state, {}, out);
     if (out.status == Status::no_contact) break;
@@ -439,8 +441,9 @@ void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const Wh
 class ExactHeight {
 public:
   ExactHeight(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
-              const WheelRailMethod& method, double vertical_force, WheelRailSolution& out)
-      : coarse_(coarse), state_(state), bodies_(bodies), method_(method), vertical_force_(vertical_force), out_(out) {}
+              const WheelRailMethod& method, double vertical_force, WheelRailSolution& out, const Progress& progress)
+      : coarse_(coarse), state_(state), bodies_(bodies), method_(method), vertical_force_(vertical_force), out_(out),
+        progress_(progress) {}
 
   /// Solves at a height [m]. By how much the vertical force is too large, relative.
   double excess_at(double height) {
@@ -448,7 +451,7 @@ public:
     out_.patches.clear(), out_.fields.clear();
     out_.force = out_.moment = {};
     coarse_.solve(state_, {}, out_);
-    if (out_.status != Status::no_contact) solve_from_coarse(coarse_, state_, bodies_, method_, {}, out_);
+    if (out_.status != Status::no_contact) solve_from_coarse(coarse_, state_, bodies_, method_, {}, out_, progress_);
     return out_.force.z / vertical_force_ - 1;
   }
 
@@ -494,20 +497,22 @@ private:
   const WheelRailMethod& method_;
   double vertical_force_;
   WheelRailSolution& out_;
+  const Progress& progress_;
 };
 
 } // namespace
 
 void solve_exact(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
-                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out) {
+                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
+                 const Progress& progress) {
   const int iterations = out.iterations;
   const double height = out.vertical, least = coarse.least_height(state.vertical);
   const bool coarse_failed = vertical_force && out.status != Status::ok;
-  if (!coarse_failed) solve_from_coarse(coarse, state, bodies, method, vertical_force, out);
+  if (!coarse_failed) solve_from_coarse(coarse, state, bodies, method, vertical_force, out, progress);
   const bool is_rolling = std::all_of(out.patches.begin(), out.patches.end(),
                                       [](const WheelRailPatch& patch) { return patch.status == Status::ok; });
   if (coarse_failed || (vertical_force && out.status != Status::ok && is_rolling))
-    ExactHeight(coarse, state, bodies, method, *vertical_force, out).find(height, least);
+    ExactHeight(coarse, state, bodies, method, *vertical_force, out, progress).find(height, least);
   out.iterations = iterations;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/progress.hpp"
 #include "microslip/railway/coarse_contact.hpp"
 
 namespace microslip {
@@ -10,8 +11,9 @@ inline constexpr double least_exact_tolerance = 1e-6;
 /// The exact theory on the patches that the coarse level has found in a state, whose forces are so near that few steps
 /// remain: fills in forces, patches, fields, height and status. Patches that are about to become one are one
 /// (group_patches); others lift each other by the far fields of their pressures. The forces of a state solved for a
-/// vertical force [N] have it; without one the wheel stays where it is.
+/// vertical force [N] have it; without one the wheel stays where it is. `progress` may end it by Stopped only.
 void solve_exact(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
-                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out);
+                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
+                 const Progress& progress);
 
 } // namespace microslip

@@ -54,14 +54,16 @@ double largest_change(const std::vector<double>& a, const std::vector<double>& b
 } // namespace
 
 ExactPatch::ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
-                       const Shape& shape, Vec2 element, const Motion& motion)
-    : material_(material), frame_(outline.frame), motion_(motion), grid_(cover(outline, element)), gaps_(grid_.count()),
-      normal_(material, grid_), conformity_(shape.conformity) {
+                       const Shape& shape, Vec2 element, const Motion& motion, Progress progress)
+    : material_(material), progress_(std::move(progress)), frame_(outline.frame), motion_(motion),
+      grid_(cover(outline, element)), gaps_(grid_.count()), normal_(material, grid_, progress_),
+      conformity_(shape.conformity) {
   const auto mx = static_cast<std::size_t>(grid_.mx);
   std::vector<double> x;
   for (int i = 0; i < grid_.mx; ++i) x.push_back(grid_.x(i));
   PatchRow near = surface.first_row(frame_, outline.wheel_s);
   for (int j = 0; j < grid_.my; ++j) {
+    go_on(progress_, 0);
     PatchRow row = surface.row(frame_, shape.surface, grid_.y(j), near);
     surface.find_gaps(row, x, std::span(gaps_).subspan(static_cast<std::size_t>(j) * mx, mx));
     near = row;
@@ -152,8 +154,9 @@ void ExactPatch::solve_plane(const NormalLoad& load, double tolerance) {
   std::vector<double> gap = lifted_;
   if (correction_)
     for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += added_[2][k];
-  pressed_ = pressed_.contact_elements > 0 ? normal_.solve_from(std::move(pressed_.pressure), gap, load, tolerance)
-                                           : normal_.solve(gap, load, tolerance);
+  pressed_ = pressed_.contact_elements > 0
+                 ? normal_.solve_from(std::move(pressed_.pressure), gap, load, tolerance, progress_)
+                 : normal_.solve(gap, load, tolerance, progress_);
 }
 
 /// What the rows' angles add is taken from the last pressures until it stays.
@@ -261,7 +264,7 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
   if (same) {
     rolling_->reload(pressed_);
   } else {
-    rolling_.emplace(material_, grid_, pressed_, motion_.direction);
+    rolling_.emplace(material_, grid_, pressed_, motion_.direction, progress_);
     fitted_force_ = normal_force();
     fitted_known_ = known_;
   }
@@ -280,7 +283,8 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
   PatchRollingMotion motion{.friction = mu,
                             .rolling_speed = motion_.speed > 0 ? motion_.speed : 1,
                             .tolerance = tolerance,
-                            .near_last = same};
+                            .near_last = same,
+                            .progress = progress_};
   motion.variation.creepage = [&](double y) {
     const auto [j, t] = row_at(y);
     return Creepage{between(creepage_, j, t, [](const Creepage& w) { return w.longitudinal; }),

@@ -5,6 +5,7 @@
 #include "microslip/elasticity/material.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/halfspace/inclination_correction.hpp"
+#include "microslip/progress.hpp"
 #include "microslip/railway/patch_outline.hpp"
 
 #include <functional>
@@ -39,9 +40,10 @@ public:
   };
 
   /// Elements of the sides `element` over all of the outline, which holds the contact; the frame's origin is the
-  /// centre of one, so that elements do not move in the frame. Rows outside the profiles are far apart.
+  /// centre of one, so that elements do not move in the frame. Rows outside the profiles are far apart. `progress` may
+  /// end this and all that follows, by Stopped only.
   ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
-             const Shape& shape, Vec2 element, const Motion& motion);
+             const Shape& shape, Vec2 element, const Motion& motion, Progress progress);
 
   const ElementGrid& grid() const { return grid_; }
   double conformity() const { return conformity_; }
@@ -89,6 +91,7 @@ private:
   void find_loads();
 
   CombinedMaterial material_;
+  Progress progress_;
   PatchFrame frame_;
   Motion motion_;
   ElementGrid grid_;

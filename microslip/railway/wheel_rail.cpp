@@ -4,6 +4,7 @@
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/numerics/fade.hpp"
+#include "microslip/railway/call_progress.hpp"
 #include "microslip/railway/derailment.hpp"
 #include "microslip/railway/equivalent_rail.hpp"
 #include "microslip/railway/exact_contact.hpp"
@@ -200,6 +201,7 @@ struct WheelRail::Workspace {
   std::optional<double> nose = flange_nose(bodies.wheel);
   Warnings of_bodies = warnings_of(bodies);
   WheelRailSolution trial{};
+  Progress progress = {}; ///< of the call at hand
 
   Workspace(WheelRailBodies given, const WheelRailMethod& how) : bodies(std::move(given)), method(how) {
     trial.patches.reserve(most_patches);
@@ -242,7 +244,7 @@ private:
     if (method.surface() == PatchShape::flat)
       out.warnings.add_if(contact->coarse.change_by_planes() > limit(Warning::flat_surface) / 2, Warning::flat_surface);
     if (method.level == WheelRailLevel::exact)
-      solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out);
+      solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out, progress);
     else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
       contact->coarse.add_fields(out);
   }
@@ -461,18 +463,22 @@ WheelRail& WheelRail::operator=(WheelRail&&) noexcept = default;
 WheelRail::~WheelRail() = default;
 
 void WheelRail::solve(const WheelState<double>& state, std::optional<double> vertical_force,
-                      WheelRailSolution& solution) {
+                      WheelRailSolution& solution, const Progress& progress) {
+  const CallProgress told(workspace_->progress, progress);
   workspace_->solve(state, vertical_force, solution);
 }
 
-WheelRailSolution WheelRail::solve(const WheelState<double>& state, std::optional<double> vertical_force) {
+WheelRailSolution WheelRail::solve(const WheelState<double>& state, std::optional<double> vertical_force,
+                                   const Progress& progress) {
   WheelRailSolution solution;
-  workspace_->solve(state, vertical_force, solution);
+  solve(state, vertical_force, solution, progress);
   return solution;
 }
 
 void WheelRail::differentiate(const WheelState<double>& state, std::optional<double> vertical_force,
-                              WheelRailSolution& solution, WheelRailDerivatives& derivatives) {
+                              WheelRailSolution& solution, WheelRailDerivatives& derivatives,
+                              const Progress& progress) {
+  const CallProgress told(workspace_->progress, progress);
   workspace_->differentiate(state, vertical_force, solution, derivatives);
 }
 

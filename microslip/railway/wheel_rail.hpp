@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/progress.hpp"
 #include "microslip/railway/wheel_rail_types.hpp"
 #include "microslip/railway/wheel_state.hpp"
 
@@ -71,9 +72,12 @@ public:
   /// gives invalid_input. At the levels `fastsim2` and `table` it allocates nothing once `solution` has had its
   /// size, unless fields are asked for, or wear, which needs them: with a hardness. Where surfaces vary, or on rollers,
   /// it first finds the equivalent rail of each state, which takes some 10 ms and allocates. Without contact, too,
-  /// where a rail is interrupted.
-  void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution);
-  WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {});
+  /// where a rail is interrupted. `progress` is told often at the level `exact`, of no fraction; where it returns false
+  /// Stopped is thrown, and the solver is as good as before.
+  void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
+             const Progress& progress = {});
+  WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {},
+                          const Progress& progress = {});
 
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
   /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
@@ -81,7 +85,7 @@ public:
   /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
   /// places differ by up to 5e-3, and by velocities by 1e-3. Derivatives of a solution that is not ok are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
-                     WheelRailDerivatives& derivatives);
+                     WheelRailDerivatives& derivatives, const Progress& progress = {});
 
 private:
   struct Workspace;

@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 #include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/numerics/elimination.hpp"
+#include "microslip/railway/call_progress.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheel_status.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
@@ -148,7 +149,8 @@ struct WheelsetOnTrack::Workspace {
   WheelsetSolution trial{};
   WheelRailDerivatives by_left{}, by_right{};
   WheelsetDerivatives slopes{};
-  int evaluations = 0; ///< of both wheels in this solve
+  int evaluations = 0;    ///< of both wheels in this solve
+  Progress progress = {}; ///< of the call at hand
 
   Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& how)
       : method(how), left_place(nominal_placement(l.track, l.rail, l.wheelset, l.wheel)),
@@ -192,15 +194,17 @@ struct WheelsetOnTrack::Workspace {
   /// Both wheels where they are.
   void evaluate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) {
     ++evaluations;
-    by.left.solve(state.left, {}, out.left);
-    by.right.solve(state.right(), {}, out.right);
+    go_on(progress, 0);
+    by.left.solve(state.left, {}, out.left, progress);
+    by.right.solve(state.right(), {}, out.right, progress);
     sum(state, out);
   }
 
   /// The same with derivatives, nothing held.
   void differentiate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) {
-    by.left.differentiate(state.left, {}, out.left, by_left);
-    by.right.differentiate(state.right(), {}, out.right, by_right);
+    go_on(progress, 0);
+    by.left.differentiate(state.left, {}, out.left, by_left, progress);
+    by.right.differentiate(state.right(), {}, out.right, by_right, progress);
     sum(state, out);
     slopes = {};
     const Vec3<double> left = left_lever(state), right = right_lever(state);
@@ -295,8 +299,9 @@ struct WheelsetOnTrack::Workspace {
   /// Each wheel by itself lowered until it bears its load: `trial`.
   void lower(Wheels& by, const WheelsetState& state, const WheelLoads& loads) {
     ++evaluations;
-    by.left.solve(state.left, loads.left, trial.left);
-    by.right.solve(state.right(), loads.right, trial.right);
+    go_on(progress, 0);
+    by.left.solve(state.left, loads.left, trial.left, progress);
+    by.right.solve(state.right(), loads.right, trial.right, progress);
     sum(state, trial);
   }
   /// By how much the left wheel is then higher than the right one.
@@ -528,19 +533,23 @@ WheelsetOnTrack::WheelsetOnTrack(WheelsetOnTrack&&) noexcept = default;
 WheelsetOnTrack& WheelsetOnTrack::operator=(WheelsetOnTrack&&) noexcept = default;
 WheelsetOnTrack::~WheelsetOnTrack() = default;
 
-void WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution) {
+void WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
+                            const Progress& progress) {
+  const CallProgress told(workspace_->progress, progress);
   WheelsetState there = state;
   workspace_->solve(there, load, solution);
 }
 
-WheelsetSolution WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load) {
+WheelsetSolution WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load,
+                                        const Progress& progress) {
   WheelsetSolution solution;
-  solve(state, load, solution);
+  solve(state, load, solution, progress);
   return solution;
 }
 
 void WheelsetOnTrack::differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
-                                    WheelsetDerivatives& derivatives) {
+                                    WheelsetDerivatives& derivatives, const Progress& progress) {
+  const CallProgress told(workspace_->progress, progress);
   workspace_->differentiate(state, load, solution, derivatives);
 }
 

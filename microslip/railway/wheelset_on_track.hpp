@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/progress.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
 #include <array>
@@ -86,14 +87,16 @@ public:
   /// contacts jump. `method.tolerance` is that of the residual. Forces that no height, roll and pitch velocity give are
   /// the status no_solution; a jump of the forces across the prescribed ones is not_converged, with the residual beside
   /// it. Where nothing is prescribed, a wheel may be off its rail; only if both are is the status no_contact. Cost some
-  /// 4 derivatives of each wheel.
-  void solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution);
-  WheelsetSolution solve(const WheelsetState& state, const WheelsetLoad& load = {});
+  /// 4 derivatives of each wheel. `progress` is told before each solve of a wheel and within those at the level
+  /// `exact`, of no fraction; where it returns false Stopped is thrown, and the solver is as good as before.
+  void solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
+             const Progress& progress = {});
+  WheelsetSolution solve(const WheelsetState& state, const WheelsetLoad& load = {}, const Progress& progress = {});
 
   /// The same with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of a
   /// solution that is not ok are zero.
   void differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
-                     WheelsetDerivatives& derivatives);
+                     WheelsetDerivatives& derivatives, const Progress& progress = {});
 
 private:
   struct Workspace;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "binding/long_work.hpp"
 #include "microslip/contact/surface_fields.hpp"
 
 #include <pybind11/numpy.h>
@@ -36,7 +37,7 @@ void broadcast(Shape& shape, const char* field, const RealArray& array);
 /// The array spread over a shape that broadcast() has found.
 RealArray spread(const RealArray& array, const Shape& shape);
 
-/// Values of a function at arrays of arguments that broadcast; a number for numbers.
+/// Values of a function at arrays of arguments that broadcast; a number for numbers. Ctrl-C ends it.
 template <class Function>
 pybind11::object mapped(const char* name_x, const pybind11::object& x, const char* name_y, const pybind11::object& y,
                         const Function& function) {
@@ -47,7 +48,11 @@ pybind11::object mapped(const char* name_x, const pybind11::object& x, const cha
   a = spread(a, shape);
   b = spread(b, shape);
   RealArray out(shape);
-  for (pybind11::ssize_t i = 0; i < out.size(); ++i) out.mutable_data()[i] = function(a.data()[i], b.data()[i]);
+  SignalCheck signals;
+  for (pybind11::ssize_t i = 0; i < out.size(); ++i) {
+    if (i % 32 == 0) signals();
+    out.mutable_data()[i] = function(a.data()[i], b.data()[i]);
+  }
   return shape.empty() ? pybind11::object(pybind11::float_(*out.data())) : pybind11::object(std::move(out));
 }
 

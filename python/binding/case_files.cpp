@@ -87,12 +87,7 @@ std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
 }
 
 SolvedCase solve(const std::shared_ptr<Case>& given) {
-  SolvedCase solved{given, {}};
-  {
-    const py::gil_scoped_release release;
-    SignalCheck signals;
-    solved.result = solve_case(given->input, signals.progress());
-  }
+  SolvedCase solved{given, long_work([&](const Progress& progress) { return solve_case(given->input, progress); })};
   for (const auto& warning : solved.result.warnings)
     if (PyErr_WarnEx(PyExc_UserWarning, (given->name + ": " + warning).c_str(), 1) != 0) throw py::error_already_set();
   return solved;

@@ -5,6 +5,7 @@
 #include "binding/contact_batch.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
+#include "microslip/rolling/contact_warnings.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 
 namespace microslip::python {
@@ -116,6 +117,13 @@ void bind_elliptic_contact(py::module_& module) {
       .def(
           "check_simplified", [](const EllipticContact& self) { check_simplified(self); },
           "The same for the simplified theory, in which dissimilarity must be 0.")
+      .def_property_readonly(
+          "warnings",
+          [](const EllipticContact& self) {
+            return is_valid(self) ? contact_warnings(self).texts : std::vector<std::string>();
+          },
+          "What makes the contact doubtful, as texts with its numbers: the peak pressure beside Young's modulus, a\n"
+          "modulus that may be in MPa; empty where check() raises.")
       .def_readwrite("a", &EllipticContact::a, "Semi-axis along the rolling direction [m], > 0.")
       .def_readwrite("b", &EllipticContact::b, "Lateral semi-axis [m], > 0.")
       .def_readwrite("shear_modulus", &EllipticContact::shear_modulus, "Combined G [Pa], > 0.")

@@ -1,7 +1,11 @@
 #include "binding/contact_batch.hpp"
 
+#include "binding/long_work.hpp"
 #include "binding/value.hpp"
 #include "microslip/error.hpp"
+#include "microslip/rolling/contact_warnings.hpp"
+
+#include <cstdint>
 
 namespace microslip::python {
 
@@ -114,6 +118,27 @@ template <class T> auto column(std::vector<T> ForceArrays::*member) {
   };
 }
 
+/// Those of two bodies, which follow from the inputs.
+py::array warning_codes_of(const ForceArrays& self) {
+  enum Column : std::size_t { a = 3, b, shear_modulus, poisson_ratio, normal_force };
+  py::array_t<std::uint32_t> out(self.shape);
+  std::uint32_t* const codes = out.mutable_data();
+  EllipticContact contact;
+  SignalCheck signals;
+  for (std::size_t i = 0; i < self.status.size(); ++i) {
+    if (i % 1024 == 0) signals();
+    const auto input = [&](Column column) {
+      const std::vector<double>& values = self.inputs[column];
+      return values[values.size() == 1 ? 0 : i];
+    };
+    contact.a = input(a), contact.b = input(b), contact.normal_force = input(normal_force);
+    contact.shear_modulus = input(shear_modulus), contact.poisson_ratio = input(poisson_ratio);
+    const bool is_valid = static_cast<Status>(self.status[i]) != Status::invalid_input;
+    codes[i] = is_valid ? contact_warnings(contact).all.code : 0;
+  }
+  return out;
+}
+
 /// By name, a number or an array that varies.
 py::dict inputs_of(const py::object& self) {
   const auto& forces = self.cast<const ForceArrays&>();
@@ -143,6 +168,9 @@ void bind_contact_batch(py::module_& module) {
       .def_property_readonly("slip_area", column(&ForceArrays::slip_area), "Areas in slip, shape (...) [m^2].")
       .def_property_readonly("status", column(&ForceArrays::status),
                              "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
+      .def_property_readonly(
+          "warning_code", &warning_codes_of,
+          "What makes contacts doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
       .def_property_readonly(
           "inputs", &inputs_of,
           "What was given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],\n"

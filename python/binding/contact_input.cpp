@@ -54,32 +54,31 @@ struct RunCase {
 /// Reads and runs the cases of a file one after the other, in constant memory.
 class Run {
 public:
-  explicit Run(const std::string& path) : file_(path, std::ios::binary), reader_(file_, path) {
-    if (!file_) throw Error(path + ": cannot be read: " + std::generic_category().message(errno));
-  }
+  explicit Run(const std::string& path) : file_(path) {}
 
   /// Throws py::stop_iteration at the end.
   RunCase next() {
-    RunCase out;
-    const bool found = [&] {
-      const py::gil_scoped_release release;
-      const std::scoped_lock lock(busy_);
-      const contact_program::Case* c = reader_.next();
-      if (c == nullptr) return false;
-      SignalCheck signals;
-      out = {c->number, c->line, run_.run(*c, signals.progress())};
-      return true;
-    }();
+    std::optional<RunCase> found = file_.run([](File& file, const Progress& progress) -> std::optional<RunCase> {
+      const contact_program::Case* c = file.reader.next();
+      if (c == nullptr) return std::nullopt;
+      return RunCase{c->number, c->line, file.run.run(*c, progress)};
+    });
     if (!found) throw py::stop_iteration();
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return out;
+    return std::move(*found);
   }
 
 private:
-  std::ifstream file_;
-  contact_program::InputReader reader_;
-  contact_program::Run run_;
-  std::mutex busy_;
+  struct File {
+    explicit File(const std::string& path) : stream(path, std::ios::binary), reader(stream, path) {
+      if (!stream) throw Error(path + ": cannot be read: " + std::generic_category().message(errno));
+    }
+
+    std::ifstream stream;
+    contact_program::InputReader reader;
+    contact_program::Run run;
+  };
+  OneAtATime<File> file_;
 };
 
 const char* name_of(Outcome::Kind kind) {

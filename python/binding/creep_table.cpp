@@ -45,7 +45,6 @@ namespace {
 /// Works on all contacts of a batch, a thousand at a time.
 template <class Work>
 void for_batch(const CreepForceTable& table, const ContactBatch& batch, int threads, const Work& work) {
-  const py::gil_scoped_release release;
   run_batch(batch.count(), 1000, threads, [&]() -> BatchWorker {
     return [&](std::size_t first, std::size_t n, const Progress&) {
       for (std::size_t i = first; i < first + n; ++i) work(table, batch[i], i);

@@ -20,16 +20,14 @@ using Heat = std::optional<std::pair<ThermalBody, ThermalBody>>;
 
 ContactSolution solve(Solver& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
                       double step, int steps) {
-  return self.run([&, contact](EllipticContactSolver& solver) {
-    SignalCheck signals;
-    return solver.solve(contact, {motion, force_x, force_y, step, steps}, signals.progress());
+  return self.run([&, contact](EllipticContactSolver& solver, const Progress& progress) {
+    return solver.solve(contact, {motion, force_x, force_y, step, steps}, progress);
   });
 }
 
 py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMotion motion) {
-  const auto found = self.run([&, contact](EllipticContactSolver& solver) {
-    SignalCheck signals;
-    return solver.deformed_gap(contact, {.kind = motion}, signals.progress());
+  const auto found = self.run([&, contact](EllipticContactSolver& solver, const Progress& progress) {
+    return solver.deformed_gap(contact, {.kind = motion}, progress);
   });
   py::array_t<double> out({found.grid.my, found.grid.mx});
   std::copy(found.gap.begin(), found.gap.end(), out.mutable_data());
@@ -50,7 +48,6 @@ ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, co
         "shear_modulus, poisson_ratio, dissimilarity: the solver's bodies have their own; make a solver for each "
         "pair of bodies");
   const int count = thread_count(threads);
-  const py::gil_scoped_release release;
   run_batch(batch.count(), 1, count, [&]() -> BatchWorker {
     return [&, solver = std::make_shared<EllipticContactSolver>(options)](std::size_t i, std::size_t,
                                                                           const Progress& progress) {
@@ -157,9 +154,8 @@ void bind_solver(py::module_& module) {
       .def(
           "differentiate",
           [](Solver& self, const EllipticContact& contact) {
-            return self.run([contact](EllipticContactSolver& solver) {
-              SignalCheck signals;
-              return solver.differentiate(contact, signals.progress());
+            return self.run([contact](EllipticContactSolver& solver, const Progress& progress) {
+              return solver.differentiate(contact, progress);
             });
           },
           "contact"_a,
@@ -196,9 +192,8 @@ void bind_solver(py::module_& module) {
   accurate.def(
       "solve",
       [](AccurateSolver& self, const EllipticContact& contact, Force force_x, Force force_y) {
-        return self.run([&, contact](AccurateContactSolver& solver) {
-          SignalCheck signals;
-          return solver.solve(contact, {.force_x = force_x, .force_y = force_y}, signals.progress());
+        return self.run([&, contact](AccurateContactSolver& solver, const Progress& progress) {
+          return solver.solve(contact, {.force_x = force_x, .force_y = force_y}, progress);
         });
       },
       "contact"_a, py::kw_only(), "force_x"_a = none, "force_y"_a = none,

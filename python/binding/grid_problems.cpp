@@ -111,7 +111,8 @@ void bind_normal(py::module_& module) {
   add_value(normal, {"status", "normal_force", "approach", "peak_pressure", "contact_elements", "residual"});
 
   struct Problem {
-    Problem(const CombinedMaterial& material, const ElementGrid& on) : problem(material, on), grid(on) {}
+    Problem(const CombinedMaterial& material, const ElementGrid& on, const Progress& progress)
+        : problem(material, on, progress), grid(on) {}
     OneAtATime<NormalProblem> problem;
     ElementGrid grid;
   };
@@ -119,16 +120,19 @@ void bind_normal(py::module_& module) {
       module, "NormalProblem",
       "The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e\n"
       "= h - delta + u_n >= 0, p_n e = 0, by conjugate gradients, without friction: any K.")
-      .def(py::init<const CombinedMaterial&, const ElementGrid&>(), "material"_a, "grid"_a,
+      .def(py::init([](const CombinedMaterial& material, const ElementGrid& on) {
+             return long_work(
+                 [&](const Progress& progress) { return std::make_unique<Problem>(material, on, progress); });
+           }),
+           "material"_a, "grid"_a,
            "Error for a grid that needs more memory than the machine has; some 190 bytes for an element.")
       .def(
           "solve",
           [](Problem& self, const py::object& gap, Force normal_force, Force approach, double tolerance) {
             const auto h = real_array("gap", gap, shape_of(self.grid));
             const auto load = load_from(normal_force, approach);
-            return NormalResult{self.problem.run([&](NormalProblem& problem) {
-                                  SignalCheck signals;
-                                  return problem.solve(span_of(h), load, tolerance, signals.progress());
+            return NormalResult{self.problem.run([&](NormalProblem& problem, const Progress& progress) {
+                                  return problem.solve(span_of(h), load, tolerance, progress);
                                 }),
                                 shape_of(self.grid)};
           },
@@ -223,9 +227,8 @@ void bind_tangential(py::module_& module) {
             input.rolling_speed = rolling_speed;
             if (previous != nullptr) input.previous = &previous->solution.tractions;
             input.tolerance = tolerance;
-            return TangentialResult{self.problem.run([&](TangentialProblem& problem) {
-                                      SignalCheck signals;
-                                      input.progress = signals.progress();
+            return TangentialResult{self.problem.run([&](TangentialProblem& problem, const Progress& progress) {
+                                      input.progress = progress;
                                       return problem.solve(span_of(g), input);
                                     }),
                                     shape_of(self.grid)};
@@ -258,9 +261,9 @@ void bind_patch(py::module_& module) {
                        Force normal_force, Force approach, RollingDirection direction) {
              const auto h = real_array("gap", gap, shape_of(on));
              const auto load = load_from(normal_force, approach);
-             const py::gil_scoped_release release;
-             SignalCheck signals;
-             return std::make_unique<Problem>(material, on, span_of(h), load, direction, signals.progress());
+             return long_work([&](const Progress& progress) {
+               return std::make_unique<Problem>(material, on, span_of(h), load, direction, progress);
+             });
            }),
            "material"_a, "grid"_a, "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(),
            "direction"_a = RollingDirection::forward,
@@ -283,9 +286,8 @@ void bind_patch(py::module_& module) {
                                       .force_y = force_y,
                                       .rolling_speed = rolling_speed,
                                       .tolerance = tolerance};
-            return self.rolling.run([&](PatchRolling& rolling) {
-              SignalCheck signals;
-              motion.progress = signals.progress();
+            return self.rolling.run([&](PatchRolling& rolling, const Progress& progress) {
+              motion.progress = progress;
               return rolling.solve(motion);
             });
           },

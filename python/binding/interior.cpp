@@ -20,9 +20,19 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
+/// Calls function(state) for all, which Ctrl-C ends.
+void for_states(const States& self, auto function) {
+  constexpr std::size_t at_once = 1024;
+  SignalCheck signals;
+  for (std::size_t k = 0; k < self.states.size(); ++k) {
+    if (k % at_once == 0) signals();
+    function(self.states[k]);
+  }
+}
+
 RealArray values(const States& self, const auto& value) {
   RealArray out(self.shape);
-  std::transform(self.states.begin(), self.states.end(), out.mutable_data(), value);
+  for_states(self, [&, next = out.mutable_data()](const InteriorState& s) mutable { *next++ = value(s); });
   return out;
 }
 
@@ -44,8 +54,9 @@ RealArray principal(const States& self) {
   auto shape = self.shape;
   shape.push_back(3);
   RealArray out(shape);
-  double* next = out.mutable_data();
-  for (const auto& state : self.states) next = std::ranges::copy(principal_stresses(state.stress), next).out;
+  for_states(self, [next = out.mutable_data()](const InteriorState& s) mutable {
+    next = std::ranges::copy(principal_stresses(s.stress), next).out;
+  });
   return out;
 }
 
@@ -84,7 +95,6 @@ InteriorField make_field(const Material& material, int body, const ElementGrid& 
   return {material, body_from(body), grid, {span_of(along), span_of(across), span_of(down)}};
 }
 
-/// In chunks, so that Ctrl-C is heard.
 States at_points(const InteriorField& field, const py::object& x, const py::object& y, const py::object& depth) {
   RealArray points[] = {real_array("x", x), real_array("y", y), real_array("depth", depth)};
   States out;
@@ -96,10 +106,9 @@ States at_points(const InteriorField& field, const py::object& x, const py::obje
   const auto count = static_cast<std::size_t>(points[0].size());
   out.states.resize(count);
   const auto elements = std::max<std::size_t>(1, field.grid().count());
-  const py::gil_scoped_release release;
   run_batch(count, std::clamp<std::size_t>(50000 / elements, 1, 1000), thread_count(0), [&]() -> BatchWorker {
-    return [&](std::size_t first, std::size_t n, const Progress&) {
-      for (std::size_t i = first; i < first + n; ++i) out.states[i] = field.at({xs[i], ys[i], depths[i]});
+    return [&](std::size_t first, std::size_t n, const Progress& progress) {
+      for (std::size_t i = first; i < first + n; ++i) out.states[i] = field.at({xs[i], ys[i], depths[i]}, progress);
     };
   });
   return out;
@@ -147,7 +156,9 @@ void bind_field(py::module_& module) {
       module, "InteriorLayers",
       "The same at the centres of all elements in planes of constant depth, by fast transforms: 4 to 8 us a point.")
       .def(py::init([](const InteriorField& field, int margin) {
-             return std::make_unique<OneAtATime<InteriorLayers>>(field, margin);
+             return long_work([&](const Progress& progress) {
+               return std::make_unique<OneAtATime<InteriorLayers>>(field, margin, progress);
+             });
            }),
            "field"_a, "margin"_a = 0,
            "Points at the centres of the field's elements and of `margin` more columns and rows on each side [-].")
@@ -158,7 +169,9 @@ void bind_field(py::module_& module) {
           "at_depth",
           [](OneAtATime<InteriorLayers>& self, double depth) {
             return States{shape_of(self.object.grid()),
-                          self.run([depth](InteriorLayers& layers) { return layers.at_depth(depth); })};
+                          self.run([depth](InteriorLayers& layers, const Progress& progress) {
+                            return layers.at_depth(depth, progress);
+                          })};
           },
           "depth"_a, "States at the points in the depth [m] >= 0, shape (my, mx), as InteriorStates.")
       .def(
@@ -167,7 +180,9 @@ void bind_field(py::module_& module) {
             const auto planes = real_array("depths", depths);
             if (planes.ndim() != 1) throw Error("depths: must be a list of numbers");
             const auto of = measure_named(name);
-            return self.run([&](InteriorLayers& layers) { return find_largest(layers, span_of(planes), of); });
+            return self.run([&](InteriorLayers& layers, const Progress& progress) {
+              return find_largest(layers, span_of(planes), of, progress);
+            });
           },
           "depths"_a, "measure"_a = "von_mises",
           "The largest value [Pa] of 'von_mises', 'tresca' or 'hydrostatic' and where it is, as\n"

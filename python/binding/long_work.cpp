@@ -24,8 +24,9 @@ int thread_count(int threads) {
 }
 
 void run_batch(std::size_t count, std::size_t chunk, int threads, const std::function<BatchWorker()>& make_worker) {
-  SignalCheck signals;
-  microslip::run_batch(count, {.chunk = chunk, .threads = threads, .progress = signals.progress()}, make_worker);
+  long_work([&](const Progress& progress) {
+    microslip::run_batch(count, {.chunk = chunk, .threads = threads, .progress = progress}, make_worker);
+  });
 }
 
 } // namespace microslip::python

@@ -42,7 +42,6 @@ std::size_t chunk_of(const RowSolver& solver) {
 template <class Work>
 void for_batch(const RowSolver& solver, const ContactBatch& batch, int threads, const Work& work) {
   const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
-  const py::gil_scoped_release release;
   run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
     return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
                                                                                  const Progress&) mutable {

@@ -1,6 +1,7 @@
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
 #include "binding/interior.hpp"
+#include "binding/long_work.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
 
@@ -121,8 +122,8 @@ States states_inside(const ContactSolution& self, const Material& body1, const M
     throw Error("x, y, z: " + std::to_string(points.count()) + " points: must be at most " +
                 std::to_string(most_interior_points));
   const auto extent = [](const std::vector<double>& axis) { return static_cast<py::ssize_t>(axis.size()); };
-  const py::gil_scoped_release release;
-  return {{extent(points.z), extent(points.y), extent(points.x)}, interior_states(body1, body2, self, points)};
+  return {{extent(points.z), extent(points.y), extent(points.x)},
+          long_work([&](const Progress& progress) { return interior_states(body1, body2, self, points, progress); })};
 }
 
 } // namespace

@@ -40,13 +40,12 @@ public:
 
   SentChunk solve(std::size_t number) const {
     CampaignRows rows;
-    {
-      const py::gil_scoped_release release;
-      // A batch of one chunk: its solvers use one thread, as in all batches, on which their last bits depend.
-      microslip::run_batch(1, {}, [&]() -> BatchWorker {
-        return [&](std::size_t, std::size_t, const Progress&) { compute_chunk(plan_, number, worker_, {}, rows); };
-      });
-    }
+    // A batch of one chunk: its solvers use one thread, as in all batches, on which their last bits depend.
+    run_batch(1, 1, 1, [&]() -> BatchWorker {
+      return [&](std::size_t, std::size_t, const Progress& progress) {
+        compute_chunk(plan_, number, worker_, progress, rows);
+      };
+    });
     std::vector<std::pair<std::size_t, std::string>> failed;
     for (const auto& [index, reason] : rows.failed) failed.emplace_back(index, reason);
     const py::bytes values(reinterpret_cast<const char*>(rows.values.data()), rows.values.size() * sizeof(double));
@@ -113,9 +112,9 @@ void solve_by(const py::object& executor, const SweepSpec& spec, Campaign& campa
 }
 
 void solve_on_threads(const Sweep& sweep, Campaign& campaign, int threads) {
-  const py::gil_scoped_release release;
-  SignalCheck signals;
-  campaign.run({.threads = threads, .progress = signals.progress()}, [&] { return sweep.make_worker(); });
+  long_work([&](const Progress& progress) {
+    campaign.run({.threads = threads, .progress = progress}, [&] { return sweep.make_worker(); });
+  });
 }
 
 SweepReport sweep(const py::object& spec, const py::object& output, int threads, const py::object& executor) {
@@ -135,13 +134,14 @@ SweepReport sweep(const py::object& spec, const py::object& output, int threads,
   executor.is_none() ? solve_on_threads(cases, campaign, count) : solve_by(executor, cases.spec(), campaign);
   const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
   // Holds Python's lock: the HDF5 library keeps global state, which other modules may share.
+  SignalCheck signals;
   const SweepCount found = write_sweep(cases, campaign,
                                        {.kind = sweep_kind,
                                         .title = cases.spec().title(),
                                         .command_line = arguments.cast<std::string>(),
                                         .case_file = name,
                                         .case_text = cases.spec().text()},
-                                       path);
+                                       path, signals.progress());
   campaign.remove();
   return {found.cases, found.failed, kept};
 }

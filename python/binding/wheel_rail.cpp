@@ -55,14 +55,12 @@ StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nomin
 
 void PythonWheelRail::for_batch(const StateArrays& states, int threads,
                                 const std::function<void(WheelRail& solver, std::size_t index)>& solve) const {
-  const int count = thread_count(threads);
-  const py::gil_scoped_release release;
   const std::size_t chunk = method.level == WheelRailLevel::exact ? 1 : 16;
-  run_batch(states.count(), chunk, count, [&]() -> BatchWorker {
-    return
-        [&, solver = std::make_shared<WheelRail>(bodies, method)](std::size_t first, std::size_t n, const Progress&) {
-          for (std::size_t i = first; i < first + n; ++i) solve(*solver, i);
-        };
+  run_batch(states.count(), chunk, thread_count(threads), [&]() -> BatchWorker {
+    return [&, solver = std::make_shared<WheelRail>(bodies, method)](std::size_t first, std::size_t n,
+                                                                     const Progress& progress) {
+      for (std::size_t i = first; i < first + n; ++i) solve(*solver, i, progress);
+    };
   });
 }
 
@@ -121,15 +119,17 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
 
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
   const auto [state, force] = StateArrays(given, self.bodies.wheelset.nominal_radius).single("solve");
-  return self.solver.run([&, state = state, force = force](WheelRail& solver) { return solver.solve(state, force); });
+  return self.solver.run([&, state = state, force = force](WheelRail& solver, const Progress& progress) {
+    return solver.solve(state, force, progress);
+  });
 }
 
 SolvedStates solve_batch(PythonWheelRail& self, int threads, const py::kwargs& given) {
   const StateArrays states(given, self.bodies.wheelset.nominal_radius);
   SolvedStates solved{states.shape(), std::vector<WheelRailSolution>(states.count()), given};
-  self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i) {
+  self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i, const Progress& progress) {
     const auto [state, force] = states[i];
-    solver.solve(state, force, solved.solutions[i]);
+    solver.solve(state, force, solved.solutions[i], progress);
     solved.solutions[i].fields.clear();
   });
   return solved;

@@ -90,8 +90,9 @@ struct PythonWheelRail {
       : bodies(std::move(given)), method(how), solver(bodies, method) {}
 
   /// Calls `solve` with a solver and the index of each state, on many threads without Python's lock. Ctrl-C ends it.
-  void for_batch(const StateArrays& states, int threads,
-                 const std::function<void(WheelRail& solver, std::size_t index)>& solve) const;
+  void
+  for_batch(const StateArrays& states, int threads,
+            const std::function<void(WheelRail& solver, std::size_t index, const Progress& progress)>& solve) const;
 };
 
 /// Solutions of many states without fields.

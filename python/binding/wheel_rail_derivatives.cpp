@@ -66,9 +66,9 @@ namespace {
 DifferentiatedState differentiate(PythonWheelRail& self, const py::kwargs& given) {
   const auto [state, force] = StateArrays(given, self.bodies.wheelset.nominal_radius).single("differentiate");
   DifferentiatedState out({}, {}, 1);
-  self.solver.run([&, state = state, force = force](WheelRail& solver) {
+  self.solver.run([&, state = state, force = force](WheelRail& solver, const Progress& progress) {
     WheelRailDerivatives derivatives;
-    solver.differentiate(state, force, out.solution, derivatives);
+    solver.differentiate(state, force, out.solution, derivatives, progress);
     store(derivatives, out.of_state(0));
   });
   return out;
@@ -78,10 +78,10 @@ DifferentiatedStates differentiate_batch(PythonWheelRail& self, int threads, con
   const StateArrays states(given, self.bodies.wheelset.nominal_radius);
   DifferentiatedStates out({states.shape(), std::vector<WheelRailSolution>(states.count())}, states.shape(),
                            states.count());
-  self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i) {
+  self.for_batch(states, threads, [&](WheelRail& solver, std::size_t i, const Progress& progress) {
     const auto [state, force] = states[i];
     WheelRailDerivatives derivatives;
-    solver.differentiate(state, force, out.solution.solutions[i], derivatives);
+    solver.differentiate(state, force, out.solution.solutions[i], derivatives, progress);
     out.solution.solutions[i].fields.clear();
     store(derivatives, out.of_state(i));
   });

@@ -116,7 +116,6 @@ WheelsetContacts contact(const WheelsetGeometry& self, const py::object& lateral
   const auto y = span_of(places), psi = span_of(yaws);
   found.contacts.resize(y.size());
   const int count = thread_count(threads);
-  const py::gil_scoped_release release;
   run_batch(y.size(), 64, count, [&]() -> BatchWorker {
     return [&, search = std::make_shared<WheelsetSearch>(self.search())](std::size_t first, std::size_t n,
                                                                          const Progress&) {
@@ -128,9 +127,10 @@ WheelsetContacts contact(const WheelsetGeometry& self, const py::object& lateral
 
 WheelsetContacts curve(const WheelsetGeometry& self, double from, double to, RollRule roll, double yaw) {
   WheelsetContacts found{{}, {}, self.sides};
-  const py::gil_scoped_release release;
-  WheelsetSearch search = self.search();
-  found.contacts = wheelset_curve(search, from, to, roll, yaw);
+  found.contacts = long_work([&](const Progress& progress) {
+    WheelsetSearch search = self.search();
+    return wheelset_curve(search, from, to, roll, yaw, progress);
+  });
   found.shape = {static_cast<py::ssize_t>(found.contacts.size())};
   return found;
 }
@@ -154,27 +154,19 @@ public:
     if (gauges.empty()) return;
     require_positive(name, reach, "m");
     std::vector<std::optional<RollingRadiusDifference>> found(gauges.size());
-    const int count = thread_count(threads);
-    {
-      const py::gil_scoped_release release;
-      run_batch(gauges.size(), 1, count, [&]() -> BatchWorker {
-        return [&](std::size_t first, std::size_t n, const Progress&) {
-          for (std::size_t k = first; k < first + n; ++k) {
-            WheelsetSearch search = geometry.search(gauges[k]);
-            found[k].emplace(curve_of_amplitudes(search, reach, geometry.sides.are_alike, roll));
-          }
-        };
-      });
-    }
+    run_batch(gauges.size(), 1, thread_count(threads), [&]() -> BatchWorker {
+      return [&](std::size_t k, std::size_t, const Progress& progress) {
+        WheelsetSearch search = geometry.search(gauges[k]);
+        found[k].emplace(curve_of_amplitudes(search, reach, geometry.sides.are_alike, roll, progress));
+      };
+    });
     for (std::size_t k = 0; k < gauges.size(); ++k) differences_.emplace(gauges[k], *found[k]);
   }
 
   /// A function of the rolling radius difference and a number; a number for numbers.
   template <class Function> py::object map(const Function& function) const {
-    RealArray out(shape_);
-    for (py::ssize_t i = 0; i < out.size(); ++i)
-      out.mutable_data()[i] = function(differences_.at(gauges_.data()[i]), numbers_.data()[i]);
-    return shape_.empty() ? py::object(py::float_(*out.data())) : py::object(std::move(out));
+    return mapped("gauge", gauges_, "number", numbers_,
+                  [&](double gauge, double number) { return function(differences_.at(gauge), number); });
   }
 
 private:

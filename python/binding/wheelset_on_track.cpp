@@ -159,8 +159,9 @@ DifferentiatedWheelset differentiate(PythonWheelset& self, const py::kwargs& giv
   const auto [state, load] = given_wheelset(given);
   DifferentiatedWheelset out;
   WheelsetDerivatives d;
-  self.run(
-      [&, state = state, load = load](WheelsetOnTrack& solver) { solver.differentiate(state, load, out.solution, d); });
+  self.run([&, state = state, load = load](WheelsetOnTrack& solver, const Progress& progress) {
+    solver.differentiate(state, load, out.solution, d, progress);
+  });
   out.jacobian.resize(row_count * wheelset_variables);
   for (std::size_t k = 0; k < wheelset_variables; ++k) {
     const Vec3<double>&f = d.force[k], &m = d.moment[k];
@@ -244,8 +245,9 @@ void bind_wheelset_on_track(py::module_& module) {
           "solve",
           [](PythonWheelset& self, const py::kwargs& given) {
             const auto [state, load] = given_wheelset(given);
-            return self.run(
-                [&, state = state, load = load](WheelsetOnTrack& solver) { return solver.solve(state, load); });
+            return self.run([&, state = state, load = load](WheelsetOnTrack& solver, const Progress& progress) {
+              return solver.solve(state, load, progress);
+            });
           },
           state_text().c_str())
       .def("differentiate", &differentiate,

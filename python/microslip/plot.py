@@ -4,7 +4,9 @@ import argparse
 import contextlib
 import os
 import re
+import signal
 import sys
+import threading
 
 import matplotlib
 
@@ -22,7 +24,7 @@ from microslip.model_problem_picture import model_problem_pictures
 from microslip.picture_style import SETTINGS
 from microslip.profile_picture import profile_pictures
 from microslip.refinement_pictures import refinement_pictures
-from microslip.result_file import ResultError, ResultFile
+from microslip.result_file import DAMAGED, ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
 from microslip.solved_contacts import KINDS, read_contacts
 from microslip.subsurface_pictures import subsurface_pictures
@@ -30,6 +32,7 @@ from microslip.sweep_picture import sweep_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
 from microslip.wheelset_pictures import wheelset_pictures
 
+ENDING = (signal.SIGINT, signal.SIGTERM)
 CREEP_TABLE = b"MSCREEP"  # how the files of creep-force tables begin
 
 PICTURES_OF_KIND = {
@@ -145,16 +148,39 @@ def table_figures(path, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0.5, 1.0
             raise ResultError(str(error)) from None
 
 
+def end_early(_number, _frame):
+    """Ends the process from within Python, once."""
+    for number in ENDING:
+        signal.signal(number, signal.SIG_IGN)
+    sys.exit(130)
+
+
+@contextlib.contextmanager
+def ending_from_within():
+    """What Ctrl-C and SIGTERM end here can clean up behind itself. Elsewhere they end the program of pictures at once, also
+    in the midst of what other libraries do."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = {number: signal.signal(number, end_early) for number in ENDING}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
 def save(figure, path, metadata):
     """Writes a picture under another name first, so that a file with the final name is always whole."""
     unfinished = f"{path}.{os.getpid()}.unfinished"
-    try:
-        figure.savefig(unfinished, format="png", metadata=metadata)
-        os.replace(unfinished, path)
-    except BaseException:
-        if os.path.exists(unfinished):
-            os.remove(unfinished)
-        raise
+    with ending_from_within():
+        try:
+            figure.savefig(unfinished, format="png", metadata=metadata)
+            os.replace(unfinished, path)
+        except BaseException:
+            if os.path.exists(unfinished):
+                os.remove(unfinished)
+            raise
 
 
 def remove_older(folder, drawn):
@@ -241,14 +267,23 @@ def choice(options):
 
 def main(arguments=None):
     """The command line; returns the exit code: 0, or 2 for a file that cannot be drawn."""
+    options = None
     try:
         options = parse(arguments)
         draw(options.result, options.output or os.path.dirname(options.result) or ".", choice(options))
     except (ResultError, OSError) as error:
         print(f"microslip.plot: {error}", file=sys.stderr)
         return 2
+    except Exception as error:  # numbers of which pictures can make nothing
+        if options is None:
+            raise
+        print(f"microslip.plot: {options.result}: cannot be drawn, {type(error).__name__}: {' '.join(str(error).split())}; the file is "
+              f"perhaps {DAMAGED}", file=sys.stderr)
+        return 2
     return 0
 
 
 if __name__ == "__main__":
+    for each in ENDING:
+        signal.signal(each, signal.SIG_DFL)
     sys.exit(main())

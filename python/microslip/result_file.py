@@ -35,10 +35,13 @@ class ResultFile:
                                   "them") from None
             why = os.strerror(error.errno) if error.errno else DAMAGED
             raise ResultError(f"{path}: {why}") from None
-        found = self.attribute("format", FORMAT)
-        if found != FORMAT:
+        try:
+            found = self.attribute("format", FORMAT)
+            if found != FORMAT:
+                raise ResultError(f"{path}: has format {found} of result files; this version of microslip reads {FORMAT}")
+        except ResultError:
             self._file.close()
-            raise ResultError(f"{path}: has format {found} of result files; this version of microslip reads {FORMAT}")
+            raise
 
     def __enter__(self):
         return self
@@ -47,14 +50,18 @@ class ResultFile:
         self._file.close()
 
     def __contains__(self, name):
-        return name in self._file
+        with self._reading(name):
+            return name in self._file
 
     @contextlib.contextmanager
     def _reading(self, name):
-        """Says in words that HDF5 cannot read a part of the file."""
+        """Says in words that a part of the file cannot be read, for which HDF5, h5py and numpy raise whatever they like. All
+        that touches the file is done within."""
         try:
             yield
-        except (OSError, RuntimeError, KeyError):
+        except ResultError:
+            raise
+        except Exception:
             raise ResultError(f"{self.path}: {name} cannot be read; the file is {DAMAGED}") from None
 
     def attribute(self, name, default=None):
@@ -68,13 +75,16 @@ class ResultFile:
 
     def group_attribute(self, group, name):
         """An attribute of a group as text."""
-        if group not in self._file or name not in self._file[group].attrs:
-            raise ResultError(f"{self.path}: no attribute '{name}' of {group}")
-        return _decoded(self._file[group].attrs[name])
+        with self._reading(f"attribute '{name}' of {group}"):
+            if group not in self._file or name not in self._file[group].attrs:
+                raise ResultError(f"{self.path}: no attribute '{name}' of {group}")
+            return _decoded(self._file[group].attrs[name])
 
     def assumption(self, group):
         """What Hertz or a theory assumes that is not so in the case, as text; empty: nothing."""
-        return self.group_attribute(group, "assumes") if group in self and "assumes" in self._file[group].attrs else ""
+        with self._reading(group):
+            has_one = group in self and "assumes" in self._file[group].attrs
+        return self.group_attribute(group, "assumes") if has_one else ""
 
     def _dataset(self, name):
         with self._reading(name):
@@ -96,11 +106,11 @@ class ResultFile:
     def array(self, name, dimensions=1, strides=None, finite=True):
         """A dataset as an array of numbers; `strides` takes every stride-th entry along each axis."""
         dataset = self._dataset(name)
-        if dataset.ndim != dimensions or dataset.size == 0 or dataset.dtype.kind not in "iuf":
-            raise ResultError(f"{self.path}: {name} has shape {dataset.shape} and type {dataset.dtype}, "
-                              f"expected {dimensions} dimensions of numbers")
         slices = () if strides is None else tuple(slice(stride // 2, None, stride) for stride in strides)
         with self._reading(name):
+            if dataset.ndim != dimensions or dataset.size == 0 or dataset.dtype.kind not in "iuf":
+                raise ResultError(f"{self.path}: {name} has shape {dataset.shape} and type {dataset.dtype}, "
+                                  f"expected {dimensions} dimensions of numbers")
             values = np.asarray(dataset[slices])
         if finite and not np.all(np.isfinite(values)):
             raise ResultError(f"{self.path}: {name} has values that are not finite")
@@ -108,12 +118,15 @@ class ResultFile:
 
     def is_number(self, name):
         """Whether a dataset has numbers, not texts."""
-        return self._dataset(name).dtype.kind in "iuf"
+        dataset = self._dataset(name)
+        with self._reading(name):
+            return dataset.dtype.kind in "iuf"
 
     def numbers_of(self, groups):
         """Names of the datasets of numbers in the groups that are there."""
-        return [f"{group}/{name}" for group in groups if group in self._file for name, dataset in self._file[group].items()
-                if isinstance(dataset, h5py.Dataset) and dataset.dtype.kind == "f"]
+        with self._reading(" or ".join(groups)):
+            return [f"{group}/{name}" for group in groups if group in self._file for name, dataset in self._file[group].items()
+                    if isinstance(dataset, h5py.Dataset) and dataset.dtype.kind == "f"]
 
     def entry(self, name, index):
         """An entry of a dataset, as a number or as text."""
@@ -124,11 +137,15 @@ class ResultFile:
 
     def shape(self, name):
         """Shape of a dataset."""
-        return self._dataset(name).shape
+        dataset = self._dataset(name)
+        with self._reading(name):
+            return dataset.shape
 
     def unit(self, name):
         """The unit of a dataset."""
-        return _decoded(self._dataset(name).attrs.get("unit", "-"))
+        dataset = self._dataset(name)
+        with self._reading(name):
+            return _decoded(dataset.attrs.get("unit", "-"))
 
     def arrays(self, names, **how):
         """Datasets that must have one shape, in the order of the names."""

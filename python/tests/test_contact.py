@@ -1,8 +1,10 @@
 """Contacts, creepages and creepage coefficients: conversions, assignment, text."""
 
+import math
 import unittest
 
 import microslip
+import numpy as np
 from tests.compiled import contact, load_tests_if_compiled
 
 
@@ -36,4 +38,34 @@ class ContactTest(unittest.TestCase):
         self.assertAlmostEqual(computed.c11, 4.12, delta=0.02)
 
 
-load_tests = load_tests_if_compiled([ContactTest])
+class WarningsTest(unittest.TestCase):
+    """Numbers that look like other units."""
+
+    def test_a_contact_has_texts(self):
+        plausible, in_millimetres = contact(), contact()
+        in_millimetres.a, in_millimetres.b = 1e3 * plausible.a, 1e3 * plausible.b
+        self.assertEqual(plausible.warnings, [])
+        [text] = in_millimetres.warnings
+        self.assertIn("peak pressure", text)
+        self.assertIn("check units, lengths in m, moduli in Pa, forces in N", text)
+        in_millimetres.a = math.nan
+        self.assertEqual(in_millimetres.warnings, [])
+
+    def test_arrays_have_codes(self):
+        like, names = contact(), list(microslip.warning_texts())
+        moduli = np.array([82e9, 82e3, -1.0])
+        many = microslip.Fastsim2().solve_batch(like, shear_modulus=moduli, a=[[like.a], [1e3 * like.a]],
+                                                  b=[[like.b], [1e3 * like.b]])
+        self.assertEqual(many.warning_code.shape, (2, 3))
+        self.assertEqual(many.warning_code.dtype, np.uint32)
+
+        def found(code):
+            return {name for bit, name in enumerate(names) if code >> bit & 1}
+
+        self.assertEqual(found(many.warning_code[0, 0]), set())
+        self.assertEqual(found(many.warning_code[0, 1]), {"soft_material", "extreme_pressure"})
+        self.assertEqual(found(many.warning_code[1, 0]), {"faint_pressure"})
+        self.assertEqual(found(many.warning_code[0, 2]), set())  # invalid_input says enough
+
+
+load_tests = load_tests_if_compiled([ContactTest, WarningsTest])

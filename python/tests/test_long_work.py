@@ -4,11 +4,20 @@ import signal
 import threading
 import time
 import unittest
+from pathlib import Path
 
 import numpy as np
 
 import microslip
 from tests.compiled import contact, load_tests_if_compiled, wheel_on_rail
+
+PROFILES = Path(__file__).resolve().parents[2] / "examples" / "profiles"
+
+
+def s1002_on_60e1():
+    """Arguments of wheels on rails and of wheelsets."""
+    rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
+    return {"track": microslip.Track(gauge=1.435, cant=0.025), "rail": rail, "wheelset": microslip.Wheelset(), "wheel": wheel}
 
 
 class InterruptTest(unittest.TestCase):
@@ -48,6 +57,32 @@ class InterruptTest(unittest.TestCase):
         grid = microslip.ElementGrid.across_ellipse(1, 1, 100, 100)
         field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, pn=np.ones((100, 100)))
         self.assertLess(self.interrupt(lambda: field.at(np.linspace(-1, 1, 1_000_000), 0, 0.5)), 10)
+        solution, steel = microslip.EllipticContactSolver(60, 60).solve(contact()), microslip.Material.from_young(210e9, 0.28)
+        between = np.linspace(-5e-3, 5e-3, 100)  # no centres of elements, for which there are transforms
+        self.assertLess(self.interrupt(lambda: solution.interior_states(steel, steel, between, between, between)), 10)
+
+    def test_conicities_end_early(self):
+        displacements = np.linspace(-0.01, 0.01, 201)
+        difference = microslip.RollingRadiusDifference(displacements, 0.1 * displacements + 5 * displacements**3)
+        amplitudes = np.linspace(1e-3, 9e-3, 3_000_000)
+        self.assertLess(self.interrupt(lambda: difference.equivalent_conicity(amplitudes)), 10)
+        geometry = microslip.WheelsetGeometry(**s1002_on_60e1())
+        self.assertLess(self.interrupt(lambda: geometry.equivalent_conicity(amplitudes)), 10)
+        self.assertLess(self.interrupt(lambda: geometry.equivalent_conicity(3e-3, gauge=np.linspace(1.43, 1.44, 10000))), 10)
+
+    def test_who_waits_for_another_thread_ends_early(self):
+        solver = microslip.EllipticContactSolver(24, 24)
+        begun = threading.Event()
+
+        def roll():
+            begun.set()
+            solver.solve(contact(), motion="transient", steps=1500)
+
+        thread = threading.Thread(target=roll)
+        thread.start()
+        begun.wait()
+        self.interrupt(lambda: [solver.solve(contact(), motion="transient", steps=1500) for _ in range(1000)])
+        thread.join()
 
 
 class SignalTest(unittest.TestCase):
@@ -95,6 +130,26 @@ class SignalTest(unittest.TestCase):
         bound = 0.3 * hertz.pressure(grid.x[None, :], grid.y[:, None])
         self.expect_heard(lambda: problem.solve(bound, (0.0018, 0.0006, 0.4)))
 
+    def test_wheels(self):
+        state = {"lateral": 6e-3, "yaw": 2e-3, "forward_velocity": 30.0}
+        for shape in ("flat", "conformal"):
+            wheel = microslip.WheelRail(**s1002_on_60e1(), theory="exact", shape=shape, grid=80)
+            self.expect_heard(lambda: wheel.solve(vertical_force=80e3, **state))
+            self.expect_heard(lambda: wheel.differentiate(vertical_force=80e3, **state))
+        wheelset = microslip.WheelsetOnTrack(**s1002_on_60e1(), theory="exact", grid=24)
+        self.expect_heard(lambda: wheelset.solve(vertical_force=160e3, roll_moment=0.0, **state))
+
+    def test_planes_inside(self):
+        grid = microslip.ElementGrid.across_ellipse(1, 1, 200, 200)
+        field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, px=np.ones((200, 200)), pn=np.ones((200, 200)))
+        layers = microslip.InteriorLayers(field)
+        self.expect_heard(lambda: layers.at_depth(0.5))
+        self.expect_heard(lambda: layers.find_largest(np.linspace(0.1, 1, 20)))
+
+    def test_coefficients(self):
+        _, pair, grid, _ = self.grid(900)
+        self.expect_heard(lambda: microslip.NormalProblem(pair, grid))
+
     def test_patches(self):
         _, pair, grid, gap = self.grid(500)
         self.expect_heard(lambda: microslip.PatchRolling(pair, grid, gap, normal_force=80e3))
@@ -138,6 +193,38 @@ class ThreadsTest(unittest.TestCase):
             thread.join()
         for shared, own in results:
             self.assertEqual(shared, own)
+
+    def test_other_objects_in_many_threads(self):
+        pair = s1002_on_60e1()
+        wheel, wheelset = microslip.WheelRail(**pair), microslip.WheelsetOnTrack(**pair)
+        _, material = wheel_on_rail()
+        grid = microslip.ElementGrid.across_ellipse(6e-3, 5e-3, 24, 24, 4)
+        gap = microslip.hertzian_gap(wheel_on_rail()[0].gap, grid)
+        normal = microslip.NormalProblem(material, grid)
+        field = microslip.InteriorField(microslip.Material(82e9, 0.28), 1, grid, pn=np.full((32, 32), 1e9))
+        layers, simplified = microslip.InteriorLayers(field), microslip.Fastsim2(20, 20)
+        run = {"yaw": 1e-3, "forward_velocity": 30.0}
+        calls = [lambda i: wheel.solve(lateral=1e-3 * i, vertical_force=80e3, **run).force_y,
+                 lambda i: wheelset.solve(lateral=1e-3 * i, vertical_force=160e3, roll_moment=0.0, **run).force_y,
+                 lambda i: normal.solve(gap, normal_force=1e4 * (i + 1)).peak_pressure,
+                 lambda i: layers.at_depth(1e-3 * (i + 1)).von_mises.max(),
+                 lambda i: simplified.solve(contact((2e-4 * (i + 1), 0, 0))).fx,
+                 lambda i: simplified.fields(contact((2e-4 * (i + 1), 0, 0))).fx]
+        alone = [[call(i) for i in range(6)] for call in calls]
+        together = [[None] * 6 for _ in calls]
+
+        def work(i):
+            for _ in range(3):
+                for k, call in enumerate(calls):
+                    together[k][i] = call(i)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for one, many in zip(alone, together):
+            np.testing.assert_allclose(many, one, rtol=1e-6)
 
 
 load_tests = load_tests_if_compiled([InterruptTest, SignalTest, ThreadsTest])

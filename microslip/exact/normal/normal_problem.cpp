@@ -273,9 +273,9 @@ NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoa
 }
 
 NormalSolution NormalProblem::solve_from(std::vector<double> pressure, std::span<const double> gap,
-                                         const NormalLoad& load, double tolerance) {
+                                         const NormalLoad& load, double tolerance, const Progress& progress) {
   check(grid_, gap, load);
-  return Iteration(operator_, grid_, gap, load).run(std::move(pressure), tolerance, {});
+  return Iteration(operator_, grid_, gap, load).run(std::move(pressure), tolerance, progress);
 }
 
 NormalSolution NormalProblem::solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,

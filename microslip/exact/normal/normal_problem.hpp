@@ -60,7 +60,7 @@ public:
   /// The same from a pressure near the solution, of which the shape counts, instead of from coarser elements: that of a
   /// load which differs by a hundredth takes some half of the iterations.
   NormalSolution solve_from(std::vector<double> pressure, std::span<const double> gap, const NormalLoad& load,
-                            double tolerance = 1e-8);
+                            double tolerance = 1e-8, const Progress& progress = {});
 
 private:
   NormalSolution solve_nested(std::span<const double> gap, const NormalLoad& load, double tolerance,
