@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 
 namespace microslip::libcontact {
@@ -294,9 +295,22 @@ void ContactProblem::solve(Calculation& calculation) {
     outcome_->wheel.reset();
     return;
   }
+  if (!is_finite()) {
+    outcome_.reset();
+    throw Refusal(CNTC_err_other, "settings so large or so small that the forces are no numbers");
+  }
   calculation.code = code_of_solution();
   keep_what_was_found();
   find_sensitivities();
+}
+
+bool ContactProblem::is_finite() const {
+  for (int k = 1; k <= contacts(); ++k) {
+    const PrintedTotals& t = contact(k).outcome.totals;
+    for (const double number : {t.fn, t.fx, t.fy, t.mz, t.approach})
+      if (!std::isfinite(number)) return false;
+  }
+  return true;
 }
 
 int ContactProblem::code_of_solution() const {

@@ -90,6 +90,8 @@ private:
   void solve(Calculation& calculation);
   void keep_what_was_found();
   void find_sensitivities();
+  /// Whether forces and approaches are numbers.
+  bool is_finite() const;
   int code_of_refusal() const;
   int code_of_solution() const;
   std::size_t index(int patch) const;

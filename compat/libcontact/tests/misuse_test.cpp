@@ -147,6 +147,20 @@ TEST_F(Misuse, OfNumbersThatAreNone) {
   }
 }
 
+/// Numbers that are finite, but not what is made of them.
+TEST_F(Misuse, OfNumbersThatAreTooLarge) {
+  ASSERT_EQ(set_up_sphere(3, 1), 0);
+  ASSERT_EQ(calculate(3, 1), 0);
+  int ire = 3, icp = 1;
+  double large = 1e300, none = 0;
+  ASSERT_EQ(cntc_setcreepages(&ire, &icp, &large, &none, &none), 0);
+  EXPECT_EQ(calculate(3, 1), CNTC_err_other);
+  expect_in_log("the forces are no numbers");
+  EXPECT_EQ(scalars(cntc_getcontactforces, 3, 1), Values()) << "nor is there a solution";
+  ASSERT_EQ(set_up_sphere(3, 1), 0);
+  EXPECT_EQ(calculate(3, 1), 0) << "nothing was spoilt";
+}
+
 TEST_F(Misuse, OfProfiles) {
   ASSERT_EQ(initialize(1, 1), 0);
   ASSERT_EQ(set_up_wheel(1, true), 0);
