@@ -24,10 +24,11 @@ int subs_calculate(int* ire, int* icp, int* ierror) {
 }
 
 int cntc_getcalculationtime(int* ire, int* icp, double* tcpu, double* twall) {
-  return guarded({"cntc_getcalculationtime", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
-    given("twall", twall) = p.time.wall;
-    given("tcpu", tcpu) = p.time.cpu;
-  });
+  return answered({"cntc_getcalculationtime", ire, icp, Module::any, Scope::either}, into(result(tcpu), result(twall)),
+                  [&](ContactProblem& p) {
+                    given("twall", twall) = p.time.wall;
+                    given("tcpu", tcpu) = p.time.cpu;
+                  });
 }
 
 int cntc_resetcalculationtime(int* ire, int* icp) {

@@ -9,14 +9,16 @@ std::string Call::heading() const {
 
 std::shared_ptr<ContactProblem> find_problem(const Call& call) {
   if (!call.ire || !call.icp) throw Refusal(CNTC_err_icp, "ire or icp is NULL");
-  auto problem = Registry::instance().problem(*call.ire, *call.icp);
-  const Module module = problem->is_wheel() ? Module::wheel : Module::contact;
+  Registry& registry = Registry::instance();
+  const bool is_wheel = registry.module(*call.ire).value_or(*call.icp < 0 ? 1 : 3) == 1;
+  const Module module = is_wheel ? Module::wheel : Module::contact;
   if (call.module != Module::any && call.module != module)
-    throw Refusal(CNTC_err_icp, problem->is_wheel() ? "is not for module 1" : "is not for module 3");
-  if (!problem->is_wheel()) return problem;
-  if (call.scope == Scope::whole && *call.icp > 0) throw Refusal(CNTC_err_icp, "icp must be -1 in module 1");
-  if (call.scope == Scope::patch && *call.icp < 0) throw Refusal(CNTC_err_icp, "icp must be that of a contact patch");
-  return problem;
+    throw Refusal(CNTC_err_icp, is_wheel ? "is not for module 1" : "is not for module 3");
+  if (is_wheel && call.scope == Scope::whole && *call.icp > 0)
+    throw Refusal(CNTC_err_icp, "icp must be -1 in module 1");
+  if (is_wheel && call.scope == Scope::patch && *call.icp < 0)
+    throw Refusal(CNTC_err_icp, "icp must be that of a contact patch");
+  return registry.problem(*call.ire, is_wheel ? 1 : 3, *call.icp);
 }
 
 } // namespace microslip::libcontact

@@ -4,9 +4,13 @@
 #include "compat/libcontact/registry.hpp"
 #include "microslip/error.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <new>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace microslip::libcontact {
 
@@ -31,11 +35,19 @@ inline Call patch_call(const char* name, const int* ire, const int* icp) {
   return {name, ire, icp, Module::any, Scope::patch};
 }
 
+/// What stands before a message about a call in the log.
+inline const char* heading_of(const char* name) {
+  return name;
+}
+inline std::string heading_of(const Call& call) {
+  return call.heading();
+}
+
 /// Runs the body of a call, which returns nothing or a code. Whatever it throws becomes a code, and a message in the
-/// log.
-template <class Body> int guarded(const std::string& heading, Body body) noexcept {
-  const auto refuse = [&](int code, const std::string& why) {
-    Registry::instance().log().write_once(heading + ": " + why);
+/// log. `call` is a Call or the name of a function without a problem.
+template <class Heading, class Body> int guarded_body(const Heading& call, Body body) noexcept {
+  const auto refuse = [&](int code, const char* why) {
+    Registry::instance().log().write_once([&] { return std::string(heading_of(call)) + ": " + why; });
     return code;
   };
   try {
@@ -58,17 +70,69 @@ template <class Body> int guarded(const std::string& heading, Body body) noexcep
   }
 }
 
-/// The problem of a call, if it takes the module and icp. Throws Refusal.
+template <class Body> int guarded(const char* name, Body body) noexcept {
+  return guarded_body(name, body);
+}
+
+/// The problem of a call, if it takes the module and icp; a new one, and a new result element, if there is none yet: of
+/// module 1 for icp = -1, as all functions without icp have it, of module 3 for others, as in CONTACT. Throws Refusal.
 std::shared_ptr<ContactProblem> find_problem(const Call& call);
 
 /// The same with the problem, which no other thread works on meanwhile.
 template <class Body> int guarded(const Call& call, Body body) noexcept {
-  return guarded(call.heading(), [&] {
+  return guarded_body(call, [&] {
     const auto problem = find_problem(call);
     const std::unique_lock lock(problem->mutex, std::try_to_lock);
     if (!lock) throw Refusal(CNTC_err_other, "another thread works on this contact problem");
     return body(*problem);
   });
+}
+
+/// Where results of a call go, and what they are if it is refused.
+template <class Value> struct Results {
+  Value* places;
+  std::size_t count;
+  Value none;
+
+  void clear() const {
+    if (places) std::fill_n(places, count, none);
+  }
+};
+
+/// A number.
+template <class Value> Results<Value> result(Value* place, Value none = 0) {
+  return {place, 1, none};
+}
+
+/// As a length; 0 for one that no array has: there are no more elements in a potential contact.
+inline std::size_t believed(double length) {
+  constexpr double longest = 1e8;
+  return length > 0 && length <= longest ? static_cast<std::size_t>(length) : 0;
+}
+
+/// Numbers, of which the function has `most`.
+template <class Value>
+Results<Value> results(const int* length, Value* places, int most = std::numeric_limits<int>::max(), Value none = 0) {
+  return {places, length ? believed(std::min(*length, most)) : 0, none};
+}
+/// A table.
+template <class Value> Results<Value> results(const int* rows, const int* columns, Value* places) {
+  const bool is_table = rows && columns && *rows > 0 && *columns > 0;
+  return {places, is_table ? believed(static_cast<double>(*rows) * *columns) : 0, 0};
+}
+
+/// All results of a call.
+template <class... Values> std::tuple<Results<Values>...> into(const Results<Values>&... all) {
+  return {all...};
+}
+
+/// As guarded, of a function that gets results: callers that look at no code have defined numbers if it is refused.
+template <class... Values, class Body>
+int answered(const Call& call, const std::tuple<Results<Values>...>& found, Body body) noexcept {
+  static_assert(std::is_void_v<decltype(body(std::declval<ContactProblem&>()))>, "a code would read like a refusal");
+  const int code = guarded(call, body);
+  if (code != 0) std::apply([](const auto&... each) { (each.clear(), ...); }, found);
+  return code;
 }
 
 /// icp of functions that have none.

@@ -1,13 +1,14 @@
 #include "compat/libcontact/contact_problem.hpp"
 
 #include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/libcontact/defaults.hpp"
 #include "compat/libcontact/refusal.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
-#include <numbers>
 
 namespace microslip::libcontact {
 
@@ -71,30 +72,92 @@ int code_of(const ContactStepSolution& s) {
 }
 
 void set_wheel_defaults(WheelRailData& d) {
-  d.search = ContactSearch::locus;
-  d.digits.discns = ContactSearch::locus;
-  d.digits.ztrack = TrackSource::all;
+  constexpr DefaultOf of = DefaultOf::wheel;
+  d.digits.config = default_choice<Config>("C", of);
+  d.digits.force = default_choice<TotalForce>("F", of);
+  d.search = d.digits.discns = default_choice<ContactSearch>("D", of);
+  d.digits.ztrack = TrackSource::all; // the library's functions give what a file's digits would have read
   d.digits.ewheel = WheelsetSource::all;
-  d.grid.dx = d.grid.ds = 0.5;
-  d.grid.a_sep = std::numbers::pi;
-  d.grid.d_sep = 8;
-  d.grid.d_comb = 4;
-  d.grid.d_turn = 12;
-  d.track.gauge_height = 14;
-  d.track.gauge_width = 1435;
-  d.support.ky = d.support.kz = 1e3;
-  d.wheelset.flange_back_distance = 1360;
-  d.wheelset.flange_back_position = -70;
-  d.wheelset.nominal_radius = 460;
-  d.wheelset.tape_circle = 1000;
-  d.velocity.vs = 30e3;
+  d.grid.dx = default_of("DX", of);
+  d.grid.ds = default_of("DS", of);
+  d.grid.dqrel = default_of("DQREL", of);
+  d.grid.a_sep = default_of("A_SEP", of);
+  d.grid.d_sep = default_of("D_SEP", of);
+  d.grid.d_comb = default_of("D_COMB", of);
+  d.grid.d_turn = default_of("D_TURN", of);
+  d.grid.g_miss = default_of("G_MISS", of);
+  d.track.gauge_height = default_of("GAUGHT", of);
+  d.track.gauge_width = default_of("GAUGWD", of);
+  d.support.ky = default_of("KYRAIL", of);
+  d.support.kz = default_of("KZRAIL", of);
+  d.support.first_step = default_of("DYSTEP0", of);
+  d.wheelset.flange_back_distance = default_of("FBDIST", of);
+  d.wheelset.flange_back_position = default_of("FBPOS", of);
+  d.wheelset.nominal_radius = default_of("NOMRADW", of);
+  d.wheelset.tape_circle = default_of("YTAPE", of);
+  d.velocity.vs = default_of("VS", of);
 }
 
 void set_contact_defaults(Case& c) {
-  c.digits.discns = GridSource::read;
+  constexpr DefaultOf of = DefaultOf::contact;
+  c.digits.force = default_choice<Prescribed>("F", of);
+  c.digits.discns = GridSource::read; // what the library's functions have given
   c.digits.rznorm = DistanceSource::read;
-  c.geometry.values = {1, 0, 1, 0, 0, 0};
-  c.rolling->dq = 2;
+  c.extra = default_choice<ExtraSlip>("E", of);
+  c.geometry.base = default_choice<Base>("IBASE", of);
+  c.geometry.values = {default_of("B1", of), 0, default_of("B3", of), 0, 0, 0};
+  c.rolling->dq = default_of("DQ", of);
+  c.rolling->veloc = default_of("VELOC", of);
+  c.rolling->facphi = default_of("FACPHI", of);
+}
+
+void set_digit_defaults(Digits& d) {
+  d.pvtime = default_choice<Continuation>("P");
+  d.bound = default_choice<PressureModel>("B");
+  d.tang = default_choice<Tangential>("T");
+  d.norm = default_choice<Normal>("N");
+  d.frclaw = default_choice<Law>("L");
+  d.inflcf = default_choice<Coefficients>("C3");
+  d.mater = default_choice<Bulk>("M");
+  d.heat = default_choice<Heat>("H");
+  d.gausei = default_choice<SolverChoice>("G");
+  d.iestim = default_choice<InitialGuess>("I");
+  d.solve = default_choice<Treatment>("R");
+}
+
+void set_solver_defaults(SolverData& s) {
+  s.method = default_choice<SolverChoice>("G");
+  s.maxgs = static_cast<int>(default_of("MAXGS"));
+  s.maxin = static_cast<int>(default_of("MAXIN"));
+  s.maxnr = static_cast<int>(default_of("MAXNR"));
+  s.maxout = static_cast<int>(default_of("MAXOUT"));
+  s.eps = default_of("EPS");
+  s.omegah = default_of("OMEGAH");
+  s.omegas = default_of("OMEGAS");
+  s.omgslp = default_of("OMGSLP");
+  s.npot_max = static_cast<int>(default_of("NPOT_MAX", DefaultOf::wheel));
+}
+
+MaterialData default_material() {
+  MaterialData m;
+  m.coefficients = default_choice<Coefficients>("C3");
+  m.correction.method = static_cast<int>(default_of("IF_METH", DefaultOf::wheel));
+  m.correction.variant = static_cast<int>(default_of("VARIANT", DefaultOf::wheel));
+  m.poisson1 = default_of("POISS1");
+  m.poisson2 = default_of("POISS2");
+  m.shear1 = default_of("GG1");
+  m.shear2 = default_of("GG2");
+  m.model = default_choice<Bulk>("M");
+  return m;
+}
+
+void set_defaults(Case& c) {
+  set_digit_defaults(c.digits);
+  set_solver_defaults(c.solver);
+  c.friction.law = default_choice<Law>("L");
+  c.friction.sets = {{default_of("FSTAT"), default_of("FKIN")}};
+  c.rolling.emplace(); // of wheels each patch has its own
+  c.material = default_material();
 }
 
 bool is_missing(const ProfileRecord& profile) {
@@ -160,24 +223,11 @@ void check(const Case& c) {
 } // namespace
 
 ContactProblem::ContactProblem(int number) : number_(number) {
-  data.digits.inflcf = Coefficients::constant;
-  data.solver.maxgs = 999;
-  data.solver.maxin = 20;
-  data.solver.maxnr = 25;
-  data.solver.maxout = 1;
-  data.solver.npot_max = 20000;
-  data.solver.inislp = 0;
-  data.solver.omgslp = 0.5;
-  data.friction.sets = {{0.3, 0.3}};
-  data.rolling = RollingData{.chi = 0, .dq = 1, .veloc = 1e3};
-  data.material = MaterialData{.poisson1 = 0.28, .poisson2 = 0.28, .shear1 = 1, .shear2 = 1};
-  if (is_wheel()) {
-    data.wheel_rail.emplace();
-    set_wheel_defaults(wheel());
-    data.material->correction.variant = 4;
-  } else {
+  set_defaults(data);
+  if (is_wheel())
+    set_wheel_defaults(data.wheel_rail.emplace());
+  else
     set_contact_defaults(data);
-  }
 }
 
 /// The case that the settings make.
@@ -221,14 +271,16 @@ ProfileShape ContactProblem::profile(bool of_wheel) {
 
 Calculation ContactProblem::calculate() {
   Calculation calculation;
-  interior_.clear();
-  sensitivities_.clear();
   Case next = completed();
   check(next);
   if (time_step != 1 && next.digits.tang == Tangential::shift && next.friction.law != Law::coulomb)
     throw Refusal(CNTC_err_other, "a time step other than 1 s with friction that depends on the slip is not supported");
   ++calculations_;
   if (next.digits.is_skipped()) return calculation;
+  // What is thrown from here on leaves no solution, rather than one of another case.
+  outcome_.reset();
+  interior_.clear();
+  sensitivities_.clear();
   solved_ = std::move(next);
   solve(calculation);
   return calculation;
@@ -243,9 +295,22 @@ void ContactProblem::solve(Calculation& calculation) {
     outcome_->wheel.reset();
     return;
   }
+  if (!is_finite()) {
+    outcome_.reset();
+    throw Refusal(CNTC_err_other, "settings so large or so small that the forces are no numbers");
+  }
   calculation.code = code_of_solution();
   keep_what_was_found();
   find_sensitivities();
+}
+
+bool ContactProblem::is_finite() const {
+  for (int k = 1; k <= contacts(); ++k) {
+    const PrintedTotals& t = contact(k).outcome.totals;
+    for (const double number : {t.fn, t.fx, t.fy, t.mz, t.approach})
+      if (!std::isfinite(number)) return false;
+  }
+  return true;
 }
 
 int ContactProblem::code_of_solution() const {

@@ -2,6 +2,7 @@
 
 #include "compat/contact/sensitivities.hpp"
 #include "compat/contact/wheel_rail/wheel_rail_solver.hpp"
+#include "compat/libcontact/defaults.hpp"
 #include "compat/libcontact/units.hpp"
 
 #include <map>
@@ -40,7 +41,7 @@ struct Contact {
 /// found last. Whoever uses it holds its mutex.
 class ContactProblem {
 public:
-  /// With CONTACT's defaults. `number` is icp, -1 for a wheel.
+  /// With the defaults of defaults.hpp. `number` is icp, -1 for a wheel.
   explicit ContactProblem(int number);
 
   bool is_wheel() const { return number_ < 0; }
@@ -74,14 +75,14 @@ public:
   std::mutex mutex;
   Units units;
   Case data;
-  SensitivityChoice sensitivity;
+  SensitivityChoice sensitivity{default_choice<int>("S2"), default_of("EPSSENS")};
   CalculationTime time;
   double z = 0, vertical_force = 0;      ///< of a wheel: Z_WS [mm] and FZ [N], of which N takes one,
   double vpitch = 0, force_x = 0;        ///< and VPITCH_WS [rad/s] and FX_WS [N], of which F takes one
   double approach = 0, normal_force = 0; ///< of module 3: PEN [mm] and FN [N], of which N takes one,
   double creep_x = 0, creep_y = 0;       ///< and CKSI and CETA,
   double ratio_x = 0, ratio_y = 0;       ///< or FX and FY over FSTAT FN, of which F takes some
-  double time_step = 1;                  ///< [s]
+  double time_step = default_of("DT");   ///< [s]
   std::map<int, int> other_flags;        ///< by code: those that change no result
 
 private:
@@ -89,6 +90,8 @@ private:
   void solve(Calculation& calculation);
   void keep_what_was_found();
   void find_sensitivities();
+  /// Whether forces and approaches are numbers.
+  bool is_finite() const;
   int code_of_refusal() const;
   int code_of_solution() const;
   std::size_t index(int patch) const;

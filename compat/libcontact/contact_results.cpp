@@ -1,6 +1,7 @@
 #include "compat/contact/set_up.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
+#include "compat/libcontact/defaults.hpp"
 #include "microslip/elasticity/material.hpp"
 
 #include <algorithm>
@@ -25,7 +26,18 @@ std::vector<double> kinematics(const ContactProblem& p, const Contact& c) {
 std::vector<double> model_parameters(const ContactProblem& p, const MaterialData& m, Bulk model) {
   const double volume = p.units.length / p.units.pressure(), pressure = p.units.pressure();
   const auto& v = m.model_data;
-  std::vector<double> found = {1e-5 / volume, 1e-5 / volume, 0, 1, 1, 1, 0, 1 / pressure, 0, 0, 0};
+  const double flexibility = default_of("FLX") / volume;
+  std::vector<double> found = {flexibility,
+                               flexibility,
+                               0,
+                               default_of("K0_MF"),
+                               default_of("ALFAMF"),
+                               default_of("BETAMF"),
+                               0,
+                               default_of("GG3") / pressure,
+                               0,
+                               0,
+                               0};
   if (model == Bulk::fastsim_one) {
     for (std::size_t k = 0; k < 3; ++k) found[k] = v[0] / volume;
     for (std::size_t k = 0; k < 3; ++k) found[3 + k] = v[1 + k];
@@ -109,6 +121,12 @@ std::vector<double> hertzian(const ContactProblem& p, const Contact& c) {
           shape->a / shape->b};
 }
 
+/// The largest number of values of cntc_getparameters: friction at ten stations.
+constexpr int most_parameters = 4 + 3 * 10;
+/// Elements of a potential contact that there is not: callers divide by their numbers.
+constexpr int no_columns = default_choice<int>("MX", DefaultOf::contact),
+              no_rows = default_choice<int>("MY", DefaultOf::contact);
+
 double largest_traction(const Outcome& o) {
   const auto& [px, py] = std::tie(o.solution.tangential.tractions.px, o.solution.tangential.tractions.py);
   double largest = 0;
@@ -124,130 +142,140 @@ using namespace microslip::libcontact;
 extern "C" {
 
 int cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values) {
-  return guarded(patch_call("cntc_getparameters", ire, icp), [&](ContactProblem& p) {
-    fill(room("values", lenarr, values), parameters(p, p.contact(*icp), integer("itask", itask)));
-  });
+  return answered(patch_call("cntc_getparameters", ire, icp), into(results(lenarr, values, most_parameters)),
+                  [&](ContactProblem& p) {
+                    fill(room("values", lenarr, values), parameters(p, p.contact(*icp), integer("itask", itask)));
+                  });
 }
 
 int cntc_getreferencevelocity(int* ire, int* icp, double* veloc) {
-  return guarded(patch_call("cntc_getreferencevelocity", ire, icp), [&](ContactProblem& p) {
+  return answered(patch_call("cntc_getreferencevelocity", ire, icp), into(result(veloc)), [&](ContactProblem& p) {
     given("veloc", veloc) = p.contact(*icp).data.rolling->veloc / p.units.speed;
   });
 }
 
 int cntc_gethertzcontact(int* ire, int* icp, int* lenarr, double* values) {
-  return guarded({"cntc_gethertzcontact", ire, icp, Module::contact, Scope::patch},
-                 [&](ContactProblem& p) { fill(room("values", lenarr, values), hertzian(p, p.contact(*icp))); });
+  return answered({"cntc_gethertzcontact", ire, icp, Module::contact, Scope::patch}, into(results(lenarr, values, 10)),
+                  [&](ContactProblem& p) { fill(room("values", lenarr, values), hertzian(p, p.contact(*icp))); });
 }
 
 int cntc_getnumelements(int* ire, int* icp, int* mx, int* my) {
-  return guarded(patch_call("cntc_getnumelements", ire, icp), [&](ContactProblem& p) {
-    const auto& grid = p.contact(*icp).outcome.step.grid;
-    given("my", my) = grid.my;
-    given("mx", mx) = grid.mx;
-  });
+  return answered(patch_call("cntc_getnumelements", ire, icp), into(result(mx, no_columns), result(my, no_rows)),
+                  [&](ContactProblem& p) {
+                    const auto& grid = p.contact(*icp).outcome.step.grid;
+                    given("my", my) = grid.my;
+                    given("mx", mx) = grid.mx;
+                  });
 }
 
 int cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy) {
-  return guarded({"cntc_getgriddiscretization", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
-    const bool of_wheel = p.is_wheel() && *icp < 0;
-    const double x = of_wheel ? p.wheel().grid.dx : p.contact(*icp).outcome.step.grid.dx * mm_per_m;
-    const double y = of_wheel ? p.wheel().grid.ds : p.contact(*icp).outcome.step.grid.dy * mm_per_m;
-    given("dy", dy) = y / p.units.length;
-    given("dx", dx) = x / p.units.length;
-  });
+  return answered({"cntc_getgriddiscretization", ire, icp, Module::any, Scope::either}, into(result(dx), result(dy)),
+                  [&](ContactProblem& p) {
+                    const bool of_wheel = p.is_wheel() && *icp < 0;
+                    const double x = of_wheel ? p.wheel().grid.dx : p.contact(*icp).outcome.step.grid.dx * mm_per_m;
+                    const double y = of_wheel ? p.wheel().grid.ds : p.contact(*icp).outcome.step.grid.dy * mm_per_m;
+                    given("dy", dy) = y / p.units.length;
+                    given("dx", dx) = x / p.units.length;
+                  });
 }
 
 int cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values) {
-  return guarded(patch_call("cntc_getpotcontact", ire, icp), [&](ContactProblem& p) {
-    const auto& g = p.contact(*icp).outcome.step.grid;
-    const double length = mm_per_m / p.units.length;
-    fill(room("values", lenarr, values), {static_cast<double>(g.mx), static_cast<double>(g.my), g.x0 * length,
-                                          g.y0 * length, g.dx * length, g.dy * length});
-  });
+  const auto elements = results<double>(lenarr, values, 2, no_columns);
+  return answered(patch_call("cntc_getpotcontact", ire, icp), into(results(lenarr, values, 6), elements),
+                  [&](ContactProblem& p) {
+                    const auto& g = p.contact(*icp).outcome.step.grid;
+                    const double length = mm_per_m / p.units.length;
+                    fill(room("values", lenarr, values), {static_cast<double>(g.mx), static_cast<double>(g.my),
+                                                          g.x0 * length, g.y0 * length, g.dx * length, g.dy * length});
+                  });
 }
 
 int cntc_getpenetration(int* ire, int* icp, double* pen) {
-  return guarded(patch_call("cntc_getpenetration", ire, icp), [&](ContactProblem& p) {
+  return answered(patch_call("cntc_getpenetration", ire, icp), into(result(pen)), [&](ContactProblem& p) {
     given("pen", pen) = p.contact(*icp).outcome.totals.approach / p.units.length;
   });
 }
 
 int cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
-  return guarded(patch_call("cntc_getcreepages", ire, icp), [&](ContactProblem& p) {
-    using namespace microslip::contact_program;
-    const Contact c = p.contact(*icp);
-    const bool shifts = c.data.digits.tang == Tangential::shift;
-    const double unit = shifts ? 1 / p.units.length : 1, turn = shifts ? 1 : p.units.length;
-    const PrintedTotals& t = c.outcome.totals;
-    const double x = c.data.digits.force == Prescribed::creepages ? c.data.x : t.x;
-    const double y = c.data.digits.force == Prescribed::force_x_and_y ? t.y : c.data.y;
-    given("phi", phi) = p.units.body * turn * c.data.phi;
-    given("vy", vy) = p.units.body * unit * y;
-    given("vx", vx) = p.units.body * unit * x;
-  });
+  return answered(patch_call("cntc_getcreepages", ire, icp), into(result(vx), result(vy), result(phi)),
+                  [&](ContactProblem& p) {
+                    using namespace microslip::contact_program;
+                    const Contact c = p.contact(*icp);
+                    const bool shifts = c.data.digits.tang == Tangential::shift;
+                    const double unit = shifts ? 1 / p.units.length : 1, turn = shifts ? 1 : p.units.length;
+                    const PrintedTotals& t = c.outcome.totals;
+                    const double x = c.data.digits.force == Prescribed::creepages ? c.data.x : t.x;
+                    const double y = c.data.digits.force == Prescribed::force_x_and_y ? t.y : c.data.y;
+                    given("phi", phi) = p.units.body * turn * c.data.phi;
+                    given("vy", vy) = p.units.body * unit * y;
+                    given("vx", vx) = p.units.body * unit * x;
+                  });
 }
 
 int cntc_getcontactforces(int* ire, int* icp, double* fn, double* tx, double* ty, double* mz) {
-  return guarded(patch_call("cntc_getcontactforces", ire, icp), [&](ContactProblem& p) {
-    const auto& t = p.contact(*icp).outcome.totals;
-    given("mz", mz) = p.units.body * t.mz / p.units.length;
-    given("ty", ty) = p.units.body * t.fy;
-    given("tx", tx) = p.units.body * t.fx;
-    given("fn", fn) = t.fn;
-  });
+  return answered(patch_call("cntc_getcontactforces", ire, icp), into(result(fn), result(tx), result(ty), result(mz)),
+                  [&](ContactProblem& p) {
+                    const auto& t = p.contact(*icp).outcome.totals;
+                    given("mz", mz) = p.units.body * t.mz / p.units.length;
+                    given("ty", ty) = p.units.body * t.fy;
+                    given("tx", tx) = p.units.body * t.fx;
+                    given("fn", fn) = t.fn;
+                  });
 }
 
 int cntc_getcontactpatchareas(int* ire, int* icp, double* carea, double* harea, double* sarea) {
-  return guarded(patch_call("cntc_getcontactpatchareas", ire, icp), [&](ContactProblem& p) {
-    const auto& o = p.contact(*icp).outcome;
-    const double element = o.step.grid.element_area() * mm_per_m * mm_per_m / p.units.area();
-    given("sarea", sarea) = o.totals.slip * element;
-    given("harea", harea) = o.totals.adhesion * element;
-    given("carea", carea) = o.totals.contact * element;
-  });
+  return answered(patch_call("cntc_getcontactpatchareas", ire, icp), into(result(carea), result(harea), result(sarea)),
+                  [&](ContactProblem& p) {
+                    const auto& o = p.contact(*icp).outcome;
+                    const double element = o.step.grid.element_area() * mm_per_m * mm_per_m / p.units.area();
+                    given("sarea", sarea) = o.totals.slip * element;
+                    given("harea", harea) = o.totals.adhesion * element;
+                    given("carea", carea) = o.totals.contact * element;
+                  });
 }
 
 int cntc_getmaximumpressure(int* ire, int* icp, double* pnmax) {
-  return guarded(patch_call("cntc_getmaximumpressure", ire, icp), [&](ContactProblem& p) {
+  return answered(patch_call("cntc_getmaximumpressure", ire, icp), into(result(pnmax)), [&](ContactProblem& p) {
     given("pnmax", pnmax) = p.contact(*icp).outcome.totals.peak_pressure / p.units.pressure();
   });
 }
 
 int cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
-  return guarded(patch_call("cntc_getmaximumtraction", ire, icp), [&](ContactProblem& p) {
+  return answered(patch_call("cntc_getmaximumtraction", ire, icp), into(result(ptmax)), [&](ContactProblem& p) {
     given("ptmax", ptmax) = largest_traction(p.contact(*icp).outcome) * newton_per_mm2 / p.units.pressure();
   });
 }
 
 int cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max) {
-  return guarded(patch_call("cntc_getmaximumtemperature", ire, icp), [&](ContactProblem& p) {
-    const auto& temperature = p.contact(*icp).outcome.temperature;
-    double &first = given("t1max", t1max), &second = given("t2max", t2max);
-    first = second = 0;
-    if (!temperature) throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
-    first = *std::max_element(temperature->body1.begin(), temperature->body1.end());
-    second = *std::max_element(temperature->body2.begin(), temperature->body2.end());
-  });
+  return answered(patch_call("cntc_getmaximumtemperature", ire, icp), into(result(t1max), result(t2max)),
+                  [&](ContactProblem& p) {
+                    const auto& temperature = p.contact(*icp).outcome.temperature;
+                    double &first = given("t1max", t1max), &second = given("t2max", t2max);
+                    if (!temperature)
+                      throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
+                    first = *std::max_element(temperature->body1.begin(), temperature->body1.end());
+                    second = *std::max_element(temperature->body2.begin(), temperature->body2.end());
+                  });
 }
 
 int cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* sens) {
-  return guarded(patch_call("cntc_getsensitivities", ire, icp), [&](ContactProblem& p) {
-    const Sensitivities& table = p.sensitivities(*icp);
-    const int outputs = integer("lenout", lenout), inputs = integer("lenin", lenin);
-    constexpr int most = 1000;
-    if (outputs < 0 || inputs < 0 || outputs > most || inputs > most)
-      throw Refusal(CNTC_err_other, "lenout and lenin must be in 0 to 1000");
-    const int count = outputs * inputs;
-    const auto found = room("sens", &count, sens);
-    const bool shifts = p.contact(*icp).data.digits.tang == microslip::contact_program::Tangential::shift;
-    const double l = p.units.length, of_input[] = {l, shifts ? l : 1, shifts ? l : 1, shifts ? 1 : 1 / l};
-    const double of_output[] = {1, 1, 1, l};
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t o = 0; o < 4; ++o)
-        if (int(i) < inputs && int(o) < outputs)
-          found[o + i * static_cast<std::size_t>(outputs)] = table[o][i] * of_input[i] / of_output[o];
-  });
+  return answered(
+      patch_call("cntc_getsensitivities", ire, icp), into(results(lenout, lenin, sens)), [&](ContactProblem& p) {
+        const Sensitivities& table = p.sensitivities(*icp);
+        const int outputs = integer("lenout", lenout), inputs = integer("lenin", lenin);
+        constexpr int most = 1000;
+        if (outputs < 0 || inputs < 0 || outputs > most || inputs > most)
+          throw Refusal(CNTC_err_other, "lenout and lenin must be in 0 to 1000");
+        const int count = outputs * inputs;
+        const auto found = room("sens", &count, sens);
+        const bool shifts = p.contact(*icp).data.digits.tang == microslip::contact_program::Tangential::shift;
+        const double l = p.units.length, of_input[] = {l, shifts ? l : 1, shifts ? l : 1, shifts ? 1 : 1 / l};
+        const double of_output[] = {1, 1, 1, l};
+        for (std::size_t i = 0; i < 4; ++i)
+          for (std::size_t o = 0; o < 4; ++o)
+            if (int(i) < inputs && int(o) < outputs)
+              found[o + i * static_cast<std::size_t>(outputs)] = table[o][i] * of_input[i] / of_output[o];
+      });
 }
 
 } // extern "C"

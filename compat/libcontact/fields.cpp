@@ -115,43 +115,47 @@ using namespace microslip::libcontact;
 extern "C" {
 
 int cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* fld) {
-  return guarded(patch_call("cntc_getfielddata", ire, icp),
-                 [&](ContactProblem& p) { get_field(p, *icp, integer("ifld", ifld), room("fld", lenarr, fld)); });
+  return answered(patch_call("cntc_getfielddata", ire, icp), into(results(lenarr, fld)),
+                  [&](ContactProblem& p) { get_field(p, *icp, integer("ifld", ifld), room("fld", lenarr, fld)); });
 }
 
 int cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, double* py) {
-  return guarded(patch_call("cntc_gettractions", ire, icp), [&](ContactProblem& p) {
-    const auto n = room("pn", lenarr, pn), x = room("px", lenarr, px), y = room("py", lenarr, py);
-    get_field(p, *icp, CNTC_fld_pn, n);
-    get_field(p, *icp, CNTC_fld_px, x);
-    get_field(p, *icp, CNTC_fld_py, y);
-  });
+  return answered(patch_call("cntc_gettractions", ire, icp),
+                  into(results(lenarr, pn), results(lenarr, px), results(lenarr, py)), [&](ContactProblem& p) {
+                    const auto n = room("pn", lenarr, pn), x = room("px", lenarr, px), y = room("py", lenarr, py);
+                    get_field(p, *icp, CNTC_fld_pn, n);
+                    get_field(p, *icp, CNTC_fld_px, x);
+                    get_field(p, *icp, CNTC_fld_py, y);
+                  });
 }
 
 int cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy) {
-  return guarded(patch_call("cntc_getmicroslip", ire, icp), [&](ContactProblem& p) {
-    const auto x = room("sx", lenarr, sx), y = room("sy", lenarr, sy);
-    get_field(p, *icp, CNTC_fld_sx, x);
-    get_field(p, *icp, CNTC_fld_sy, y);
-  });
+  return answered(patch_call("cntc_getmicroslip", ire, icp), into(results(lenarr, sx), results(lenarr, sy)),
+                  [&](ContactProblem& p) {
+                    const auto x = room("sx", lenarr, sx), y = room("sy", lenarr, sy);
+                    get_field(p, *icp, CNTC_fld_sx, x);
+                    get_field(p, *icp, CNTC_fld_sy, y);
+                  });
 }
 
 int cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy) {
-  return guarded(patch_call("cntc_getdisplacements", ire, icp), [&](ContactProblem& p) {
-    const auto n = room("un", lenarr, un), x = room("ux", lenarr, ux), y = room("uy", lenarr, uy);
-    get_field(p, *icp, CNTC_fld_un, n);
-    get_field(p, *icp, CNTC_fld_ux, x);
-    get_field(p, *icp, CNTC_fld_uy, y);
-  });
+  return answered(patch_call("cntc_getdisplacements", ire, icp),
+                  into(results(lenarr, un), results(lenarr, ux), results(lenarr, uy)), [&](ContactProblem& p) {
+                    const auto n = room("un", lenarr, un), x = room("ux", lenarr, ux), y = room("uy", lenarr, uy);
+                    get_field(p, *icp, CNTC_fld_un, n);
+                    get_field(p, *icp, CNTC_fld_ux, x);
+                    get_field(p, *icp, CNTC_fld_uy, y);
+                  });
 }
 
 int cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* eldiv) {
-  return guarded(patch_call("cntc_getelementdivision", ire, icp), [&](ContactProblem& p) {
-    const Contact c = p.contact(*icp);
-    const auto found = room("eldiv", lenarr, eldiv);
-    for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k)
-      found[k] = division_of(c.outcome, k);
-  });
+  return answered(patch_call("cntc_getelementdivision", ire, icp), into(results(lenarr, eldiv)),
+                  [&](ContactProblem& p) {
+                    const Contact c = p.contact(*icp);
+                    const auto found = room("eldiv", lenarr, eldiv);
+                    for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k)
+                      found[k] = division_of(c.outcome, k);
+                  });
 }
 
 } // extern "C"

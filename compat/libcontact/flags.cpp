@@ -1,5 +1,6 @@
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
+#include "compat/libcontact/defaults.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -131,7 +132,7 @@ constexpr Flag flags[] = {
     {CNTC_if_units, set_units,
      [](const ContactProblem& p) {
        const auto found = p.other_flags.find(CNTC_if_units);
-       return found == p.other_flags.end() ? int(CNTC_un_cntc) : found->second;
+       return found == p.other_flags.end() ? default_flag(CNTC_if_units) : found->second;
      }},
     {CNTC_if_ncase, refuse_read_only, [](const ContactProblem& p) { return p.calculations(); }},
 };
@@ -168,7 +169,7 @@ int flag_of(const ContactProblem& p, int code) {
   if (const Flag* flag = find(code)) return flag->get(p);
   if (!has(without_effect, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
   const auto found = p.other_flags.find(code);
-  return found == p.other_flags.end() ? 0 : found->second;
+  return found == p.other_flags.end() ? default_flag(code) : found->second;
 }
 
 } // namespace
@@ -193,17 +194,21 @@ int cntc_setflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
 }
 
 int cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
-  return guarded({"cntc_getflags", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
-    const auto codes = integers("params", lenflg, params);
-    const auto found = room("values", lenflg, values);
-    int code = 0;
-    for (std::size_t k = 0; k < codes.size(); ++k) {
-      if (codes[k] == 0) continue;
-      const int of_this = guarded("cntc_getflags", [&] { found[k] = flag_of(p, codes[k]); });
-      if (code == 0) code = of_this;
-    }
-    return code;
-  });
+  int of_flags = 0;
+  const int code = answered({"cntc_getflags", ire, icp, Module::any, Scope::either}, into(results(lenflg, values)),
+                            [&](ContactProblem& p) {
+                              const auto codes = integers("params", lenflg, params);
+                              const auto found = room("values", lenflg, values);
+                              for (std::size_t k = 0; k < codes.size(); ++k) {
+                                if (codes[k] == 0) continue;
+                                const int of_this = guarded("cntc_getflags", [&] {
+                                  found[k] = 0;
+                                  found[k] = flag_of(p, codes[k]);
+                                });
+                                if (of_flags == 0) of_flags = of_this;
+                              }
+                            });
+  return code != 0 ? code : of_flags;
 }
 
 int cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* values) {

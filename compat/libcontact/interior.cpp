@@ -118,36 +118,39 @@ int subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, i
 }
 
 int subs_getblocksize(int* ire, int* icp, int* iblk, int* nx, int* ny, int* nz) {
-  return guarded({"subs_getblocksize", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
-    const int patch = *icp < 0 ? 1 : *icp; // the points of all patches are the same, unless there are own ones
-    int &x = given("nx", nx), &y = given("ny", ny), &z = given("nz", nz);
-    x = y = z = -1;
-    const auto& points = found_block(p, patch, integer("iblk", iblk)).points;
-    x = static_cast<int>(points.x.size());
-    y = static_cast<int>(points.y.size());
-    z = static_cast<int>(points.z.size());
-  });
+  return answered({"subs_getblocksize", ire, icp, Module::any, Scope::either},
+                  into(result(nx, -1), result(ny, -1), result(nz, -1)), [&](ContactProblem& p) {
+                    const int patch =
+                        *icp < 0 ? 1 : *icp; // the points of all patches are the same, unless there are own ones
+                    int &x = given("nx", nx), &y = given("ny", ny), &z = given("nz", nz);
+                    const auto& points = found_block(p, patch, integer("iblk", iblk)).points;
+                    x = static_cast<int>(points.x.size());
+                    y = static_cast<int>(points.y.size());
+                    z = static_cast<int>(points.z.size());
+                  });
 }
 
 int subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* icol, double* values) {
-  return guarded({"subs_getresults", ire, icp, Module::any, Scope::patch}, [&](ContactProblem& p) {
-    const InteriorBlock& b = found_block(p, *icp, integer("iblk", iblk));
-    const auto columns = integers("icol", ncol, icol);
-    const int rows = integer("lenarr", lenarr);
-    if (rows < 0 || columns.size() > most_columns) throw Refusal(CNTC_err_other, "lenarr or ncol is out of range");
-    if (rows > 0 && !columns.empty()) given("values", values);
-    const auto length = static_cast<std::size_t>(rows);
-    constexpr double none = -999;
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      for (std::size_t k = 0; k < length; ++k) {
-        const bool exists = columns[c] >= 1 && columns[c] <= 21;
-        double& place = values[c * length + k];
-        if (!exists)
-          place = none;
-        else if (k < b.states.size())
-          place = *value(b, k, columns[c], p.units.length, p.units.pressure());
-      }
-  });
+  return answered({"subs_getresults", ire, icp, Module::any, Scope::patch}, into(results(lenarr, ncol, values)),
+                  [&](ContactProblem& p) {
+                    const InteriorBlock& b = found_block(p, *icp, integer("iblk", iblk));
+                    const auto columns = integers("icol", ncol, icol);
+                    const int rows = integer("lenarr", lenarr);
+                    if (rows < 0 || columns.size() > most_columns)
+                      throw Refusal(CNTC_err_other, "lenarr or ncol is out of range");
+                    if (rows > 0 && !columns.empty()) given("values", values);
+                    const auto length = static_cast<std::size_t>(rows);
+                    constexpr double none = -999;
+                    for (std::size_t c = 0; c < columns.size(); ++c)
+                      for (std::size_t k = 0; k < length; ++k) {
+                        const bool exists = columns[c] >= 1 && columns[c] <= 21;
+                        double& place = values[c * length + k];
+                        if (!exists)
+                          place = none;
+                        else if (k < b.states.size())
+                          place = *value(b, k, columns[c], p.units.length, p.units.pressure());
+                      }
+                  });
 }
 
 } // extern "C"

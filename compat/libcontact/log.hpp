@@ -1,10 +1,12 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <set>
 #include <string>
+#include <type_traits>
 
 namespace microslip::libcontact {
 
@@ -14,6 +16,13 @@ public:
   /// Begins a file; the messages so far count as not written. False if it cannot be written: then nothing is.
   bool open(const std::filesystem::path& file);
   void write_once(const std::string& message) noexcept;
+  /// The same of a message that is made now; without memory for it nothing is written.
+  template <class Make> void write_once(Make make) noexcept requires std::is_invocable_r_v<std::string, Make> {
+    try {
+      write_once(make());
+    } catch (const std::exception&) {
+    }
+  }
   void close();
 
 private:

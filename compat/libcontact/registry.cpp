@@ -18,6 +18,10 @@ Registry& Registry::instance() {
 
 bool Registry::start(const std::string& working_folder, const std::string& folder, const std::string& name) {
   const std::lock_guard lock(mutex_);
+  return begin(working_folder, folder, name);
+}
+
+bool Registry::begin(const std::string& working_folder, const std::string& folder, const std::string& name) {
   if (started_) return true;
   // A folder in front of the experiment's name is the working folder where none is given.
   const std::filesystem::path experiment = name.empty() ? "contact_addon" : name;
@@ -26,16 +30,28 @@ bool Registry::start(const std::string& working_folder, const std::string& folde
   return log_.open(std::filesystem::path(folder) / (experiment.filename().string() + ".out"));
 }
 
-void Registry::add(int element, int module) {
-  if (element < 1 || element > most_elements)
-    throw Refusal(CNTC_err_icp, name_of(element) + ": must be in 1 to " + std::to_string(most_elements));
+void Registry::add(int number, int module) {
+  const std::lock_guard lock(mutex_);
+  element(number, module);
+}
+
+/// The element, which is added if it is not there yet.
+Registry::Element& Registry::element(int number, int module) {
+  if (number < 1 || number > most_elements)
+    throw Refusal(CNTC_err_icp, name_of(number) + ": must be in 1 to " + std::to_string(most_elements));
   if (module != 1 && module != 3)
     throw Refusal(CNTC_err_other, "imodul = " + std::to_string(module) + ": must be 1 or 3");
+  Element& found = elements_[number];
+  if (found.module == 0) found.module = module;
+  if (found.module != module)
+    throw Refusal(CNTC_err_icp, name_of(number) + " is one of module " + std::to_string(found.module));
+  return found;
+}
+
+std::optional<int> Registry::module(int element) {
   const std::lock_guard lock(mutex_);
-  const auto [place, is_new] = elements_.try_emplace(element);
-  if (!is_new && place->second.module != module)
-    throw Refusal(CNTC_err_icp, name_of(element) + " is one of module " + std::to_string(place->second.module));
-  place->second.module = module;
+  const auto found = elements_.find(element);
+  return found == elements_.end() ? std::optional<int>() : found->second.module;
 }
 
 void Registry::remove(int element) {
@@ -55,18 +71,17 @@ void Registry::stop() {
   log_.close();
 }
 
-std::shared_ptr<ContactProblem> Registry::problem(int element, int icp) {
-  const std::lock_guard lock(mutex_);
-  const auto found = elements_.find(element);
-  if (found == elements_.end()) throw Refusal(CNTC_err_icp, "there is no result element " + name_of(element));
-  const bool is_wheel = found->second.module == 1;
-  const bool is_problem = icp >= 1 && icp <= most_problems;
+std::shared_ptr<ContactProblem> Registry::problem(int number, int module, int icp) {
+  const bool is_wheel = module == 1, is_problem = icp >= 1 && icp <= most_problems;
   if (!is_problem && !(is_wheel && icp == -1))
     throw Refusal(CNTC_err_icp, "icp = " + std::to_string(icp) + ": must be " + (is_wheel ? "-1, or " : "") +
                                     "in 1 to " + std::to_string(most_problems));
-  const int number = is_wheel ? -1 : icp;
-  auto& problem = found->second.problems[number];
-  if (!problem) problem = std::make_shared<ContactProblem>(number);
+  const std::lock_guard lock(mutex_);
+  Element& of = element(number, module);
+  if (!started_) begin("", "", "");
+  const int key = is_wheel ? -1 : icp;
+  auto& problem = of.problems[key];
+  if (!problem) problem = std::make_shared<ContactProblem>(key);
   return problem;
 }
 

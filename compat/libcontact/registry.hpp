@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace microslip::libcontact {
@@ -25,15 +26,18 @@ public:
   /// Opens the log and remembers the folders, unless that has been done already. Returns whether the log can be
   /// written.
   bool start(const std::string& working_folder, const std::string& folder, const std::string& name);
-  /// Throws Refusal for an element that is there as one of another module.
+  /// Throws Refusal for an element that is there as one of another module, for numbers of elements and modules that
+  /// do not exist.
   void add(int element, int module);
   /// Throws Refusal if there is no such element.
   void remove(int element);
   void remove_all();
 
-  /// The problem of a call with `icp`: in module 1 that of the wheel, whatever its patch. Throws Refusal if there is
-  /// none.
-  std::shared_ptr<ContactProblem> problem(int element, int icp);
+  /// Of an element that is there.
+  std::optional<int> module(int element);
+  /// The problem of a call with `icp`: in module 1 that of the wheel, whatever its patch. Begins the library and adds
+  /// the element if there is none. Throws Refusal as add does, and for an icp that does not exist.
+  std::shared_ptr<ContactProblem> problem(int element, int module, int icp);
   /// Where profiles are looked for.
   std::filesystem::path working_folder();
   Log& log() { return log_; }
@@ -44,6 +48,9 @@ private:
     std::map<int, std::shared_ptr<ContactProblem>> problems;
   };
 
+  // With the mutex held.
+  bool begin(const std::string& working_folder, const std::string& folder, const std::string& name);
+  Element& element(int number, int module);
   void stop();
 
   std::mutex mutex_;

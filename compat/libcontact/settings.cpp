@@ -1,5 +1,6 @@
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
+#include "compat/libcontact/defaults.hpp"
 #include "microslip/contact/limits.hpp"
 
 #include <algorithm>
@@ -118,7 +119,7 @@ void set_heat(ContactProblem& p, int method, std::span<const double> v) {
     for (const std::size_t k : {1u, 2u, 3u})
       if (!(data[k] > 0)) throw Refusal(CNTC_err_other, "HEATCP, LAMBDA and DENS must be > 0");
   }
-  heat.plastic_share = v.size() > 8 ? v[8] : 1;
+  heat.plastic_share = v.size() > 8 ? v[8] : default_of("BETAPL");
   p.data.heat = heat;
   p.data.digits.heat = Heat::read;
 }
@@ -128,10 +129,10 @@ constexpr std::size_t friction_counts[] = {2, 0, 7, 7, 7, 3, 6}; ///< by L
 
 /// Polach's law mu = mu0 ((1 - A) exp(-B s) + A) as an exponential one, as in CONTACT.
 std::vector<double> polach_set(const Units& u, std::span<const double> v) {
-  constexpr double memory_distance = 1e-3, memory_speed = 10, other_speed = 1e4; // mm, mm/s
   const double at_rest = std::max(1e-6, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.speed;
   if (!(b > 0)) throw Refusal(CNTC_err_frclaw, "Polach's B must be > 0");
-  return {share * at_rest, (1 - share) * at_rest, std::numbers::ln2 / b, 0, other_speed, memory_distance, memory_speed};
+  return {share * at_rest,      (1 - share) * at_rest, std::numbers::ln2 / b, 0,
+          default_of("SABSH2"), default_of("MEMDST"),  default_of("MEM_S0")};
 }
 
 std::vector<double> friction_set(const Units& u, int law, std::span<const double> v) {
@@ -207,7 +208,7 @@ void set_patch_rules(ContactProblem& p, int method, std::span<const double> v) {
     rules.d_comb = std::max(0.0, v[4] * l);
     if (rules.d_comb > rules.d_sep) throw Refusal(CNTC_err_discr, "D_COMB must not be above D_SEP");
     rules.d_turn = v.size() > 5 ? std::max(0.0, v[5] * l) : 2 * rules.d_sep - rules.d_comb;
-    rules.g_miss = v.size() > 6 ? v[6] * l : -1;
+    rules.g_miss = v.size() > 6 ? v[6] * l : default_of("G_MISS", DefaultOf::wheel);
   }
   p.wheel().grid = rules;
 }

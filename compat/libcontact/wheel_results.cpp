@@ -1,6 +1,7 @@
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 // What was found of wheels on rails, module 1. Left wheels are solved as their mirror images; y, FY, angles about x and
@@ -99,10 +100,10 @@ std::vector<double> location(const ContactProblem& p, int icp) {
           sign * roll_of(placed.wheel_on_axle.axes), sign * yaw_of(placed.wheel_on_axle.axes)};
 }
 
-/// Results where there may be none: then zeros, as CONTACT gives.
-template <class Find> void fill_or_zero(std::span<double> found, Find find) {
-  for (double& value : found) value = 0;
-  fill(found, find());
+/// With zeros behind them, as CONTACT gives.
+void fill_all(std::span<double> room, const std::vector<double>& values) {
+  std::fill(room.begin(), room.end(), 0);
+  fill(room, values);
 }
 
 } // namespace
@@ -113,37 +114,37 @@ using namespace microslip::libcontact;
 extern "C" {
 
 int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
-  return guarded({"cntc_getwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
-    const auto& w = p.wheel().position;
-    const double unit = 1 / p.units.length;
-    fill(room("values", lenarr, values), {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch});
-  });
+  return answered({"cntc_getwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole},
+                  into(results(lenarr, values, 6)), [&](ContactProblem& p) {
+                    const auto& w = p.wheel().position;
+                    const double unit = 1 / p.units.length;
+                    fill(room("values", lenarr, values), {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch});
+                  });
 }
 
 int cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values) {
-  return guarded({"cntc_getwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
-    const auto& w = p.wheel().velocity;
-    const double unit = 1 / p.units.speed;
-    const double along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
-    fill(room("values", lenarr, values), {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch});
-  });
+  return answered({"cntc_getwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole},
+                  into(results(lenarr, values, 6)), [&](ContactProblem& p) {
+                    const auto& w = p.wheel().velocity;
+                    const double unit = 1 / p.units.speed;
+                    const double along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
+                    fill(room("values", lenarr, values), {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch});
+                  });
 }
 
 int cntc_getnumcontactpatches(int* ire, int* npatch) {
-  return guarded({"cntc_getnumcontactpatches", ire, &whole_wheel, Module::wheel, Scope::whole},
-                 [&](ContactProblem& p) { given("npatch", npatch) = p.contacts(); });
+  return answered({"cntc_getnumcontactpatches", ire, &whole_wheel, Module::wheel, Scope::whole}, into(result(npatch)),
+                  [&](ContactProblem& p) { given("npatch", npatch) = p.contacts(); });
 }
 
 int cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values) {
-  return guarded({"cntc_getcontactlocation", ire, icp, Module::wheel, Scope::patch}, [&](ContactProblem& p) {
-    fill_or_zero(room("values", lenarr, values), [&] { return location(p, *icp); });
-  });
+  return answered({"cntc_getcontactlocation", ire, icp, Module::wheel, Scope::patch}, into(results(lenarr, values)),
+                  [&](ContactProblem& p) { fill_all(room("values", lenarr, values), location(p, *icp)); });
 }
 
 int cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values) {
-  return guarded({"cntc_getglobalforces", ire, icp, Module::wheel, Scope::either}, [&](ContactProblem& p) {
-    fill_or_zero(room("values", lenarr, values), [&] { return global_forces(p, *icp); });
-  });
+  return answered({"cntc_getglobalforces", ire, icp, Module::wheel, Scope::either}, into(results(lenarr, values)),
+                  [&](ContactProblem& p) { fill_all(room("values", lenarr, values), global_forces(p, *icp)); });
 }
 
 } // extern "C"

@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
+#include "compat/libcontact/defaults.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,25 +15,26 @@ using namespace contact_program;
 
 constexpr int rail_profile = 0, wheel_profile = 1;
 
-/// What is to be done with a profile's points, but for its file. Numbers that are not given are CONTACT's defaults.
+/// What is to be done with a profile's points, but for its file.
 ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::span<const double> numbers) {
   const auto choice = [&](std::size_t k, int otherwise) { return k < choices.size() ? choices[k] : otherwise; };
   const auto value = [&](std::size_t k, double otherwise) { return k < numbers.size() ? numbers[k] : otherwise; };
+  constexpr DefaultOf of = DefaultOf::wheel;
   ProfileRecord p;
-  p.mirror_y = choice(2, 0);
-  p.mirror_z = choice(3, 0);
-  p.error_handling = choice(4, 0);
-  p.smoothing = choice(5, 0);
+  p.mirror_y = choice(2, default_choice<int>("MIRRORY", of));
+  p.mirror_z = choice(3, default_choice<int>("MIRRORZ", of));
+  p.error_handling = choice(4, default_choice<int>("ERRHND", of));
+  p.smoothing = choice(5, default_choice<int>("ISMOOTH", of));
   for (const int mirror : {p.mirror_y, p.mirror_z})
     if (mirror < -1 || mirror > 1) throw Refusal(CNTC_err_profil, "mirrory and mirrorz must be -1, 0 or 1");
   if (p.smoothing < 0 || p.smoothing > 2) throw Refusal(CNTC_err_profil, "ismooth must be 0, 1 or 2");
   p.scale = value(0, 0) > 0 ? numbers[0] : u.length;
-  p.smooth = std::max(0.0, value(1, p.smooth));
-  p.most_omitted = value(2, p.most_omitted);
-  p.zigzag = value(3, p.zigzag);
-  p.kink_high = value(4, p.kink_high);
-  p.kink_low = value(5, p.kink_high / 5);
-  if (numbers.size() > 6) p.kink_width = numbers[6] * u.length;
+  p.smooth = std::max(0.0, value(1, default_of("SMOOTH", of)));
+  p.most_omitted = value(2, default_of("MAXOMIT", of));
+  p.zigzag = value(3, default_of("ZIGTHRS", of));
+  p.kink_high = value(4, default_of("KINKHIGH", of));
+  p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / 5 : default_of("KINKLOW", of));
+  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length : default_of("KINKWID", of);
   return p;
 }
 
@@ -110,7 +112,8 @@ void set_rail_position(ContactProblem& p, std::span<const double> v) {
 
 void set_rail_support(ContactProblem& p, std::span<const double> v) {
   const double l = p.units.length;
-  p.wheel().support = {v[0] / l, v[1], v[2] / l, v[3], v.size() > 4 ? v[4] * l : 1};
+  p.wheel().support = {v[0] / l, v[1], v[2] / l, v[3],
+                       v.size() > 4 ? v[4] * l : default_of("DYSTEP0", DefaultOf::wheel)};
 }
 
 void set_track_dimensions(ContactProblem& p, int method, std::span<const double> v) {
@@ -147,7 +150,7 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
   const double l = p.units.length;
   constexpr double least_radius = 1e-3; // mm
   if (!(v[2] * l >= least_radius)) throw Refusal(CNTC_err_other, "NOMRAD must be > 0");
-  p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : 1000};
+  p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : default_of("YTAPE", DefaultOf::wheel)};
 }
 
 void set_position(ContactProblem& p, int method, std::span<const double> v) {

@@ -6,9 +6,12 @@
  * icp     contact problem 1 to 9; in module 1, -1 is the wheel as a whole and 1, 2, ... are its contact patches
  * lengths count the numbers of an array; results beyond a length are left out
  *
+ * An element is made by cntc_initialize, or by the first call that takes it: one of module 1 for icp = -1 and functions
+ * without icp, one of module 3 for others.
+ *
  * Every function returns a code: 0, or one of CNTC_err_..., or, from cntc_calculate, a number of elements > 0. Those of
- * CONTACT's that tell of errors by an argument ierror do so as well. A call that is refused changes nothing; why is
- * written once into the log FOLDER/NAME.out. Nothing is printed, and no call ends the program.
+ * CONTACT's that tell of errors by an argument ierror do so as well. A call that is refused sets nothing, and its
+ * results are 0; why is written once into the log FOLDER/NAME.out. Nothing is printed, and no call ends the program.
  *
  * Different threads may work on different contact problems at the same time. A second thread that calls while one
  * works on the same problem gets CNTC_err_other.

@@ -43,7 +43,7 @@ TEST_F(Memory, OfAMillionCallsDoesNotGrow) {
       cntc_getglobalforces(&one, &icp, &count, values);
       cntc_setflags(&one, &icp, &one, &code, &value);
       set_wheel_state(1, 1e-3 * (k % 100));
-      calculate(2); // refused
+      calculate(2); // refused: it has no profiles
     }
   };
   call(10);

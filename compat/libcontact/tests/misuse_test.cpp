@@ -22,12 +22,14 @@ protected:
 };
 
 TEST_F(Misuse, OfElementsThatAreNotThere) {
-  EXPECT_EQ(calculate(1), CNTC_err_icp);
-  EXPECT_EQ(set_flag(1, whole, CNTC_ic_tang, 3), CNTC_err_icp);
-  EXPECT_EQ(set_up_wheel(1, true), CNTC_err_icp);
   EXPECT_EQ(finalize(1), CNTC_err_icp);
-  expect_in_log("cntc_calculate(1, -1): there is no result element ire = 1");
-  for (const int ire : {0, -1, 1000, std::numeric_limits<int>::min()}) EXPECT_EQ(initialize(ire, 1), CNTC_err_icp);
+  expect_in_log("cntc_finalize: there is no result element ire = 1");
+  for (const int ire : {0, -1, 1000, std::numeric_limits<int>::min()}) {
+    EXPECT_EQ(initialize(ire, 1), CNTC_err_icp);
+    EXPECT_EQ(set_flag(ire, whole, CNTC_ic_tang, 3), CNTC_err_icp);
+    EXPECT_EQ(calculate(ire), CNTC_err_icp);
+  }
+  expect_in_log("cntc_calculate(1000, -1): ire = 1000: must be in 1 to 999");
   EXPECT_EQ(initialize(1, 2), CNTC_err_other);
 }
 
@@ -71,9 +73,8 @@ TEST_F(Misuse, AfterTheEnd) {
   ASSERT_EQ(initialize(2, 3), 0);
   ASSERT_EQ(finalize(1), 0);
   EXPECT_EQ(finalize(1), CNTC_err_icp);
-  EXPECT_EQ(calculate(1), CNTC_err_icp);
   ASSERT_EQ(finalize(2), 0) << "the last one ends the library";
-  EXPECT_EQ(calculate(2, 1), CNTC_err_icp);
+  EXPECT_EQ(finalize(2), CNTC_err_icp);
   EXPECT_EQ(cntc_finalizelast(), 0);
   EXPECT_EQ(initialize(1, 1), 0) << "and it begins again";
   EXPECT_EQ(set_up_wheel(1, true), 0);
@@ -146,6 +147,20 @@ TEST_F(Misuse, OfNumbersThatAreNone) {
   }
 }
 
+/// Numbers that are finite, but not what is made of them.
+TEST_F(Misuse, OfNumbersThatAreTooLarge) {
+  ASSERT_EQ(set_up_sphere(3, 1), 0);
+  ASSERT_EQ(calculate(3, 1), 0);
+  int ire = 3, icp = 1;
+  double large = 1e300, none = 0;
+  ASSERT_EQ(cntc_setcreepages(&ire, &icp, &large, &none, &none), 0);
+  EXPECT_EQ(calculate(3, 1), CNTC_err_other);
+  expect_in_log("the forces are no numbers");
+  EXPECT_EQ(scalars(cntc_getcontactforces, 3, 1), Values()) << "nor is there a solution";
+  ASSERT_EQ(set_up_sphere(3, 1), 0);
+  EXPECT_EQ(calculate(3, 1), 0) << "nothing was spoilt";
+}
+
 TEST_F(Misuse, OfProfiles) {
   ASSERT_EQ(initialize(1, 1), 0);
   ASSERT_EQ(set_up_wheel(1, true), 0);
@@ -199,8 +214,8 @@ TEST_F(Misuse, OfElementsThatAreTooSmall) {
 }
 
 TEST_F(Misuse, IsToldOnce) {
-  for (int k = 0; k < 100; ++k) EXPECT_EQ(calculate(5), CNTC_err_icp);
-  const std::string log = library_.log(), line = "there is no result element ire = 5";
+  for (int k = 0; k < 100; ++k) EXPECT_EQ(calculate(5), CNTC_err_profil);
+  const std::string log = library_.log(), line = "there is no rail profile";
   EXPECT_EQ(log.find(line), log.rfind(line));
 }
 
