@@ -28,6 +28,8 @@ const Case* InputReader::next() {
   c.number = ++cases_;
   c.line = words_.line();
   c.sequence = sequence_;
+  c.number_in_element = ++cases_of_element_[sequence_.first];
+  c.names_element = cases_of_element_.size() > 1;
   if (module_ == 1)
     WheelRailReader(words_, folder_.string(), *now_).read();
   else
