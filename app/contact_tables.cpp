@@ -115,7 +115,8 @@ void print_location(const contact_program::WheelPatch& patch) {
   motion.print();
 }
 
-void print_wheel(const Case& c, const contact_program::WheelOutcome& wheel) {
+void print_wheel(const Case& c, const Outcome& outcome) {
+  const contact_program::WheelOutcome& wheel = *outcome.wheel;
   const auto& digits = c.wheel_rail->digits;
   fmt::print("{} wheel on a {}, {} contact {}\n", digits.is_left() ? "left" : "right",
              digits.is_roller() ? "roller" : "rail", wheel.patches.size(),
@@ -128,6 +129,7 @@ void print_wheel(const Case& c, const contact_program::WheelOutcome& wheel) {
   totals.add("FX(WS)", wheel.wheelset.force.x);
   totals.add("FY(WS)", wheel.wheelset.force.y);
   totals.add("FZ(WS)", wheel.wheelset.force.z);
+  totals.add("status", std::string(to_string(outcome.solution.status)));
   totals.print();
   int number = 0;
   for (const auto& patch : wheel.patches) {
@@ -141,7 +143,7 @@ void print_wheel(const Case& c, const contact_program::WheelOutcome& wheel) {
 
 void print_solution(const Case& c, const Outcome& outcome) {
   if (outcome.wheel)
-    print_wheel(c, *outcome.wheel);
+    print_wheel(c, outcome);
   else
     print_contact(c, outcome, 'Y');
 }

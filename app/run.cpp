@@ -276,13 +276,18 @@ private:
   /// Words in place of the numbers that the result file has.
   static void name_codes(Json& document) {
     constexpr const char* outcomes[] = {"solved", "skipped", "refused"};
+    const auto name_status = [](Json& status) {
+      status = std::string(to_string(static_cast<Status>(status.get<int>())));
+    };
     Json& cases = document["cases"];
     for (Json& outcome : cases["outcome"]) outcome = outcomes[outcome.get<int>()];
-    for (std::size_t k = 0; k < cases["status"].size(); ++k) {
-      Json& status = cases["status"][k];
-      const bool solved = cases["outcome"][k] == outcomes[0];
-      status = solved ? Json(std::string(to_string(static_cast<Status>(status.get<int>())))) : Json();
-    }
+    for (std::size_t k = 0; k < cases["status"].size(); ++k)
+      if (cases["outcome"][k] == outcomes[0])
+        name_status(cases["status"][k]);
+      else
+        cases["status"][k] = Json();
+    if (document.contains("wheels"))
+      for (Json& status : document["wheels"]["status"]) name_status(status);
   }
 
   /// Names the cases: 3, 5 to 9.

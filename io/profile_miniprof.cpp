@@ -75,7 +75,8 @@ private:
         std::string(unquoted(trimmed(line.substr(sign + 1))));
   }
 
-  /// Of an old file numbers begin after the blank line, of newer ones where the keys end. Other words are free text.
+  /// Of an old file numbers begin after the blank line, of newer ones where the keys end. Other words are free text,
+  /// and so is what follows a number for each of the columns.
   void read_data(std::string_view line) {
     const bool is_mpt = !section_name_.empty();
     if (is_mpt && (!section_name_.ends_with("Points") || sections_ != section_)) return;
@@ -85,8 +86,14 @@ private:
       if (is_old_ || !has_header_ended_) return;
       lines_.fail(printable(line) + " is not a row of numbers");
     }
+    if (!has_points()) columns_named_ = std::max<std::size_t>(2, column_names().size());
     Row row{{}, lines_};
-    for (const auto field : fields) row.numbers.push_back(lines_.number(field, "a coordinate"));
+    for (const auto field : fields) {
+      const bool is_remark = row.numbers.size() >= columns_named_ && !parse_number(field);
+      remarks_ += is_remark;
+      if (is_remark) break;
+      row.numbers.push_back(lines_.number(field, "a coordinate"));
+    }
     rows_.push_back(std::move(row));
   }
 
@@ -136,14 +143,21 @@ private:
     }
     if (commented_out_ > 0)
       file_.steps.push_back("left out " + counted(commented_out_, "line") + " of points marked as comments");
+    if (remarks_ > 0) file_.steps.push_back("left out the text behind the numbers of " + counted(remarks_, "line"));
+  }
+
+  std::vector<std::string> column_names() const {
+    std::vector<std::string> names;
+    for (const auto name : split(key("columndef").value_or(""), ",;")) names.push_back(lower_case(name));
+    return names;
   }
 
   Columns columns() const {
     const auto text = key("columndef");
     if (!text || text->empty()) return {};
-    const auto names = split(*text, ",;");
+    const auto names = column_names();
     const auto place = [&](std::string_view name) {
-      const auto found = std::find_if(names.begin(), names.end(), [&](auto n) { return lower_case(n) == name; });
+      const auto found = std::find(names.begin(), names.end(), name);
       if (found == names.end()) lines_.fail_as_a_whole("ColumnDef = " + printable(*text) + " has no X or no Y");
       return static_cast<std::size_t>(found - names.begin());
     };
@@ -169,7 +183,8 @@ private:
   std::map<std::string, std::string> keys_; ///< by section and name in lower case
   std::string section_name_, wanted_;
   int section_, sections_ = 0;
-  std::size_t line_number_ = 0, commented_out_ = 0;
+  std::size_t line_number_ = 0, commented_out_ = 0, remarks_ = 0;
+  std::size_t columns_named_ = 2; ///< that a row has numbers for
   bool is_old_ = false, has_header_ended_ = false;
 };
 

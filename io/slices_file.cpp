@@ -1,5 +1,6 @@
 #include "io/slices_file.hpp"
 
+#include "io/file_beside.hpp"
 #include "io/profile_formats.hpp"
 #include "io/text_line.hpp"
 #include "microslip/error.hpp"
@@ -183,9 +184,8 @@ private:
         words_.fail(field("_SLC"), slice.u,
                     "must be at least " + digits(least) + " above that of the slice before, " +
                         digits(file_.slices[k - 1].u));
-      std::string name = words_.text(is_wheel() ? "WFNAME" : "RFNAME");
-      std::replace(name.begin(), name.end(), '\\', '/');
-      slice.file = (folder_ / name).string();
+      const std::string name = words_.text(is_wheel() ? "WFNAME" : "RFNAME");
+      slice.file = file_beside(folder_, name).string();
       if (names_slices(name))
         words_.fail(std::string(is_wheel() ? "WFNAME" : "RFNAME") + " = " + name + ": must be a profile, not slices");
       words_.end_record();

@@ -94,6 +94,20 @@ TEST(ContactOut, DigitOSaysHowMuch) {
   }
 }
 
+/// From the second result element on each case has its element's number, and cases are counted in their elements.
+TEST(ContactOut, ResultElementsAreNamed) {
+  const auto in_element = [](const char* element) {
+    std::string text = first_shift;
+    text.replace(text.find(" 3 MODULE"), 9, std::string(" 3 ") + element + " MODULE");
+    return text.replace(text.find("0000331"), 7, "0000031"); // O = 0
+  };
+  std::string text;
+  for (const auto& [input, outcome] : run_cases(in_element("1") + in_element("2") + in_element("1") + in_element("12")))
+    text += out_text(input, outcome);
+  EXPECT_EQ(text, "\n Case     1\n\n Case     1, result element   2\n\n Case     2, result element   1\n"
+                  "\n Case     1, result element  12\n");
+}
+
 /// A case that is not run says why, and its line is not taken for a case's.
 TEST(ContactOut, ReasonsStandInTheFile) {
   const auto cases = run_cases(refused_shift());

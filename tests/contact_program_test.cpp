@@ -135,6 +135,47 @@ TEST(ContactProgram, WritesMatFilesOnRequest) {
   EXPECT_NEAR(sum_px * area, -0.875 * 0.4 * 9.1954, 1e-4);
 }
 
+/// What a wheel does not bear of a force that is prescribed is said alike wherever its status stands.
+TEST(ContactProgram, AForceThatIsNotReachedIsNowhereOk) {
+  const TemporaryFolder folder;
+  const auto with = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
+  std::string text = with(contact_program::first_wheel, " 1203000", " 1203100");
+  text = with(with(text, "'rail.prr'", "'" + profiles + "60e1.prr'"), "'wheel.prw'", "'" + profiles + "s1002.prw'");
+  text = with(with(text, " 0 0 .16 ", " 0 0 50e3 "), ".2 .2 1.", ".5 .5 1.");
+  save(folder / "a.inp",
+       text + with(text, "1e-7     MAXGS", "1e-17 MAXGS") + " 0 MODULE\n"); // to which nothing is equal
+  const auto printed = run(folder, "a.inp --out");
+  EXPECT_EQ(printed.exit_code, 1);
+  EXPECT_NE(printed.errors.find("1 of 2 cases are not solved, see their status: 2"), std::string::npos)
+      << printed.errors;
+  const auto second = printed.output.find("Case 2");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_EQ(printed.output.substr(0, second).find("not_converged"), std::string::npos);
+  EXPECT_EQ(printed.output.find("ok\n", second), std::string::npos) << printed.output;
+  EXPECT_NE(printed.output.find("the force that is prescribed is not reached: FZ is", second), std::string::npos);
+  const auto out = contents(folder / "results/a.out");
+  EXPECT_GT(out.find(" ERROR: not_converged\n"), out.find(" Case     2\n"));
+  EXPECT_NE(out.find(" ERROR: not_converged\n"), std::string::npos);
+
+  const Hdf5Reader file(folder / "results/a.h5");
+  const auto patches = file.values<int>("wheels/patches", H5T_NATIVE_INT);
+  std::vector<int> statuses(static_cast<std::size_t>(patches.at(0)), 0);
+  statuses.insert(statuses.end(), static_cast<std::size_t>(patches.at(1)), 2);
+  EXPECT_EQ(file.values<int>("wheels/status", H5T_NATIVE_INT), (std::vector<int>{0, 2}));
+  EXPECT_EQ(file.values<int>("cases/status", H5T_NATIVE_INT), statuses);
+
+  const auto json = run(folder, "a.inp --json");
+  EXPECT_EQ(json.exit_code, 1);
+  EXPECT_NE(json.output.find("\"not_converged\""), std::string::npos);
+  const auto wheels = json.output.find("\"wheels\"");
+  ASSERT_NE(wheels, std::string::npos);
+  EXPECT_NE(json.output.find("\"ok\"", wheels), std::string::npos);
+  EXPECT_NE(json.output.find("\"not_converged\"", wheels), std::string::npos);
+}
+
 /// Whole or not at all, beside the result file, with the cases' numbers.
 TEST(ContactProgram, WritesContactsOutputFile) {
   const TemporaryFolder folder;

@@ -2,6 +2,7 @@
 
 #include "compat/contact/run.hpp"
 
+#include "compat/contact/prescribed_forces.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "tests/contact_input_cases.hpp"
@@ -371,6 +372,31 @@ TEST(ContactRun, WhatTemperatureDependentFrictionCannotDoIsNamed) {
   const std::string fastsim =
       with(with(heated_sliding(), "622020", "622320"), "82000. 82000.\n", "82000. 82000.\n 1. 1. 1.\n");
   EXPECT_EQ(reason(with(fastsim, "203100", "223100")), start + " FASTSIM or FaStrip)");
+}
+
+/// Of contacts as of wheels, whatever the solvers say.
+TEST(ContactRun, AForceThatIsNotReachedIsNotOk) {
+  const auto cases = run_cases(first_shift);
+  const auto& [input, reached] = cases.at(0);
+  const auto forces = prescribed_forces(input, reached);
+  ASSERT_EQ(forces.size(), 2u);
+  EXPECT_EQ(forces[0].name, "FN");
+  EXPECT_EQ(forces[0].given, 9.1954);
+  EXPECT_EQ(forces[1].name, "FX");
+  EXPECT_NEAR(forces[1].given, -0.5 * 0.4 * 9.1954, 1e-9);
+  EXPECT_EQ(reached.solution.status, Status::ok);
+  EXPECT_FALSE(reached.misses_force);
+  for (const bool normal : {false, true}) {
+    Outcome missed = reached;
+    (normal ? missed.totals.fn : missed.totals.fx) *= 1.001;
+    check_prescribed_forces(input, missed);
+    EXPECT_TRUE(missed.misses_force);
+    EXPECT_EQ(missed.solution.status, Status::not_converged);
+    EXPECT_EQ(missed.notes.back(), normal ? "the force that is prescribed is not reached: FN is 9.2046 N in place of "
+                                            "9.1954 N"
+                                          : "the force that is prescribed is not reached: FX is -1.84092 N in place of "
+                                            "-1.83908 N");
+  }
 }
 
 } // namespace

@@ -54,6 +54,16 @@ TEST(ContactWheelInput, ReadsARecordPerConcept) {
   EXPECT_EQ(c.digits.norm, Normal::approach);
 }
 
+TEST(ContactWheelInput, BackslashesInNamesOfFilesAreSeparators) {
+  const WheelRailData d =
+      *read(with(with(first_wheel, "'rail.prr'", "'profiles\\rail.prr'"), "'wheel.prw'", "'..\\a/b\\w.prw'"))
+           .at(0)
+           .wheel_rail;
+  EXPECT_EQ(d.rail.file, "folder/profiles/rail.prr");
+  EXPECT_EQ(d.rail.name, "profiles\\rail.prr") << "as it is printed";
+  EXPECT_EQ(d.wheel.file, "folder/../a/b/w.prw");
+}
+
 TEST(ContactWheelInput, ReadsWhatIsOptional) {
   std::string text = with(first_wheel, "1e-7     MAXGS", "1e-7 5000 MAXGS");
   text = with(text, "8. 4.    DX", "8. 4. 10. .1 DX");

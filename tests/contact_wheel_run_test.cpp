@@ -9,11 +9,14 @@
 #include "tests/contact_input_cases.hpp"
 #include "tests/temporary_folder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -160,6 +163,30 @@ TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFinds) {
   const WheelOutcome &a = *locus.at(0).wheel, &b = *brute.at(0).wheel;
   EXPECT_NEAR(a.track.force.z / b.track.force.z, 1, 2e-3);
   EXPECT_NEAR(a.patches.at(0).location.track.y, b.patches.at(0).location.track.y, 0.01);
+}
+
+/// On rollers and in raceways, off the middle and yawed; with steep slopes, too.
+TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFindsOnRollers) {
+  for (const auto& [radius, rate] : {std::pair("500.", ".2"), std::pair("-500.", "-.2")}) {
+    std::string text =
+        with(with(convex_rail, " 1203000", " 5203000"), "-1. 200. 0. 0.  ", std::string("-1. 200. 0. ") + radius + " ");
+    text = with(with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"), " 100. 0 0 0 0 -1.",
+                std::string(" ") + rate + " 0 0 0 0 -1.");
+    const auto locus = run(text);
+    const WheelOutcome& a = *locus.at(0).wheel;
+    ASSERT_EQ(a.patches.size(), 1u);
+    for (const char* digits : {" 0052033", " 0062033"}) {
+      SCOPED_TRACE(std::string(radius) + digits);
+      const auto brute = run(with(text, " 0022033", digits));
+      const WheelOutcome& b = *brute.at(0).wheel;
+      ASSERT_EQ(b.patches.size(), 1u);
+      EXPECT_NEAR(a.track.force.z / b.track.force.z, 1, 2e-3);
+      EXPECT_NEAR(a.track.force.y, b.track.force.y, 2e-3 * a.track.force.z);
+      EXPECT_NEAR(a.patches[0].location.track.x, b.patches[0].location.track.x, 0.01);
+      EXPECT_NEAR(a.patches[0].location.track.y, b.patches[0].location.track.y, 0.01);
+      EXPECT_NEAR(a.patches[0].location.angle, b.patches[0].location.angle, 1e-4);
+    }
+  }
 }
 
 TEST_F(WheelOnPlane, OnALargeRollerIsAWheelOnARail) {
@@ -431,6 +458,92 @@ TEST_F(WheelOnPlane, ARailOnASpringIsInBalance) {
   EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
 }
 
+/// A rail on two springs of 4 and 6 kN/mm, preloaded, under a wheel whose vertical force or height is given.
+class RailOnTwoSprings : public WheelOnPlane {
+protected:
+  std::string with_springs(const char* digits, const std::string& place, const char* springs) const {
+    const std::string text = with(with(convex_rail, " 1203000", digits), " 0 0 .16 0 0 0", place);
+    return with(text, " 0 0 0 0 0 0           DY", std::string(" 0 0 0 0 0 0 DY\n ") + springs + " KY");
+  }
+
+  const char* springs_ = "4e3 700. 6e3 -2e4 .2";
+};
+
+TEST_F(RailOnTwoSprings, SinksUnderTheForceThatIsGiven) {
+  const Outcome o = run(with_springs(" 1203130", " 0 3. 50e3 0 0 0", springs_)).at(0);
+  const WheelOutcome& w = *o.wheel;
+  EXPECT_EQ(o.solution.status, Status::ok);
+  EXPECT_NEAR(w.dz_rail, (50e3 - 2e4) / 6e3, 1e-12);
+  EXPECT_NEAR(w.track.force.z, 50e3, 0.01);
+  EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
+  const Outcome stiff = run(with_springs(" 1203130", " 0 3. 50e3 0 0 0", "4e3 700. 0 0 .2")).at(0);
+  EXPECT_NEAR(w.z - w.dz_rail, stiff.wheel->z, 1e-6) << "it has only moved down";
+  EXPECT_NEAR(w.patches.at(0).location.track.z - w.dz_rail, stiff.wheel->patches.at(0).location.track.z, 1e-6);
+}
+
+/// At the height that was found for a force the same force is found for the height.
+TEST_F(RailOnTwoSprings, AreInBalanceAtTheHeightThatIsGiven) {
+  for (const char* side : {" 1203", " 0203"}) {
+    const std::string by_force = std::string(side) + "130", by_height = std::string(side) + "030";
+    const std::string y = side[1] == '1' ? " 0 3. " : " 0 -3. ";
+    const WheelOutcome wanted = *run(with_springs(by_force.c_str(), y + "50e3 0 0 0", springs_)).at(0).wheel;
+    std::ostringstream height;
+    height.precision(17);
+    height << y << wanted.z << " 0 0 0";
+    const Outcome o = run(with_springs(by_height.c_str(), height.str(), springs_)).at(0);
+    const WheelOutcome& w = *o.wheel;
+    EXPECT_EQ(o.solution.status, Status::ok);
+    EXPECT_EQ(w.z, wanted.z);
+    EXPECT_NEAR(w.dz_rail, wanted.dz_rail, 1e-6);
+    EXPECT_NEAR(w.dy_rail, wanted.dy_rail, 1e-6);
+    EXPECT_NEAR(w.track.force.z, 50e3, 0.05);
+    EXPECT_NEAR(w.track.force.y, wanted.track.force.y, 0.05);
+    EXPECT_NEAR(w.patches.at(0).location.track.z, wanted.patches.at(0).location.track.z, 1e-5);
+  }
+}
+
+TEST_F(RailOnTwoSprings, HangFreelyWhereTheWheelDoesNotReachThem) {
+  const Outcome o = run(with_springs(" 1203030", " 0 3. -5. 0 0 0", springs_)).at(0);
+  EXPECT_EQ(o.solution.status, Status::ok);
+  EXPECT_TRUE(o.wheel->patches.empty());
+  EXPECT_NEAR(o.wheel->dz_rail, -2e4 / 6e3, 1e-12);
+  EXPECT_NEAR(o.wheel->dy_rail, 700 / 4e3, 1e-9);
+}
+
+TEST_F(RailOnTwoSprings, NeedASpringBelow) {
+  std::istringstream stream(with_springs(" 1203030", " 0 3. .1 0 0 0", "4e3 700. 0 0 .2"));
+  InputReader reader(stream, (folder_.path() / "a.inp").string());
+  contact_program::Run runs;
+  EXPECT_EQ(runs.run(*reader.next()).reasons,
+            std::vector<std::string>{
+                "F = 3 (a rail on springs with N = 0, without one below it: KZRAIL must be > 0, as in CONTACT)"});
+}
+
+/// What is not borne is not solved, the case and its patches alike; to the least EPS nothing is.
+TEST_F(RailOnTwoSprings, AForceThatIsNotReachedIsNotOk) {
+  const auto strict = [](const std::string& text) { return with(text, "1e-7     MAXGS", "1e-17 MAXGS"); };
+  const std::string pulled =
+      with(with(with(first_wheel, " 1203000", " 1203110"), " 0 0 .16 ", " 0 0 50e3 "), "0 0 0 0 -1.  ", "0 0 0 0 4e3 ");
+  const std::string vertical = with(with(first_wheel, " 1203000", " 1203100"), " 0 0 .16 ", " 0 0 50001. ");
+  for (const auto& [text, name] :
+       {std::pair(vertical, "FZ is"), std::pair(pulled, "FX_WS is"),
+        std::pair(with_springs(" 1203130", " 0 3. 50e3 0 0 0", springs_), "FY(TR) on the rail's spring is"),
+        std::pair(with_springs(" 1203030", " 0 3. 5. 0 0 0", springs_), "FZ(TR) on the rail's spring is")}) {
+    SCOPED_TRACE(name);
+    const Outcome reached = run(text).at(0), missed = run(strict(text)).at(0);
+    EXPECT_EQ(reached.solution.status, Status::ok);
+    EXPECT_FALSE(reached.misses_force);
+    EXPECT_EQ(missed.solution.status, Status::not_converged);
+    ASSERT_FALSE(missed.wheel->patches.empty());
+    for (const WheelPatch& patch : missed.wheel->patches)
+      EXPECT_EQ(patch.solution->solution.status, Status::not_converged);
+    const auto said = [name = std::string(name)](const std::string& note) {
+      return note.starts_with("the force that is prescribed is not reached: ") && note.find(name) != std::string::npos;
+    };
+    EXPECT_TRUE(std::any_of(missed.notes.begin(), missed.notes.end(), said));
+  }
+}
+
 /// A wheel that rolls by .002 s to a deeper place, with C dF/dt of CDAMPN = 1 ms and CDAMPT = 2 ms.
 class DampedWheel : public WheelOnPlane {
 protected:
@@ -535,6 +648,86 @@ TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
             std::vector<std::string>{
                 ".slcs (a rail that varies along the track, placed by the gauge: GAUGHT must be <= 0, as "
                 "in CONTACT)"});
+}
+
+/// Worn profiles of CONTACT's test bank, conformal, with friction that varies; as CONTACT prints its results.
+class WornProfiles : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!fs::exists(profiles_)) GTEST_SKIP() << "no folder " << profiles_;
+  }
+
+  /// Two stations of friction, an upper coefficient, the rail's record and what follows, the wheelset's.
+  static std::string first(const std::string& digits, const std::string& upper, const std::string& rules,
+                           const std::string& wheelset) {
+    return " 1 MODULE\n " + digits + "\n 1042033\n 0000321\n 999 100 30 1 1e-6\n 2\n -30d .2 .2\n -20d " + upper +
+           "\n .28 .28 82000. 82000.\n .4 .4 1. 90d " + rules +
+           "\n 15.875 0 1435.1 0\n 'site_b_hr.prr' 0 1. 0.\n 0 0 0 0 0 0\n 1347.4 0 444.\n"
+           " 'worn_high_mileage.prw' 0 1. 0.\n" +
+           wheelset;
+  }
+
+  static std::vector<Outcome> run(const std::string& text) {
+    std::istringstream stream(text);
+    InputReader reader(stream, (profiles_ / "a.inp").string());
+    contact_program::Run runs;
+    std::vector<Outcome> outcomes;
+    while (const Case* c = reader.next()) outcomes.push_back(runs.run(*c));
+    for (const auto& o : outcomes)
+      for (const auto& reason : o.reasons) ADD_FAILURE() << reason;
+    return outcomes;
+  }
+
+  inline static const fs::path profiles_ = MICROSLIP_SOURCE_DIR "/../shared/contact-cases/wheel-rail/profiles";
+};
+
+/// t3_t1_conformal, cases 1 and 2.
+TEST_F(WornProfiles, RatiosAndMomentsOfConformalPatchesAreContacts) {
+  const auto outcomes =
+      run(first("1203100", ".9 .9", "6. 3.", " 0 14.74 137000. -.0013 .005 0\n 15000. 0 0 0 0 -33.92\n") +
+          " 1 MODULE\n 1001100\n 1111002\n 0112321\n .4 14.74 137000. -.0013 .005 0\n .4 0 0 0 0 -.00090453\n");
+  ASSERT_EQ(outcomes.size(), 2u);
+  ASSERT_EQ(outcomes[0].wheel->patches.size(), 2u);
+  const PrintedTotals& steady = outcomes[0].wheel->patches[0].solution->totals;
+  EXPECT_NEAR(steady.fy, -4.919e4, 5);
+  EXPECT_NEAR(*steady.integral_fn, 1.378e5, 50);
+  EXPECT_NEAR(steady.x, -0.4429, 5e-5);
+  EXPECT_NEAR(steady.y, -0.3901, 5e-5) << "TILDE_FS/TILDE_FN";
+  EXPECT_NEAR(steady.mz, 2.710e5, 50);
+  const PrintedTotals& shifted = outcomes[1].wheel->patches.at(0).solution->totals;
+  EXPECT_NEAR(shifted.fy, -4.884e4, 5);
+  EXPECT_NEAR(shifted.y, -0.3880, 5e-5);
+  EXPECT_NEAR(shifted.mz, 4.000e5, 50) << "about where the elements count from";
+}
+
+/// Case 36 of the test bank, with the inputs as it prints them: a rail on springs, the wheelset's height given.
+TEST_F(WornProfiles, ARailOnSpringsIsWhereContactFindsIt) {
+  struct Printed {
+    const char *wheelset, *springs;
+    double dy, dz, fx, fy, fz, fn, power, peak_pressure;
+    int contact;
+  };
+  const Printed cases[] = {
+      {"15.55 2.0855", "1e4 -6.823e4 1e4 -3e4", .6999, .9987, -6756, 7.523e4, 3.999e4, 8.373e4, -5629, 1612, 754}};
+  for (const Printed& p : cases) {
+    std::string text = first("1203030", ".35 .35", "30. 20. 40.",
+                             std::string(" 0 ") + p.wheelset + " -.0013 .005 0\n 15000. 0 0 0 0 -32.1\n");
+    text = with(text, "\n 0 0 0 0 0 0\n", std::string("\n 0 0 0 0 0 0\n ") + p.springs + "\n");
+    const Outcome o = run(text).at(0);
+    const WheelOutcome& w = *o.wheel;
+    EXPECT_EQ(o.solution.status, Status::ok);
+    ASSERT_EQ(w.patches.size(), 1u);
+    EXPECT_NEAR(w.dy_rail, p.dy, 1e-4);
+    EXPECT_NEAR(w.dz_rail, p.dz, 1e-4);
+    EXPECT_NEAR(w.track.force.x, p.fx, 5);
+    EXPECT_NEAR(w.track.force.y, p.fy, 20); // the place across the track is printed to 5 um
+    EXPECT_NEAR(w.track.force.z, p.fz, 10);
+    const PrintedTotals& t = w.patches[0].solution->totals;
+    EXPECT_NEAR(t.fn, p.fn, 20);
+    EXPECT_NEAR(t.friction, p.power, 5);
+    EXPECT_NEAR(t.peak_pressure, p.peak_pressure, 1);
+    EXPECT_NEAR(t.contact, p.contact, 2);
+  }
 }
 
 /// Places, angles and creepages of the Manchester benchmark, A-2.2, as CONTACT prints them, right wheel at 6 mm.

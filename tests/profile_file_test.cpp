@@ -149,6 +149,23 @@ TEST(ProfileFile, ReadsMiniprof) {
   EXPECT_TRUE(is_named(prepared.report.warnings, "XYPoints = 61, but there are 122"));
 }
 
+/// Behind a number for each column of ColumnDef, or for two.
+TEST(ProfileFile, WhatFollowsMiniprofsNumbersIsARemark) {
+  const auto remarked = [](std::string table, const std::string& remark) {
+    return table.replace(table.find('\n'), 1, remark + "\n");
+  };
+  const auto table = rows(head(), -1, 1);
+  for (const std::string remark : {" added", " x 1 2", " \xb5m", " 1 2 a"}) {
+    const auto prepared = parse_profile("Rail=low\n\n" + remarked(table, remark), "a.ban");
+    expect_points(prepared.profile, head(), remark);
+    EXPECT_TRUE(is_named(prepared.report.steps, "left out the text behind the numbers of 1 line"));
+  }
+  EXPECT_EQ(error_of("ColumnDef=X,Y,A\n\n1 2 3 a\n3 4 a\n", "a.ban"),
+            "a.ban:4: a coordinate: \"a\" is not a finite number");
+  EXPECT_EQ(error_of("Rail=low\n\n1 2 a\n3 b 4\n", "a.ban"), "a.ban:4: a coordinate: \"b\" is not a finite number");
+  EXPECT_EQ(error_of("1 2\n3 x\n", "rail.txt"), "rail.txt:2: z: \"x\" is not a finite number") << "not of columns";
+}
+
 TEST(ProfileFile, ReadsWheelsAndOldAndManyProfilesOfMiniprof) {
   const auto down = rows(wheel(), 1, -1);
   const auto prepared = parse_profile("Stock=%Talent\nWheelDiameterTaperline=70.0\n\n" + down, "a.txt");

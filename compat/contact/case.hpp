@@ -83,6 +83,8 @@ struct Case {
   int number = 0;                        ///< in the file, from 1
   std::size_t line = 0;                  ///< where it begins
   std::pair<int, int> sequence = {1, 1}; ///< RE and CP: sequences that know nothing of each other
+  int number_in_element = 0;             ///< among the cases of its result element RE, from 1
+  bool names_element = false;            ///< whether it, or a case before, has an RE other than the first case's
 
   Digits digits = {};
   double normal = 0;             ///< PEN [mm] or FN [N]

@@ -1,5 +1,6 @@
 #include "compat/contact/case_solver.hpp"
 
+#include "compat/contact/prescribed_forces.hpp"
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/support.hpp"
 #include "microslip/error.hpp"
@@ -79,6 +80,7 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");
   if (c.digits.tang == Tangential::steady && !has_one_solution(outcome.step.grid, outcome.step.motion))
     outcome.notes.emplace_back("DQ is below .55 DX on elements longer than wide: there may be several solutions");
+  if (outcome.solution.status == Status::ok) check_prescribed_forces(c, outcome);
   return outcome;
 }
 

@@ -1,6 +1,7 @@
 #include "compat/contact/input.hpp"
 
 #include "compat/contact/wheel_rail/case_reader.hpp"
+#include "io/file_beside.hpp"
 #include "microslip/elasticity/material.hpp"
 
 #include <cmath>
@@ -27,6 +28,8 @@ const Case* InputReader::next() {
   c.number = ++cases_;
   c.line = words_.line();
   c.sequence = sequence_;
+  c.number_in_element = ++cases_of_element_[sequence_.first];
+  c.names_element = cases_of_element_.size() > 1;
   if (module_ == 1)
     WheelRailReader(words_, folder_.string(), *now_).read();
   else
@@ -167,7 +170,7 @@ std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::
       combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2}).shear_modulus;
   auto& table = tables_[{file, shear_modulus}];
   if (table) return table;
-  const std::string path = (folder_ / file).string();
+  const std::string path = file_beside(folder_, file).string();
   std::ifstream stream(path);
   if (!stream) return nullptr;
   return table = read_influence_file(stream, path).in_si(shear_modulus);

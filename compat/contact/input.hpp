@@ -53,6 +53,7 @@ private:
   std::map<std::pair<std::string, double>, std::shared_ptr<const InfluenceTable>> tables_;
   std::map<std::pair<int, std::pair<int, int>>, CaseSequence> sequences_; ///< by module and sequence
   CaseSequence* now_ = nullptr;
+  std::map<int, int> cases_of_element_; ///< so far, by RE
   std::pair<int, int> sequence_ = {1, 1};
   int module_ = 0, cases_ = 0;
   bool in_module_ = false, ended_ = false, complete_ = false;

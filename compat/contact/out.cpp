@@ -223,7 +223,9 @@ std::string out_head() {
 }
 
 std::string out_text(const Case& c, const Outcome& outcome) {
-  std::string text = fmt::format("\n Case{:6}\n", c.number);
+  std::string text = fmt::format("\n Case{:6}", c.number_in_element);
+  if (c.names_element) text += fmt::format(", result element{:4}", c.sequence.first);
+  text += "\n";
   // What reads these files looks for the word with a capital letter.
   if (outcome.kind == Outcome::Kind::skipped) return text + " Not run: " + written(c.digits.solve) + "\n";
   for (const auto& reason : outcome.reasons) text += " ERROR: not run: " + reason + "\n";

@@ -9,6 +9,8 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* status_codes =
+    "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction";
 
 /// A number of a solved case.
 struct Column {
@@ -230,18 +232,20 @@ void RunFile::add(const Case& c, const Outcome& outcome) {
     add_contact(c, outcome, {c.number, 0, {}});
     return;
   }
-  add_wheel(c, *outcome.wheel);
+  add_wheel(c, outcome);
   int patch = 0;
   for (const WheelPatch& p : outcome.wheel->patches)
     add_contact(p.contact, *p.solution, {c.number, ++patch, p.location});
 }
 
-void RunFile::add_wheel(const Case& c, const WheelOutcome& wheel) {
+void RunFile::add_wheel(const Case& c, const Outcome& outcome) {
+  const WheelOutcome& wheel = *outcome.wheel;
   const auto add_count = [&](const char* name, int value, const char* what) {
     file_.append(std::string("wheels/") + name, std::span<const int>(&value, 1), "-", what);
   };
   add_count("case", c.number, "number of the case in the file, from 1");
   add_count("patches", static_cast<int>(wheel.patches.size()), "contact patches");
+  add_count("status", static_cast<int>(outcome.solution.status), status_codes);
   for (const auto& [name, unit, what, value] : wheel_columns) {
     const double number = value(wheel);
     file_.append(std::string("wheels/") + name, std::span<const double>(&number, 1), unit, what);
@@ -261,8 +265,7 @@ void RunFile::add_contact(const Case& c, const Outcome& outcome, const Origin& o
     file_.append(std::string("cases/") + name, std::span<const double>(&number, 1), unit, what);
   }
   add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
-  add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0,
-            "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction");
+  add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0, status_codes);
   add_count("motion", number(c.digits.tang), "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
   for (const auto& [name, what, value] : counts) add_count(name, solved ? value(outcome) : 0, what);
   for (const auto& [name, unit, what, value] : columns) {

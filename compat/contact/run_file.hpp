@@ -28,7 +28,7 @@ private:
   };
 
   void add_contact(const Case& c, const Outcome& outcome, const Origin& origin);
-  void add_wheel(const Case& c, const WheelOutcome& wheel);
+  void add_wheel(const Case& c, const Outcome& outcome);
   int add_elements(const Case& c, const Outcome& outcome);
   int add_points(const Outcome& outcome);
 

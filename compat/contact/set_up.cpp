@@ -349,7 +349,8 @@ void set_motion(const Case& c, ContactStep& step) {
   else
     motion.heading = c.rolling->chi;
   if (corrects_leading_edge(c, step)) motion.leading_edge = LeadingEdge{.theta = 1, .where_possible = true};
-  motion.rolling_speed = c.rolling->veloc * mm;
+  constexpr double any_velocity = 1; // [mm/s], of a wheel at rest, which has no creepages
+  motion.rolling_speed = (c.rolling->veloc != 0 ? c.rolling->veloc : any_velocity) * mm;
 }
 
 /// E: slip of each element on top of that of the creepages, or against the spin's part of it.

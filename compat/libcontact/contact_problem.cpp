@@ -314,13 +314,14 @@ bool ContactProblem::is_finite() const {
 }
 
 int ContactProblem::code_of_solution() const {
+  if (is_wheel() && outcome_->misses_force) return CNTC_err_ftot;
   int border = 0;
   for (int k = 1; k <= contacts(); ++k) {
     const Outcome& o = contact(k).outcome;
     if (const int code = code_of(o.solution)) return code;
     border += elements_at_border(o);
   }
-  return outcome_->solution.status == Status::not_converged ? CNTC_err_ftot : border;
+  return border;
 }
 
 /// Inputs that were unknowns.

@@ -63,7 +63,32 @@ GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Patch
     }
 }
 
-/// A prismatic rail has one column of samples, one made of slices has one for each x.
+/// Straight from point to point of its profile, each turned to x, with the inclination of the profile there; of parts
+/// that lie above one another the upper one.
+void GapSurface::find_roller(const Placement& p, const ProfileCurve& rail) {
+  const auto& profile = p.rail_profile.curve->points();
+  rail_.assign(x_.size() * y_.size(), {missing, 0});
+  for (std::size_t i = 0; i < x_.size(); ++i)
+    for (std::size_t k = 1; k < profile.size(); ++k) {
+      Vec3<double> left = roller_point(p, profile[k - 1], x_[i]), right = roller_point(p, profile[k], x_[i]);
+      if (left.y > right.y) std::swap(left, right);
+      const auto first = std::lower_bound(y_.begin(), y_.end(), left.y);
+      for (auto y = first; y != y_.end() && *y <= right.y; ++y) {
+        const double share = right.y > left.y ? (*y - left.y) / (right.y - left.y) : 0;
+        double& z = rail_[i * y_.size() + static_cast<std::size_t>(y - y_.begin())].z;
+        z = std::min(z, left.z + share * (right.z - left.z));
+      }
+    }
+  for (std::size_t j = 0; j < y_.size(); ++j) {
+    const auto s = rail.s_at_y(y_[j]);
+    if (!s) continue;
+    const CurvePoint point = rail.at(*s);
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      rail_[i * y_.size() + j].angle = std::atan2(point.first.z, point.first.y);
+  }
+}
+
+/// A prismatic rail has one column of samples, a roller and a rail made of slices have one for each x.
 void GapSurface::find_rail(const Placement& p, const ProfileCurve& rail) {
   const auto add_column = [&](const ProfileCurve* section) {
     for (const double y : y_) {
@@ -76,6 +101,7 @@ void GapSurface::find_rail(const Placement& p, const ProfileCurve& rail) {
       rail_.push_back({point.value.z, std::atan2(point.first.z, point.first.y)});
     }
   };
+  if (p.on_roller()) return find_roller(p, rail);
   if (!p.rail_profile.varies()) return add_column(&rail);
   for (const double x : x_) {
     const auto section = rail_section(p, x);

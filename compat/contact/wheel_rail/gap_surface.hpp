@@ -33,6 +33,7 @@ private:
     const auto row = static_cast<std::size_t>(j);
     return rail_.size() == y_.size() ? rail_[row] : rail_[static_cast<std::size_t>(i) * y_.size() + row];
   }
+  void find_roller(const Placement& placement, const ProfileCurve& rail);
   void find_rail(const Placement& placement, const ProfileCurve& rail);
   std::vector<std::pair<int, int>> minima(double depth) const;
   Box box_around(int i, int j, double depth) const;

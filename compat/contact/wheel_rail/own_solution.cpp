@@ -35,6 +35,10 @@ constexpr Refusal refusals[] = {
      [](const Case& c) { return c.digits.bound == PressureModel::thin_sheet; }},
     {"C = 9 (influence coefficients from a file): ours are half-spaces'",
      [](const Case& c) { return c.material->coefficients == Coefficients::from_file; }},
+    {"F = 3 with N = 0 (a rail on two springs): ours find one deflection",
+     [](const Case& c) {
+       return c.wheel_rail->digits.force == TotalForce::rail_deflection && c.digits.norm != Normal::force;
+     }},
 };
 
 /// A profile in metres, z up, and its surface where it varies.
@@ -147,6 +151,7 @@ public:
       vertical_force_ = data_.position.z;
     else
       state_.vertical = -mm * data_.position.z;
+    state_.rail.vertical -= mm * wheel.dz_rail;
     if (data_.digits.force == TotalForce::force_x) find_pitch_velocity();
     if (data_.digits.force == TotalForce::rail_deflection) find_deflection();
     if (data_.digits.force == TotalForce::none) solve();

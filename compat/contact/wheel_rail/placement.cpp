@@ -2,6 +2,8 @@
 
 #include "microslip/error.hpp"
 
+#include <cmath>
+
 namespace microslip::contact_program {
 namespace {
 
@@ -47,6 +49,12 @@ WheelRailData mirrored(WheelRailData d) {
 
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
   return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
+}
+
+Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x) {
+  const double sign = p.roller_radius < 0 ? -1 : 1;
+  const double radius = p.roller_radius - at.z, square = radius * radius - x * x;
+  return p.rail.outer({x, at.y, p.roller_radius - sign * (square > 0 ? std::sqrt(square) : 0)});
 }
 
 Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, double z,

@@ -33,6 +33,10 @@ struct Placement {
   bool on_roller() const { return roller_radius != 0; }
 };
 
+/// A point of a roller's profile turned about its axle until it lies at `x`, in the axes of the track [mm]; at the
+/// axle's height where it does not reach as far.
+Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x);
+
 /// `z` is Z_WS [mm]. Throws Error where the gauge cannot be measured or the wheel's tape circle is not on the profile.
 Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, double z,
                 const RailDeflection& deflection = {});

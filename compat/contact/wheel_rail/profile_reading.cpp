@@ -33,29 +33,50 @@ void drop_close_points(std::vector<ProfilePoint>& points) {
   points.erase(std::unique(points.begin(), points.end(), close), points.end());
 }
 
-/// Whether a wheel's z is positive upwards: where the tip of the flange, away from the ends, is at the least z.
-bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
-  const auto less = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; };
-  const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-  const auto place = [&](auto point) { return (1.0 + double(point - points.begin())) / double(points.size()); };
-  const auto is_inner = [](double share) { return share > 0.05 && share < 0.95; };
-  return is_inner(place(low)) && !is_inner(place(high));
+/// The place of a point among all, counted from 1, over their number.
+double share_of(const std::vector<ProfilePoint>& points, std::vector<ProfilePoint>::const_iterator point) {
+  return static_cast<double>(point - points.begin() + 1) / static_cast<double>(points.size());
 }
 
-/// Whether a rail's z is positive upwards: where both sides go down, seen by the first change of z by a tenth of its
-/// range in the outer tenth at either end.
+bool has_less_z(const ProfilePoint& a, const ProfilePoint& b) {
+  return a.z < b.z;
+}
+
+/// Whether a wheel's z is positive upwards, by CONTACT's rule (m_profile.f90, check_z_pos_down): the least z is not in
+/// the outer twentieth at either end, as it is at a wheel's sides, but the greatest one is. Where neither is, as on a
+/// hollow wheel, the point midway between them lies beyond the mean of both.
+bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
+  const auto low = std::min_element(points.begin(), points.end(), has_less_z),
+             high = std::max_element(points.begin(), points.end(), has_less_z);
+  const auto is_outer = [](double share) { return share < 0.05 || share > 0.95; };
+  const double at_low = share_of(points, low), at_high = share_of(points, high);
+  if (is_outer(at_low)) return false;
+  if (is_outer(at_high)) return true;
+  const auto middle = std::lround(static_cast<double>(points.size()) * (at_low + at_high) / 2);
+  return points[static_cast<std::size_t>(middle - 1)].z > (low->z + high->z) / 2;
+}
+
+/// Whether a rail's z is positive upwards, by CONTACT's rule (there): at both ends, or at one where the other says
+/// nothing, the first change of z that exceeds a thousandth of the whole height leads upwards. It is looked for in the
+/// outer tenth of the points; where there is none, the least z is in the outer tenth.
 bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
-  const auto less = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; };
-  const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-  const double least = 0.1 * (high->z - low->z);
-  const std::size_t n = points.size(), reach = std::max<std::size_t>(1, n / 10);
-  const auto change = [&](bool from_end) {
-    const auto at = [&](std::size_t k) { return points[from_end ? n - 1 - k : k].z; };
-    for (std::size_t k = 1; k <= reach && k < n; ++k)
-      if (std::abs(at(k) - at(0)) > least) return at(k) > at(0) ? 1 : -1; // inwards
+  const auto low = std::min_element(points.begin(), points.end(), has_less_z),
+             high = std::max_element(points.begin(), points.end(), has_less_z);
+  const double least = 0.001 * std::max(1e-5, high->z - low->z);
+  const auto n = static_cast<long>(points.size());
+  const auto first_change = [&](long reach, bool from_end) { // inwards: +1, -1, or 0 where there is none
+    const auto z = [&](long k) { return points[static_cast<std::size_t>(from_end ? n - 1 - k : k)].z; };
+    for (long k = 1; k <= reach; ++k)
+      if (std::abs(z(k) - z(0)) > least) return z(k) > z(0) ? 1 : -1;
     return 0;
   };
-  return change(false) > 0 && change(true) > 0; // both ends rise inwards
+  const double count = static_cast<double>(n);
+  const int start = first_change(std::lround(0.1 * count) - 1, false),
+            end = first_change(n - std::lround(0.9 * count), true);
+  if (start != 0 && end != 0) return start > 0 && end > 0;
+  if (start != 0 || end != 0) return start + end > 0;
+  const double at_low = share_of(points, low);
+  return at_low < 0.1 || at_low > 0.9;
 }
 
 class CurveReading {

@@ -1,7 +1,8 @@
 #include "compat/contact/wheel_rail/records.hpp"
 
+#include "io/file_beside.hpp"
+
 #include <algorithm>
-#include <filesystem>
 
 namespace microslip::contact_program {
 
@@ -43,7 +44,7 @@ void read_profile_options(Words& words, int options, ProfileRecord& p) {
 ProfileRecord read_profile_record(Words& words, const std::string& folder) {
   ProfileRecord p;
   p.name = words.text("FNAME");
-  p.file = (std::filesystem::path(folder) / p.name).string();
+  p.file = file_beside(folder, p.name).string();
   p.mirror_y = words.integer("MIRRORY", -1, 1);
   p.scale = std::max(1e-6, words.real("SCALE"));
   p.smooth = std::max(0.0, words.real("SMOOTH"));

@@ -15,15 +15,17 @@ struct Refusal {
 constexpr Refusal refusals[] = {
     {"F = 2", "MY_WS prescribed, as in CONTACT",
      [](const Case&, const WheelRailData& d) { return d.digits.force == TotalForce::moment_y; }},
-    {"F = 1, 3", "FX_WS prescribed or a rail on springs, with other than N = 1 and friction",
+    {"F = 1", "FX_WS prescribed, with other than N = 1 and friction",
      [](const Case& c, const WheelRailData& d) {
-       const bool searches = d.digits.force == TotalForce::force_x || d.digits.force == TotalForce::rail_deflection;
-       return searches && (c.digits.norm != Normal::force || !c.digits.has_friction());
+       return d.digits.force == TotalForce::force_x && (c.digits.norm != Normal::force || !c.digits.has_friction());
      }},
-    {"D = 5, 6", "contact search by brute force on a roller",
-     [](const Case&, const WheelRailData& d) {
-       const bool brute_force = d.search == ContactSearch::brute_force || d.search == ContactSearch::steep;
-       return brute_force && d.digits.is_roller();
+    {"F = 3", "a rail on springs without friction, as in CONTACT",
+     [](const Case& c, const WheelRailData& d) {
+       return d.digits.force == TotalForce::rail_deflection && !c.digits.has_friction();
+     }},
+    {"F = 3", "a rail on springs with N = 0, without one below it: KZRAIL must be > 0, as in CONTACT",
+     [](const Case& c, const WheelRailData& d) {
+       return d.digits.force == TotalForce::rail_deflection && c.digits.norm != Normal::force && !(d.support.kz > 0);
      }},
     {"C = 4", "half-space coefficients corrected for the angles of a surface, with other than D = 4",
      [](const Case& c, const WheelRailData& d) {

@@ -29,6 +29,25 @@ double SurfaceMesh::bicubic(int i, int j, double u, double v) const {
       v);
 }
 
+namespace {
+
+/// Steps from cell to cell along one side of the mesh. Out of narrow cells, as at vertical ends of a profile, they lead
+/// far beyond the goal: each turn halves the longest one.
+class CellSteps {
+public:
+  explicit CellSteps(double longest) : longest_(longest) {}
+  int next(double wanted) {
+    if (wanted * last_ < 0) longest_ = std::max(1.0, longest_ / 2);
+    if (wanted != 0) last_ = wanted;
+    return static_cast<int>(std::clamp(wanted, -longest_, longest_));
+  }
+
+private:
+  double longest_, last_ = 0;
+};
+
+} // namespace
+
 std::optional<double> SurfaceMesh::height(double x, double y) {
   constexpr double slack = 1e-9;
   if (nx_ < 2 || ny_ < 2) return {};
@@ -36,6 +55,7 @@ std::optional<double> SurfaceMesh::height(double x, double y) {
     i_ = (nx_ - 1) / 2;
     j_ = (ny_ - 1) / 2;
   }
+  CellSteps along(nx_), across(ny_);
   for (int walk = 0; walk < nx_ + ny_ + 20; ++walk) {
     const Vec3<double>&a = point(i_, j_), &b = point(i_ + 1, j_), &c = point(i_, j_ + 1), &d = point(i_ + 1, j_ + 1);
     double u = 0.5, v = 0.5;
@@ -55,9 +75,8 @@ std::optional<double> SurfaceMesh::height(double x, double y) {
     const auto steps = [&](double share) {
       return share < -slack ? std::floor(share) : share > 1 + slack ? std::ceil(share) - 1 : 0;
     };
-    const double most = std::max(nx_, ny_);
-    const int i = std::clamp(i_ + int(std::clamp(steps(u), -most, most)), 0, nx_ - 2);
-    const int j = std::clamp(j_ + int(std::clamp(steps(v), -most, most)), 0, ny_ - 2);
+    const int i = std::clamp(i_ + along.next(steps(u)), 0, nx_ - 2);
+    const int j = std::clamp(j_ + across.next(steps(v)), 0, ny_ - 2);
     if (i == i_ && j == j_) {
       if (std::min(u, v) < -slack || std::max(u, v) > 1 + slack) return {};
       if (interpolation_ == MeshInterpolation::bicubic) return bicubic(i, j, u, v);

@@ -132,17 +132,10 @@ SurfaceMesh roller_mesh(const PatchFrame& f, const Placement& p) {
   while (first + 2 < n && profile.s_of(first + 1) < middle - half) ++first;
   while (last > first + 1 && profile.s_of(last - 1) > middle + half) --last;
   const int below = steps(-f.x0, f.dx) + 2, above = steps(f.x1(), f.dx) + 2;
-  const double sign = p.roller_radius < 0 ? -1 : 1;
   std::vector<Vec3<double>> points;
-  for (std::size_t k = first; k <= last; ++k) {
-    const ProfilePoint& at = profile.points()[k];
-    const double radius = p.roller_radius - at.z;
-    for (int i = -below; i <= above; ++i) {
-      const double x = f.grid.origin.x + i * f.dx, square = radius * radius - x * x;
-      const double z = p.roller_radius - sign * (square > 0 ? std::sqrt(square) : 0);
-      points.push_back(f.grid.inner(p.rail.outer({x, at.y, z})));
-    }
-  }
+  for (std::size_t k = first; k <= last; ++k)
+    for (int i = -below; i <= above; ++i)
+      points.push_back(f.grid.inner(roller_point(p, profile.points()[k], f.grid.origin.x + i * f.dx)));
   return SurfaceMesh(below + above + 1, static_cast<int>(last - first + 1), std::move(points));
 }
 

@@ -42,7 +42,6 @@ struct WheelEffort {
 /// A wheel on its rail: forces and moments act on the rail.
 struct WheelOutcome {
   double z = 0;                    ///< Z_WS [mm]
-  double fz_given = 0;             ///< with N = 1 [N]
   double vpitch = 0;               ///< VPITCH_WS [rad/s]
   double dy_rail = 0, dz_rail = 0; ///< what the rail gives way, with F = 3 [mm]
   Wrench track;                    ///< in the track's axes, moment about the rail's marker

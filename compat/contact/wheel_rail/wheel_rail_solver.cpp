@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/wheel_rail_solver.hpp"
 
+#include "compat/contact/prescribed_forces.hpp"
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/wheel_rail/force_search.hpp"
 #include "compat/contact/wheel_rail/left_wheel.hpp"
@@ -64,18 +65,21 @@ Wrench aggregate(const Outcome& o, const PatchFrame& frame) {
   return sum;
 }
 
-/// The totals of a curved patch are those in the reference's axes; the integral of the pressure stays beside them.
-void set_totals(Outcome& o, const Wrench& sum) {
+/// The totals of a curved patch are those in the reference's axes; the integrals over the surface stay beside them,
+/// that of the pressure and, over it, that of the lateral traction. As CONTACT prints it, MN is about the line x = 0 of
+/// the elements, where the reference lies at `reference_x` [mm]: not 0 with T = 1 and 2.
+void set_totals(Outcome& o, const Wrench& sum, double reference_x) {
   PrintedTotals& t = o.totals;
+  const double integral_fs = t.fy;
   t.integral_fn = t.fn;
   t.fn = sum.force.z;
   t.fx = sum.force.x;
   t.fy = sum.force.y;
-  t.mz = sum.moment.z;
+  t.mz = sum.moment.z + reference_x * sum.force.y;
   const double friction = o.step.friction.size() == 1 ? o.step.friction.front().static_coefficient() : 1;
   const double limit = friction * *t.integral_fn;
   t.x = limit > 0 ? t.fx / limit : 0;
-  t.y = limit > 0 ? t.fy / limit : 0;
+  t.y = limit > 0 ? integral_fs / limit : 0;
 }
 
 /// In the patch's axes, without damping [N].
@@ -143,17 +147,10 @@ PatchMotion motion_of(const Case& right, const Placement& placement, const Patch
 constexpr int most_steps = 60;
 constexpr double least_step = 1e-12;
 
-/// What was found last where a force that is prescribed is not reached.
-Outcome unbalanced(Outcome outcome) {
-  outcome.notes.emplace_back("the force that is prescribed is not reached");
-  outcome.solution.status = Status::not_converged;
-  return outcome;
-}
-
-double least_friction(const FrictionData& friction) {
-  double least = 1;
-  for (const auto& set : friction.sets) least = std::min(least, set[0]);
-  return least;
+/// Whether a search ends: what it looks for is there, or cannot be brought any nearer.
+bool ends(const PrescribedForce& force, int step, const std::optional<RootSearch>& search, double least_width) {
+  const auto width = search ? search->width() : std::nullopt;
+  return force.is_reached() || step == most_steps || (width && *width < least_width);
 }
 
 void append_new(std::vector<std::string>& to, const std::vector<std::string>& from) {
@@ -208,6 +205,7 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
                     : data.digits.force == TotalForce::rail_deflection ? find_deflection(right, progress)
                                                                        : solve_placed(right, {}, progress);
   if (outcome.wheel) {
+    check_prescribed_forces(right, outcome);
     last_z_ = outcome.wheel->z;
     remember(*outcome.wheel, frames_, place_on_track(data), origin_of(c.digits));
     finish(c, *outcome.wheel, progress);
@@ -216,56 +214,88 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   return outcome;
 }
 
-/// With the rail deflected so far.
-Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress) {
+/// The wheel over its rail, deflected so far.
+WheelGeometry WheelRailSolver::geometry_over(const Case& right, const RailDeflection& deflection) {
   const WheelRailData& data = *right.wheel_rail;
-  const auto rail = profile(data.rail, ProfileRole::rail), wheel = profile(data.wheel, ProfileRole::wheel);
-  WheelGeometry geometry(data, rail, wheel, origin_of(right.digits), right.solver.npot_max, deflection);
+  WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
+                         origin_of(right.digits), right.solver.npot_max, deflection);
   if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
-  return right.digits.norm == Normal::force ? find_height(right, geometry, progress)
-                                            : solve_at(right, geometry, data.position.z, progress);
+  return geometry;
 }
 
-/// F = 3: how far a rail on a spring moves aside, so that the forces on it are in balance.
+Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress) {
+  WheelGeometry geometry = geometry_over(right, deflection);
+  Outcome outcome = right.digits.norm == Normal::force
+                        ? find_height(right, geometry, progress)
+                        : solve_at(right, geometry, right.wheel_rail->position.z, progress);
+  if (!outcome.wheel) return outcome;
+  outcome.wheel->dy_rail = deflection.dy;
+  outcome.wheel->dz_rail = deflection.dz;
+  return outcome;
+}
+
+/// F = 3: how far a rail on springs moves aside, so that the forces on it are in balance; at each place it has sunk as
+/// far as its other spring lets it.
 Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& progress) {
   const RailSupport& support = right.wheel_rail->support;
-  const auto residual = [&](const Outcome& o, double dy) {
-    return o.wheel->track.force.y - support.ky * dy + support.fy;
-  };
-  RailDeflection deflection;
-  Outcome outcome = solve_placed(right, deflection, progress);
-  if (outcome.kind != Outcome::Kind::solved) return outcome;
-  const double first = residual(outcome, 0);
-  RootSearch search(std::copysign(support.first_step, first));
+  const auto under_force = [&](double fz) { return support.kz != 0 ? (fz + support.fz) / support.kz : 0; };
+  std::optional<RootSearch> search;
+  std::optional<double> depth;
+  double dy = 0;
   for (int k = 0;; ++k) {
-    outcome.wheel->dy_rail = deflection.dy;
-    const double force = residual(outcome, deflection.dy);
-    const double scale = std::max(std::abs(support.fy), std::abs(outcome.wheel->track.force.y));
-    if (std::abs(force) < right.solver.eps * scale) return outcome;
-    if (k == most_steps || search.width().value_or(1) < least_step) return unbalanced(std::move(outcome));
-    deflection.dy = search.next(deflection.dy, force);
-    outcome = solve_placed(right, deflection, progress);
-    if (outcome.kind != Outcome::Kind::solved) return outcome;
+    Outcome outcome = right.digits.norm == Normal::force
+                          ? solve_placed(right, {dy, under_force(right.wheel_rail->position.z)}, progress)
+                          : find_settlement(right, dy, depth, progress);
+    if (!outcome.wheel) return outcome;
+    const PrescribedForce force = side_spring(right, *outcome.wheel);
+    if (ends(force, k, search, least_step)) return outcome;
+    if (!search) search.emplace(std::copysign(support.first_step, force.missing()));
+    dy = search->next(dy, force.missing());
   }
 }
 
-/// F = 1: the rate of rotation at which the longitudinal force is the prescribed one, relative to the vertical force.
+/// With the wheel's height and the rail's place across the track given: how far the rail's spring below gives way. What
+/// grows with the wheel's depth over the unmoved rail is the contact's force and what the spring takes less of. `depth`
+/// is that from the first touch on, of the last place and of this one.
+Outcome WheelRailSolver::find_settlement(const Case& right, double dy, std::optional<double>& depth,
+                                         const Progress& progress) {
+  constexpr double share_of_tolerance = 0.1; // so that the search for dy sees a smooth force
+  const double height = right.wheel_rail->position.z;
+  const RailSupport& support = right.wheel_rail->support;
+  const LeastGap gap = geometry_over(right, {dy, 0}).least_gap_at_zero();
+  ++effort_.geometry;
+  const double wanted = support.kz * (height - gap.gap) - support.fz;
+  if (!(wanted > 0)) return solve_placed(right, {dy, support.fz / support.kz}, progress); // the rail hangs free
+  ForceSearch search(wanted, gap.gap);
+  double z = gap.gap + depth.value_or(hertzian_depth(right, gap, wanted));
+  for (int k = 0;; ++k) {
+    Outcome outcome = solve_placed(right, {dy, height - z}, progress);
+    if (!outcome.wheel) return outcome;
+    depth = z - gap.gap;
+    PrescribedForce force = bottom_spring(right, *outcome.wheel);
+    force.tolerance *= share_of_tolerance;
+    if (force.is_reached()) return outcome;
+    search.add(z, force.found + support.kz * (z - gap.gap));
+    const auto next = search.next();
+    if (!next || k == most_steps) return outcome;
+    z = *next;
+  }
+}
+
+/// F = 1: the rate of rotation at which the longitudinal force is the prescribed one.
 Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& progress) {
   Case now = right;
   WheelRailData& data = *now.wheel_rail;
-  const double wanted = right.wheel_rail->velocity.vpitch; // FX_WS stands there
   const double speed = data.digits.is_roller() ? data.velocity.vs * data.track.roller_radius : data.velocity.vs;
   double& vpitch = data.velocity.vpitch;
   vpitch = -speed / data.wheelset.nominal_radius;
-  RootSearch search(1e-4 * vpitch);
+  std::optional<RootSearch> search(1e-4 * vpitch);
   for (int k = 0;; ++k) {
     Outcome outcome = solve_placed(now, {}, progress);
-    if (outcome.kind != Outcome::Kind::solved) return outcome;
-    const double force = outcome.wheel->wheelset.force.x - wanted, vertical = outcome.wheel->track.force.z;
-    if (std::abs(force) < right.solver.eps * least_friction(right.friction) * vertical) return outcome;
-    if (k == most_steps || search.width().value_or(1) < least_step * std::abs(vpitch))
-      return unbalanced(std::move(outcome));
-    vpitch = search.next(vpitch, force);
+    if (!outcome.wheel) return outcome;
+    const PrescribedForce force = pulling_force(right, *outcome.wheel);
+    if (ends(force, k, search, least_step * std::abs(vpitch))) return outcome;
+    vpitch = search->next(vpitch, force.missing());
   }
 }
 
@@ -465,7 +495,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     const Rotation<double>& axes = frame.reference.axes;
     WheelPatch& patch = wheel.patches.back();
     const Wrench sum = frame.rows.empty() ? Wrench{force_of(o), moments(o)} : aggregate(o, frame);
-    if (!frame.rows.empty()) set_totals(*patch.solution, sum);
+    if (!frame.rows.empty()) set_totals(*patch.solution, sum, patch.contact.spin_x);
     constexpr double per_m = 1e3;
     patch.solution->damping =
         damping_force(patch.contact, o.step.motion.step * per_m, sum.force, tracks_[k].force_before);
@@ -491,18 +521,16 @@ Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry,
   ForceSearch search(target, gap.gap);
   const bool goes_on_from_last = last_z_ && right.digits.iestim != InitialGuess::nothing;
   double z = goes_on_from_last ? *last_z_ : gap.gap + hertzian_depth(right, gap, target);
-  for (int k = 0; k < most_steps; ++k) {
+  for (int k = 0;; ++k) {
     Outcome outcome = solve_at(right, geometry, z, progress);
-    if (outcome.kind != Outcome::Kind::solved) return outcome;
-    outcome.wheel->fz_given = target;
-    const double force = outcome.wheel->track.force.z;
-    if (std::abs(force - target) < right.solver.eps * target) return outcome;
-    search.add(z, force);
+    if (!outcome.wheel) return outcome;
+    const PrescribedForce force = vertical_force(right, *outcome.wheel);
+    if (force.is_reached()) return outcome;
+    search.add(z, force.found);
     const auto next = search.next();
-    if (!next || k + 1 == most_steps) return unbalanced(std::move(outcome));
+    if (!next || k == most_steps) return outcome;
     z = *next;
   }
-  return {};
 }
 
 } // namespace microslip::contact_program

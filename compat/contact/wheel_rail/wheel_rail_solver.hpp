@@ -61,8 +61,10 @@ private:
   };
 
   Outcome solve(const Case& c, const Progress& progress);
+  WheelGeometry geometry_over(const Case& right, const RailDeflection& deflection);
   Outcome solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress);
   Outcome find_deflection(const Case& right, const Progress& progress);
+  Outcome find_settlement(const Case& right, double dy, std::optional<double>& depth, const Progress& progress);
   Outcome find_pitch_velocity(const Case& right, const Progress& progress);
   Outcome solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress);
   Outcome find_height(const Case& right, WheelGeometry& geometry, const Progress& progress);
