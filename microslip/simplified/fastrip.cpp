@@ -1,5 +1,6 @@
 #include "microslip/simplified/fastrip.hpp"
 
+#include "microslip/contact/conclude.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -152,6 +153,7 @@ ContactSolution Fastrip::fields(const EllipticContact& contact) {
   for (int j = 0; j < out.elements.my(); ++j) theory.solve(row_of(out, j, contact));
   keep_within_bound(out.fields);
   set_totals(out, contact);
+  conclude(out);
   return out;
 }
 
