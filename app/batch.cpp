@@ -17,7 +17,6 @@
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/rolling/method.hpp"
 #include "microslip/simplified/fastrip.hpp"
-#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -109,7 +108,8 @@ Method method_of(const BatchArguments& arguments) {
   if (!arguments.coefficients.empty())
     method.coefficients = from_word<CreepageTable>("--coefficients", arguments.coefficients);
   method.precision = from_word<Precision>("--precision", arguments.precision);
-  if (arguments.tolerance) method.tolerance = require_between("--tolerance", *arguments.tolerance, "-", 1e-14, 0.1);
+  if (arguments.tolerance)
+    method.tolerance = require_between("--tolerance", *arguments.tolerance, "-", smallest_tolerance, largest_tolerance);
   return method;
 }
 
@@ -322,33 +322,42 @@ private:
   ExactOptions options_;
 };
 
-/// By interpolation, of which only the direction of rolling may be said.
-std::unique_ptr<TableSolver> make_table_solver(const BatchArguments& arguments) {
-  constexpr const char* reason = "cannot be combined with --theory table";
-  refuse({{"--bound", !arguments.bound.empty()},
-          {"--flexibility", !arguments.flexibility.empty()},
-          {"--coefficients", !arguments.coefficients.empty()},
-          {"--grid", !arguments.grid.empty()},
-          {"--discretisation", !arguments.discretisation.empty()},
-          {"--elements", !arguments.elements.empty()},
-          {"--precision", arguments.precision != "double"},
-          {"--tolerance", arguments.tolerance.has_value()}},
-         reason);
-  const auto direction = from_word<RollingDirection>("--direction", arguments.direction);
-  const fs::path file = creep_table_or_shipped(arguments.table);
-  return std::make_unique<SimplifiedTableSolver<CreepForceTable>>(arguments.threads,
-                                                                  CreepForceTable(read_creep_table(file), direction));
+/// Like every row of the table, but for what its columns say.
+RollingProblem any_contact(const BatchArguments& arguments) {
+  RollingProblem any;
+  any.motion.direction = from_word<RollingDirection>("--direction", arguments.direction);
+  return any;
+}
+
+/// Refuses options that do not go together. Of interpolation only the direction of rolling may be said.
+void check_options(const BatchArguments& arguments) {
+  if (arguments.theory == "table") {
+    refuse({{"--bound", !arguments.bound.empty()},
+            {"--flexibility", !arguments.flexibility.empty()},
+            {"--coefficients", !arguments.coefficients.empty()},
+            {"--grid", !arguments.grid.empty()},
+            {"--discretisation", !arguments.discretisation.empty()},
+            {"--elements", !arguments.elements.empty()},
+            {"--precision", arguments.precision != "double"},
+            {"--tolerance", arguments.tolerance.has_value()}},
+           "cannot be combined with --theory table");
+    any_contact(arguments);
+    return;
+  }
+  refuse({{"--table", !arguments.table.empty()}}, "needs --theory table");
+  const auto found = incompatibilities(any_contact(arguments), method_of(arguments));
+  if (!found.empty()) throw Error(in_options(found.front().message()));
 }
 
 std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
-  if (arguments.theory == "table") return make_table_solver(arguments);
-  refuse({{"--table", !arguments.table.empty()}}, "needs --theory table");
-  const Method method = method_of(arguments);
-  RollingProblem any; // like every row of the table, but for what its columns say
-  any.motion.direction = from_word<RollingDirection>("--direction", arguments.direction);
-  const auto found = incompatibilities(any, method);
-  if (!found.empty()) throw Error(in_options(found.front().message()));
   const int threads = arguments.threads;
+  const RollingProblem any = any_contact(arguments);
+  if (arguments.theory == "table") {
+    const CreepTableSource source = creep_table_source(creep_table_or_shipped(arguments.table));
+    return std::make_unique<SimplifiedTableSolver<CreepForceTable>>(threads,
+                                                                    CreepForceTable(source, any.motion.direction));
+  }
+  const Method method = method_of(arguments);
   if (method.theory == Theory::exact) {
     ExactOptions options = exact_options(any, method);
     options.bodies.reset(); // each row's
@@ -385,12 +394,12 @@ private:
 class Batch {
 public:
   explicit Batch(const BatchArguments& arguments)
-      : solver_(make_solver(arguments)), input_(arguments.input), reader_(input_.stream(), input_name(arguments)),
+      : input_(arguments.input), reader_(input_.stream(), input_name(arguments)),
         bad_rows_(arguments.skip_bad         ? BadRows::skip
                   : arguments.errors.empty() ? BadRows::stop
                                              : BadRows::list),
         parser_(reader_, bad_rows_), output_(output_file(arguments.output)), errors_(arguments.errors),
-        size_(size_of(arguments.input)), bar_(arguments.input.filename().string()),
+        solver_(make_solver(arguments)), size_(size_of(arguments.input)), bar_(arguments.input.filename().string()),
         chunks_(32 * static_cast<std::size_t>(arguments.threads)), results_(chunks_.size()),
         errors_file_(arguments.errors.string()) {
     if (!solver_->is_exact()) reader_.refuse_dissimilar_bodies("unless --theory is exact");
@@ -448,13 +457,13 @@ private:
     }
   }
 
-  std::unique_ptr<TableSolver> solver_;
   Input input_;
   ContactTableReader reader_;
   BadRows bad_rows_;
   RowParser parser_;
   OutputFile output_;
   ErrorList errors_;
+  std::unique_ptr<TableSolver> solver_; ///< made when the table's header and the output are known to be good
   double size_;
   ProgressBar bar_;
   std::vector<TextChunk> chunks_;
@@ -486,6 +495,7 @@ void check_files(const BatchArguments& arguments) {
 int batch(const BatchArguments& arguments) {
   check_files(arguments);
   require_count("--threads", arguments.threads, 1, most_threads);
+  check_options(arguments);
   Batch work(arguments);
   const bool all_solved = work.run();
   if (arguments.json) print_document(arguments, work);

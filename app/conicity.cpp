@@ -244,7 +244,7 @@ void write_result(const ConicityArguments& arguments, const Profiles& profiles, 
 std::vector<std::string> write_files(const ConicityArguments& arguments, const Profiles& profiles,
                                      const ConicityResults& result) {
   if (arguments.folder.empty()) return {};
-  const auto path = arguments.folder / "result.h5";
+  const auto path = arguments.folder / result_name;
   write_result(arguments, profiles, result, path);
   std::vector<std::string> files{path.string()};
   if (arguments.no_pictures) return files;
@@ -255,6 +255,7 @@ std::vector<std::string> write_files(const ConicityArguments& arguments, const P
 }
 
 void run(const ConicityArguments& arguments) {
+  if (!arguments.folder.empty()) require_writable_file_in(arguments.folder, result_name);
   const Profiles profiles(arguments);
   const auto result = solve(arguments, profiles);
   if (!arguments.json) print_text(arguments, result);

@@ -95,8 +95,8 @@ void explore(const ExploreArguments& arguments) {
   if (!fs::exists(page)) throw Error(page.string() + ": the explorer's page is not there; tools/explorer builds it");
   std::string address = file_address(page);
   if (!arguments.files.empty()) {
-    const Json start = start_of(arguments.files);
     OutputFile file(arguments.page);
+    const Json start = start_of(arguments.files);
     file.write(leading_page(address, start));
     file.commit();
     address = file_address(arguments.page);

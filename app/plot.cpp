@@ -3,7 +3,9 @@
 #include "app/exit_code.hpp"
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
+#include "io/output_file.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,6 +47,8 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
 }
 
 int plot(const PlotArguments& arguments) {
+  const std::filesystem::path folder = arguments.folder, beside = std::filesystem::path(arguments.result).parent_path();
+  require_writable_folder(folder.empty() ? beside : folder);
   const auto pictures = draw_pictures(python_arguments(arguments));
   if (!arguments.json)
     for (const auto& picture : pictures.files) fmt::print("{}\n", picture);

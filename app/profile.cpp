@@ -134,7 +134,6 @@ void write_result(const ProfileArguments& arguments, const ProfileFindings& find
 
 void convert(const ProfileArguments& arguments, const PreparedProfile& prepared) {
   const auto format = format_of_ending(arguments.converted, prepared.profile.role());
-  require_other_file(arguments.converted, arguments.file);
   OutputFile file(arguments.converted);
   file.write(profile_text(prepared, format));
   file.commit();
@@ -147,7 +146,7 @@ std::vector<std::string> write_files(const ProfileArguments& arguments, const Pr
     files.push_back(arguments.converted.string());
   }
   if (arguments.folder.empty()) return files;
-  const auto path = arguments.folder / "result.h5";
+  const auto path = arguments.folder / result_name;
   write_result(arguments, findings, path);
   files.push_back(path.string());
   if (arguments.no_pictures) return files;
@@ -168,6 +167,11 @@ void run_slices(const ProfileArguments& arguments) {
 
 void run(const ProfileArguments& arguments) {
   if (names_slices(arguments.file)) return run_slices(arguments);
+  if (!arguments.converted.empty()) {
+    require_other_file(arguments.converted, arguments.file);
+    require_writable_file(arguments.converted);
+  }
+  if (!arguments.folder.empty()) require_writable_file_in(arguments.folder, result_name);
   const auto findings = find(arguments);
   if (!arguments.json) print_text(findings);
   const auto files = write_files(arguments, findings);

@@ -332,10 +332,10 @@ void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>
 }
 
 template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
-  require_writable_folder(arguments.folder);
+  require_writable_file_in(arguments.folder, result_name);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
   if (!arguments.json) print_tables(input, result);
-  const auto file = arguments.folder / "result.h5";
+  const auto file = arguments.folder / result_name;
   const Provenance provenance = provenance_of(arguments, input, text);
   write(arguments, input, result, provenance, file);
   if (!arguments.json) print_file(file);

@@ -44,7 +44,9 @@ public:
     ranks_.agree([&] { require_other_file(arguments_.output, arguments_.spec); });
     ranks_.agree([&] { sweep_.emplace(read_case_text(arguments_.spec), arguments_.spec.string()); });
     ranks_.agree([&] {
-      if (ranks_.is_first()) (void)find_sweep(*sweep_, arguments_.output); // before the checkpoint's folder is made
+      if (!ranks_.is_first()) return; // before the checkpoint's folder is made
+      require_writable_file_in(arguments_.output.parent_path(), arguments_.output.filename());
+      (void)find_sweep(*sweep_, arguments_.output);
     });
     const CampaignPlan plan = sweep_->plan();
     Campaign campaign(checkpoint_of(arguments_.output), plan, ranks_);

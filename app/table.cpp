@@ -6,6 +6,7 @@
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "io/creep_table_file.hpp"
+#include "io/output_file.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/table/making/creep_table_maker.hpp"
@@ -94,6 +95,8 @@ int make(MakeArguments arguments) {
   }
   std::sort(making.axes.poisson_ratios.begin(), making.axes.poisson_ratios.end());
   making.threads = arguments.threads;
+  OutputFile file(arguments.output); // refused now and not when all is computed
+  CreepTableNodes nodes;
   {
     ProgressBar bar("table");
     making.progress = [&bar](double fraction) {
@@ -101,13 +104,14 @@ int make(MakeArguments arguments) {
       return !InterruptGuard::interrupted();
     };
     try {
-      write_creep_table(make_creep_table(making), arguments.output);
+      nodes = make_creep_table(making);
     } catch (const Stopped&) {
       InterruptGuard::throw_if_interrupted();
       throw;
     }
   }
-  print(read_creep_table(arguments.output), arguments.output, arguments.json);
+  write_creep_table(nodes, file);
+  print(nodes, arguments.output, arguments.json);
   return ExitCode::done;
 }
 
@@ -128,6 +132,7 @@ int draw(const DrawArguments& arguments) {
   const CreepTableAxes axes = read_creep_table(file).axes;
   require_between("--axis-ratio", arguments.axis_ratio, "-", 1e-3, 1e3);
   require_between("--poisson-ratio", arguments.poisson_ratio, "-", 0, 0.5);
+  require_writable_folder(arguments.folder);
   const auto pictures = draw_pictures({file.string(), "--output=" + arguments.folder.string(),
                                        fmt::format("--axis-ratio={}", arguments.axis_ratio),
                                        fmt::format("--poisson-ratio={}", arguments.poisson_ratio),

@@ -132,6 +132,7 @@ int report(const std::vector<const Study*>& studies, ValidateArguments arguments
   const std::filesystem::path folder = *arguments.report;
   if (folder.empty()) throw Error("--report: needs the name of a folder");
   create_folder(folder);
+  require_writable_file(folder / validation_page);
   arguments.output = folder;
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));

@@ -175,7 +175,7 @@ bool print_to(const fs::path& pdf, const fs::path& html) {
 } // namespace
 
 std::vector<std::string> write_validation_report(const fs::path& folder, const std::vector<StudyRecord>& records) {
-  const fs::path html = folder / "validation.html", pdf = folder / "validation.pdf";
+  const fs::path html = folder / validation_page, pdf = folder / "validation.pdf";
   OutputFile file(html);
   file.write(page(records));
   file.commit();

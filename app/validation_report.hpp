@@ -18,6 +18,9 @@ struct StudyRecord {
   std::vector<std::string> pictures = {}; ///< names of PNG files
 };
 
+/// The name of the page in its folder.
+inline constexpr const char* validation_page = "validation.html";
+
 /// Writes validation.html into a folder: one page without other files, of all figures beside the published ones, with
 /// the pictures, the machine, version, commit and time; and validation.pdf where a browser of the Chromium family makes
 /// it. Returns the names of both. Throws Error if they cannot be written.

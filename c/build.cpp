@@ -41,6 +41,8 @@ const char* microslip_code_text(int code) {
     return "there is no such result yet";
   case MICROSLIP_INTERNAL_ERROR:
     return "a fault of the library";
+  case MICROSLIP_IN_USE:
+    return "the handle is in use by another thread";
   }
   return "no code of this library";
 }

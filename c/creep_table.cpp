@@ -1,7 +1,6 @@
 #include "c/contact.hpp"
 #include "c/guarded_call.hpp"
 #include "io/creep_table_file.hpp"
-#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 
@@ -26,8 +25,8 @@ microslip_code microslip_creep_table_read(const char* file, microslip_direction 
                                           microslip_creep_table** table, microslip_error* error) {
   return guarded(error, [&] {
     require_pointer("table", table);
-    const CreepTableNodes nodes = read_creep_table(require_pointer("file", file));
-    *table = new microslip_creep_table{CreepForceTable(nodes, choice<RollingDirection>("direction", direction, 2))};
+    const auto rolling = choice<RollingDirection>("direction", direction, 2);
+    *table = new microslip_creep_table{CreepForceTable(creep_table_source(require_pointer("file", file)), rolling)};
   });
 }
 

@@ -28,6 +28,7 @@ struct microslip_exact {
   ExactMotion motion = {};
   int finest = 0; ///< with an accuracy given: elements across
   std::optional<ContactSolution> solution = {};
+  mutable InUse in_use = false;
 };
 
 namespace {
@@ -180,8 +181,8 @@ microslip_code report_status(microslip_error* error, int status, const microslip
   return report(error, code, code == MICROSLIP_OK ? "" : handle.solution->report.reason);
 }
 
-const ContactSolution& solution_of(const microslip_exact* solver) {
-  return require_solution(require_pointer("solver", solver)->solution, "microslip_exact_solve");
+const ContactSolution& solution_of(const microslip_exact& solver) {
+  return require_solution(solver.solution, "microslip_exact_solve");
 }
 
 /// Where the solution has no distance of the bodies, from the normal problem on its grid.
@@ -222,8 +223,7 @@ void microslip_exact_destroy(microslip_exact* solver) {
 microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_contact* contact,
                                      const microslip_exact_motion* motion, microslip_exact_result* result,
                                      microslip_error* error) {
-  return guarded(error, [&] {
-    require_pointer("solver", solver);
+  return guarded_use(error, "solver", solver, [&] {
     require_pointer("contact", contact);
     const std::size_t size = require_pointer("result", result)->struct_size;
     require_struct_size("result", size, sizeof *result);
@@ -240,8 +240,7 @@ microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_co
 
 microslip_code microslip_exact_differentiate(microslip_exact* solver, const microslip_contact* contact, size_t count,
                                              double* jacobian, microslip_exact_result* result, microslip_error* error) {
-  return guarded(error, [&] {
-    require_pointer("solver", solver);
+  return guarded_use(error, "solver", solver, [&] {
     require_pointer("contact", contact);
     require_pointer("jacobian", jacobian);
     require_size("count", count, 9);
@@ -266,24 +265,24 @@ microslip_code microslip_exact_differentiate(microslip_exact* solver, const micr
 
 microslip_code microslip_exact_get(const microslip_exact* solver, microslip_field field, size_t count, double* values,
                                    microslip_error* error) {
-  return guarded(error, [&] {
-    copy_field(solution_of(solver), field_name(field), {require_pointer("values", values), count});
+  return guarded_use(error, "solver", solver, [&] {
+    copy_field(solution_of(*solver), field_name(field), {require_pointer("values", values), count});
   });
 }
 
 microslip_code microslip_exact_quantity(const microslip_exact* solver, const char* name, double* value,
                                         microslip_error* error) {
-  return guarded(error, [&] {
-    *require_pointer("value", value) = quantity_of(solution_of(solver), require_pointer("name", name));
+  return guarded_use(error, "solver", solver, [&] {
+    *require_pointer("value", value) = quantity_of(solution_of(*solver), require_pointer("name", name));
   });
 }
 
 microslip_code microslip_exact_field(microslip_exact* solver, const char* name, size_t count, double* values,
                                      microslip_error* error) {
-  return guarded(error, [&] {
+  return guarded_use(error, "solver", solver, [&] {
     const std::string_view field = require_pointer("name", name);
     require_pointer("values", values);
-    if (field == "gap") find_gap(*require_pointer("solver", solver));
-    copy_field(solution_of(solver), field, {values, count});
+    if (field == "gap") find_gap(*solver);
+    copy_field(solution_of(*solver), field, {values, count});
   });
 }

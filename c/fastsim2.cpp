@@ -56,6 +56,7 @@ struct microslip_fastsim2 {
   std::array<ContactForces, chunk> forces = {};
   std::array<ContactDerivatives, chunk> derivatives = {};
   std::optional<ContactSolution> fields = {};
+  mutable InUse in_use = false;
 };
 
 namespace {
@@ -91,8 +92,8 @@ microslip_code solve_in_chunks(microslip_fastsim2& handle, std::array<Own, chunk
   return code;
 }
 
-const ContactSolution& solution_of(const microslip_fastsim2* solver) {
-  return require_solution(require_pointer("solver", solver)->fields, "microslip_fastsim2_solve_fields");
+const ContactSolution& solution_of(const microslip_fastsim2& solver) {
+  return require_solution(solver.fields, "microslip_fastsim2_solve_fields");
 }
 
 } // namespace
@@ -116,45 +117,49 @@ void microslip_fastsim2_destroy(microslip_fastsim2* solver) {
 
 microslip_code microslip_fastsim2_solve(microslip_fastsim2* solver, size_t count, const microslip_contact* contacts,
                                         microslip_forces* forces) {
-  if (!solver || ((!contacts || !forces) && count > 0)) return MICROSLIP_NULL_POINTER;
-  return solve_in_chunks(*solver, solver->forces, count, contacts, forces,
-                         [&](auto some, auto results) { solver->solver.solve(some, results); });
+  if ((!contacts || !forces) && count > 0) return MICROSLIP_NULL_POINTER;
+  return with_handle(solver, [&] {
+    return solve_in_chunks(*solver, solver->forces, count, contacts, forces,
+                           [&](auto some, auto results) { solver->solver.solve(some, results); });
+  });
 }
 
 microslip_code microslip_fastsim2_differentiate(microslip_fastsim2* solver, size_t count,
                                                 const microslip_contact* contacts, microslip_derivatives* derivatives) {
-  if (!solver || ((!contacts || !derivatives) && count > 0)) return MICROSLIP_NULL_POINTER;
-  return solve_in_chunks(*solver, solver->derivatives, count, contacts, derivatives,
-                         [&](auto some, auto results) { solver->solver.differentiate(some, results); });
+  if ((!contacts || !derivatives) && count > 0) return MICROSLIP_NULL_POINTER;
+  return with_handle(solver, [&] {
+    return solve_in_chunks(*solver, solver->derivatives, count, contacts, derivatives,
+                           [&](auto some, auto results) { solver->solver.differentiate(some, results); });
+  });
 }
 
 microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2* solver, const microslip_contact* contact,
                                                microslip_forces* forces, microslip_error* error) {
   const microslip_code checked = microslip_contact_check(contact, error);
   if (checked != MICROSLIP_OK) return checked;
-  return guarded(error, [&] {
-    require_pointer("solver", solver)->fields = solver->solver.fields(contact_of(*contact));
+  return guarded_use(error, "solver", solver, [&] {
+    solver->fields = solver->solver.fields(contact_of(*contact));
     if (forces) *forces = forces_of(solver->fields->forces());
   });
 }
 
 microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, microslip_field field, size_t count,
                                       double* values, microslip_error* error) {
-  return guarded(error, [&] {
-    copy_field(solution_of(solver), field_name(field), {require_pointer("values", values), count});
+  return guarded_use(error, "solver", solver, [&] {
+    copy_field(solution_of(*solver), field_name(field), {require_pointer("values", values), count});
   });
 }
 
 microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name, double* value,
                                            microslip_error* error) {
-  return guarded(error, [&] {
-    *require_pointer("value", value) = quantity_of(solution_of(solver), require_pointer("name", name));
+  return guarded_use(error, "solver", solver, [&] {
+    *require_pointer("value", value) = quantity_of(solution_of(*solver), require_pointer("name", name));
   });
 }
 
 microslip_code microslip_fastsim2_field(const microslip_fastsim2* solver, const char* name, size_t count,
                                         double* values, microslip_error* error) {
-  return guarded(error, [&] {
-    copy_field(solution_of(solver), require_pointer("name", name), {require_pointer("values", values), count});
+  return guarded_use(error, "solver", solver, [&] {
+    copy_field(solution_of(*solver), require_pointer("name", name), {require_pointer("values", values), count});
   });
 }

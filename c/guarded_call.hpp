@@ -5,6 +5,7 @@
 #include "microslip/status.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -54,6 +55,42 @@ template <class Body> microslip_code guarded(microslip_error* error, Body body) 
 template <class Value> Value* require_pointer(std::string_view name, Value* pointer) {
   if (!pointer) throw Refusal(MICROSLIP_NULL_POINTER, std::string(name) + " is NULL");
   return pointer;
+}
+
+/// A mark on a handle that one thread at a time may use.
+using InUse = std::atomic<bool>;
+static_assert(InUse::is_always_lock_free);
+
+/// Sets a handle's mark for the time of a call; `granted` is false while another thread has set it.
+class Use {
+public:
+  explicit Use(InUse& mark) noexcept : mark_(mark.exchange(true, std::memory_order_acquire) ? nullptr : &mark) {}
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+  ~Use() {
+    if (mark_) mark_->store(false, std::memory_order_release);
+  }
+  bool granted() const noexcept { return mark_ != nullptr; }
+
+private:
+  InUse* mark_;
+};
+
+/// `guarded` with a handle that has a mark `in_use`: refused if the handle is NULL or another thread uses it.
+template <class Handle, class Body>
+microslip_code guarded_use(microslip_error* error, std::string_view name, Handle* handle, Body body) noexcept {
+  return guarded(error, [&] {
+    const Use use(require_pointer(name, handle)->in_use);
+    if (!use.granted()) throw Refusal(MICROSLIP_IN_USE, std::string(name) + " is in use by another thread");
+    return body();
+  });
+}
+
+/// The same for calls that have no error, take no memory and throw nothing themselves.
+template <class Handle, class Body> microslip_code with_handle(Handle* handle, const Body& body) noexcept {
+  if (!handle) return MICROSLIP_NULL_POINTER;
+  const Use use(handle->in_use);
+  return use.granted() ? body() : MICROSLIP_IN_USE;
 }
 
 inline void require_size(std::string_view name, std::size_t size, std::size_t wanted) {

@@ -4,11 +4,13 @@
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 using namespace microslip;
 using namespace microslip::c;
@@ -20,6 +22,7 @@ struct microslip_wheel_rail {
   WheelRailDerivatives derivatives = {};
   std::unique_ptr<WheelRailCase> input;
   std::unique_ptr<WheelsetSearch> wheelset = nullptr; ///< made when it is first asked for
+  mutable InUse in_use = false;
 };
 
 namespace {
@@ -137,6 +140,16 @@ std::optional<double> prescribed_force(const microslip_wheel_state& state) noexc
   return state.vertical_force == 0 ? std::nullopt : std::optional(state.vertical_force);
 }
 
+/// The largest magnitude of a number of a wheel's state.
+double limit_of(std::string_view name) {
+  return std::ranges::find(state_quantities(), name, &StateQuantity::name)->limit;
+}
+
+/// Of a lateral motion, for which contacts are searched for up to 1 m from the track's middle.
+bool is_amplitude(double value) noexcept {
+  return value > 0 && value <= 0.9;
+}
+
 WheelsetSearch& wheelset_of(microslip_wheel_rail& wheel_rail) {
   const WheelRailCase& input = *wheel_rail.input;
   const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
@@ -152,11 +165,13 @@ microslip_touch touch_of(const WheelRailCase& input, const ContactPoint& point, 
           .contact_angle = side * point.inclination};
 }
 
+constexpr microslip_touch no_touch = {not_given, not_given, not_given, not_given};
+microslip_wheelset_contact no_wheelset_contact(double lateral, microslip_code status) noexcept {
+  return {lateral, not_given, not_given, not_given, not_given, no_touch, no_touch, status};
+}
+
 microslip_wheelset_contact contact_of(const WheelRailCase& input, const WheelsetContact& found) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  constexpr microslip_touch no_touch = {none, none, none, none};
-  if (found.status == Status::no_contact)
-    return {found.lateral, none, none, none, none, no_touch, no_touch, code_of(found.status)};
+  if (found.status == Status::no_contact) return no_wheelset_contact(found.lateral, code_of(found.status));
   return {.lateral = found.lateral,
           .roll = found.roll,
           .vertical = found.vertical,
@@ -167,18 +182,32 @@ microslip_wheelset_contact contact_of(const WheelRailCase& input, const Wheelset
           .status = code_of(found.status)};
 }
 
-/// Runs a call on each of many states; `solve` returns the status of the k-th one. The code of the first that is not
-/// ok.
-template <class Solve> microslip_code for_each_state(std::size_t count, const Solve& solve) {
-  return guarded(nullptr, [&] {
-    microslip_code code = MICROSLIP_OK;
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto status = static_cast<microslip_code>(solve(k));
-      if (code == MICROSLIP_OK) code = status;
-    }
-    return code;
-  });
+/// Runs a call on each of many items; `solve` fills in the k-th result and returns its status, `leave_unsolved` fills
+/// it in where that has thrown. The code of the first that is not ok.
+template <class Solve, class LeaveUnsolved>
+microslip_code for_each(std::size_t count, const Solve& solve, const LeaveUnsolved& leave_unsolved) noexcept {
+  microslip_code code = MICROSLIP_OK;
+  for (std::size_t k = 0; k < count; ++k) {
+    const microslip_code status = guarded(nullptr, [&] { return static_cast<microslip_code>(solve(k)); });
+    if (status >= MICROSLIP_NULL_POINTER) leave_unsolved(k);
+    if (code == MICROSLIP_OK) code = status;
+  }
+  return code;
 }
+
+/// What a state is left with that something else than its numbers has kept from being solved, as a lack of memory.
+constexpr microslip_wheel_forces unsolved_forces = {.force = {},
+                                                    .moment = {},
+                                                    .vertical = not_given,
+                                                    .residual = 1,
+                                                    .y_over_q = not_given,
+                                                    .nadal_limit = not_given,
+                                                    .iterations = 0,
+                                                    .at_profile_end = 0,
+                                                    .warning_code = 0,
+                                                    .status = MICROSLIP_NOT_CONVERGED,
+                                                    .patch_count = 0,
+                                                    .patches = {}};
 
 } // namespace
 
@@ -188,10 +217,10 @@ microslip_code microslip_wheel_rail_create(const char* text, const char* name, m
     require_pointer("wheel_rail", wheel_rail);
     *wheel_rail = nullptr;
     const WheelRailCase input = parse_wheel_rail_case(require_pointer("text", text), require_pointer("name", name));
-    auto made =
-        std::make_unique<microslip_wheel_rail>(microslip_wheel_rail{.solver = WheelRail(bodies_of(input), input.method),
-                                                                    .first = input.states.front(),
-                                                                    .input = std::make_unique<WheelRailCase>(input)});
+    std::unique_ptr<microslip_wheel_rail> made(
+        new microslip_wheel_rail{.solver = WheelRail(bodies_of(input), input.method),
+                                 .first = input.states.front(),
+                                 .input = std::make_unique<WheelRailCase>(input)});
     made->solution.patches.reserve(MICROSLIP_WHEEL_PATCHES); // solving takes no memory then
     *wheel_rail = made.release();
   });
@@ -212,12 +241,14 @@ microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail
 
 microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                           const microslip_wheel_state* states, microslip_wheel_forces* forces) {
-  if (!wheel_rail || ((!states || !forces) && count > 0)) return MICROSLIP_NULL_POINTER;
-  return for_each_state(count, [&](std::size_t k) {
+  if ((!states || !forces) && count > 0) return MICROSLIP_NULL_POINTER;
+  const auto solve = [&](std::size_t k) {
     wheel_rail->solver.solve(state_of(states[k]), prescribed_force(states[k]), wheel_rail->solution);
     store(wheel_rail->solution, forces[k]);
     return forces[k].status;
-  });
+  };
+  return with_handle(wheel_rail,
+                     [&] { return for_each(count, solve, [&](std::size_t k) { forces[k] = unsolved_forces; }); });
 }
 
 const char* microslip_warning(int k) {
@@ -228,29 +259,35 @@ const char* microslip_warning(int k) {
 microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
                                                   const microslip_wheel_state* states,
                                                   microslip_wheel_derivatives* derivatives) {
-  if (!wheel_rail || ((!states || !derivatives) && count > 0)) return MICROSLIP_NULL_POINTER;
-  return for_each_state(count, [&](std::size_t k) {
+  if ((!states || !derivatives) && count > 0) return MICROSLIP_NULL_POINTER;
+  const auto solve = [&](std::size_t k) {
     wheel_rail->solver.differentiate(state_of(states[k]), prescribed_force(states[k]), wheel_rail->solution,
                                      wheel_rail->derivatives);
     store(wheel_rail->solution, derivatives[k].forces);
     store(wheel_rail->derivatives, derivatives[k].jacobian);
     return derivatives[k].forces.status;
+  };
+  return with_handle(wheel_rail, [&] {
+    return for_each(count, solve, [&](std::size_t k) { derivatives[k] = {.forces = unsolved_forces, .jacobian = {}}; });
   });
 }
 
 microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll, double yaw,
                                            size_t count, const double* lateral, microslip_wheelset_contact* contacts,
                                            microslip_error* error) {
-  return guarded(error, [&] {
-    require_pointer("wheel_rail", wheel_rail);
+  return guarded_use(error, "wheel_rail", wheel_rail, [&] {
     if (count > 0) require_pointer("lateral", lateral), require_pointer("contacts", contacts);
     const auto rule = choice<RollRule>("roll", roll, 2);
+    require_between("yaw", yaw, "rad", -limit_of("yaw"), limit_of("yaw"));
     WheelsetSearch& search = wheelset_of(*wheel_rail);
-    microslip_code code = MICROSLIP_OK;
-    for (std::size_t k = 0; k < count; ++k) {
-      contacts[k] = contact_of(*wheel_rail->input, search.solve(lateral[k], yaw, rule));
-      if (code == MICROSLIP_OK) code = static_cast<microslip_code>(contacts[k].status);
-    }
+    const auto solve = [&](std::size_t k) {
+      contacts[k] = std::abs(lateral[k]) <= limit_of("lateral")
+                        ? contact_of(*wheel_rail->input, search.solve(lateral[k], yaw, rule))
+                        : no_wheelset_contact(lateral[k], MICROSLIP_INVALID_INPUT);
+      return contacts[k].status;
+    };
+    const microslip_code code = for_each(
+        count, solve, [&](std::size_t k) { contacts[k] = no_wheelset_contact(lateral[k], MICROSLIP_NOT_CONVERGED); });
     return report(error, code, code == MICROSLIP_OK ? "" : microslip_code_text(code));
   });
 }
@@ -258,19 +295,26 @@ microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, mic
 microslip_code microslip_equivalent_conicity(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
                                              double contact_distance, size_t count, const double* amplitudes,
                                              double* conicity, microslip_error* error) {
-  return guarded(error, [&] {
-    require_pointer("wheel_rail", wheel_rail);
+  return guarded_use(error, "wheel_rail", wheel_rail, [&] {
     if (count == 0) return;
     require_pointer("amplitudes", amplitudes), require_pointer("conicity", conicity);
     const auto rule = choice<RollRule>("roll", roll, 2);
-    for (std::size_t k = 0; k < count; ++k) require_positive("amplitude", amplitudes[k], "m");
     const WheelsetBase base{require_positive("contact_distance", contact_distance, "m"),
                             wheel_rail->input->wheelset.nominal_radius};
-    const double largest = *std::max_element(amplitudes, amplitudes + count);
-    const RollingRadiusDifference difference(curve_of_amplitudes(wheelset_of(*wheel_rail), largest, true, rule));
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto motion = kinematic_oscillation(difference, amplitudes[k], base);
-      conicity[k] = motion ? motion->conicity : std::numeric_limits<double>::quiet_NaN();
+    std::fill_n(conicity, count, not_given);
+    double largest = 0;
+    for (std::size_t k = 0; k < count; ++k)
+      if (is_amplitude(amplitudes[k])) largest = std::max(largest, amplitudes[k]);
+    if (largest > 0) {
+      const RollingRadiusDifference difference(curve_of_amplitudes(wheelset_of(*wheel_rail), largest, true, rule));
+      for (std::size_t k = 0; k < count; ++k) {
+        if (!is_amplitude(amplitudes[k])) continue;
+        const auto motion = kinematic_oscillation(difference, amplitudes[k], base);
+        if (motion) conicity[k] = motion->conicity;
+      }
     }
+    const double* const bad = std::find_if_not(amplitudes, amplitudes + count, is_amplitude);
+    if (bad != amplitudes + count)
+      throw Refusal(MICROSLIP_INVALID_INPUT, Error("amplitude", *bad, "m", "above 0, up to 0.9").what());
   });
 }

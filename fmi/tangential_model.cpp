@@ -52,6 +52,18 @@ CreepTableNodes read_table(const std::filesystem::path& path) {
   }
 }
 
+/// What a unit's tables are made from. Units that name one file, the one that comes with them, share what they make of
+/// it: that of the first is kept.
+CreepTableSource table_source(const std::filesystem::path& path) {
+  struct Kept {
+    std::filesystem::path path;
+    CreepTableSource source;
+    explicit Kept(const std::filesystem::path& from) : path(from), source(read_table(from)) {}
+  };
+  static const Kept kept(path);
+  return kept.path == path ? kept.source : read_table(path);
+}
+
 class TangentialModel final : public Model {
 public:
   explicit TangentialModel(std::filesystem::path resources) : resources_(std::move(resources)) {}
@@ -97,7 +109,7 @@ private:
     const auto from = std::pair(v.text[table], v.real[poisson_ratio]);
     if (!table_ || read_from_ != from) {
       table_.reset();
-      table_.emplace(read_table(resources_ / from.first), from.second);
+      table_.emplace(table_source(resources_ / from.first), from.second);
       read_from_ = from;
     }
     return table_;

@@ -1,6 +1,6 @@
 """Calls the Python module with random options, shapes, arrays and values, in range and out of it, in pairs that nobody chose:
 
-    api_fuzz.py [--seed S] [--calls N] [--call I]
+    api_fuzz.py [--seed S] [--calls N | --seconds T] [--call I]
 
 Every call gives finite results whose forces keep within friction, or says in its status that it does not, or raises
 microslip.Error (TypeError for an argument of a wrong kind). After numbers out of all range it may also give NaN. Calls
@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +23,7 @@ import numpy as np
 import microslip
 
 PROFILES = Path(__file__).resolve().parents[1] / "examples" / "profiles"
-ODD_NUMBERS = (0.0, -1.0, 1e-300, 1e-30, 1e30, 1e300, math.inf, -math.inf, math.nan)
+ODD_NUMBERS = (0.0, -1.0, 5e-324, 1e-320, 1e-300, 1e-30, 1e30, 1e300, 1.7e308, math.inf, -math.inf, math.nan)
 
 
 class Draw(random.Random):
@@ -227,6 +228,14 @@ def simplified(draw):
     return getattr(solver, call)(case, **arguments)
 
 
+def creep_table(draw):
+    table = microslip.CreepForceTable(**draw.some(poisson_ratio=lambda: draw.number(0, 0.5),
+                                                  direction=lambda: draw.word("forward", "backward")))
+    case = contact(draw)
+    call = draw.choice(("solve", "differentiate", "solve_batch", "differentiate_batch"))
+    return getattr(table, call)(case, **(columns(draw, case) if "batch" in call else {}))
+
+
 def patch_fields(draw):
     mx, my = draw.count(1, 10), draw.count(1, 10)
     length, width = draw.scale(1e-4, 1e-2), draw.scale(1e-4, 1e-2)
@@ -350,7 +359,7 @@ def wheelset_on_track(draw):
     return found
 
 
-CALLS = (wheel_rail, wheel_rail, wheelset_on_track, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, patch_fields,
+CALLS = (wheel_rail, wheel_rail, wheelset_on_track, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, creep_table, patch_fields,
          normal_problem, patch_rolling, tangential_problem, interior, hertz, profile)
 
 
@@ -401,10 +410,14 @@ def end_call(*_):
     raise TooLong
 
 
-def run(seed, calls, said):
-    """Makes calls; `said` tells before each one which it is, in case that it never comes back."""
+def run(seed, calls, seconds, said):
+    """Makes calls, as many as these seconds have room for; `said` tells before each one which it is, in case that it
+    never comes back."""
     signal.signal(signal.SIGALRM, end_call)
+    end = time.monotonic() + seconds
     for i in calls:
+        if time.monotonic() > end:
+            return
         draw = Draw(f"{seed}/{i}")
         call = draw.choice(CALLS)
         said.write_text(f"call {i}, {call.__name__}")
@@ -412,7 +425,7 @@ def run(seed, calls, said):
         try:
             result = call(draw)
             signal.setitimer(signal.ITIMER_REAL, 0)
-            if not draw.out_of_range:
+            if not draw.out_of_range or call in (simplified, creep_table):  # whose status says it whatever the numbers
                 look_at(result)
         except (microslip.Error, TypeError, TooLong):
             pass
@@ -423,19 +436,22 @@ def run(seed, calls, said):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--seed", default="1", help="any text")
-    parser.add_argument("--calls", type=int, default=3000)
+    parser.add_argument("--calls", type=int, help="how many; 3000, or what there is time for")
+    parser.add_argument("--seconds", type=float, default=math.inf, help="end after this time")
     parser.add_argument("--call", type=int, help="only this one")
     parser.add_argument("--said", type=Path, help=argparse.SUPPRESS)  # in the process that calls
     options = parser.parse_args()
-    calls = range(options.calls) if options.call is None else [options.call]
+    most = options.calls or (3000 if math.isinf(options.seconds) else sys.maxsize)
+    calls = range(most) if options.call is None else [options.call]
     if options.said:
-        run(options.seed, calls, options.said)
+        run(options.seed, calls, options.seconds, options.said)
         return 0
     with tempfile.TemporaryDirectory() as folder:
         said = Path(folder) / "said"
         outcome = subprocess.run([sys.executable, __file__, *sys.argv[1:], "--said", said], check=False)
         if outcome.returncode == 0:
-            print(f"{len(calls)} calls with seed {options.seed}: no fault found")
+            last = said.read_text() if said.exists() else "none"
+            print(f"calls with seed {options.seed} up to {last}: no fault found")
             return 0
         last = said.read_text() if said.exists() else "no call was made"
     print(f"exit code {outcome.returncode} after {last}; again: {Path(__file__).name} --seed {options.seed} "

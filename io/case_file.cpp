@@ -213,7 +213,7 @@ void read_solution(const TomlSection& solution, const CreepTables& tables, Rolli
   input.discretisation = solution.option("discretisation", input.discretisation);
   input.elements = solution.option("elements", input.elements);
   if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", smallest_accuracy, largest_accuracy);
-  input.tolerance = solution.between("tolerance", "-", smallest_tolerance, 0.1, input.tolerance);
+  input.tolerance = solution.between("tolerance", "-", smallest_tolerance, largest_tolerance, input.tolerance);
   input.coupling = solution.option("coupling", input.coupling);
   input.slip_start = solution.option("slip_start", input.slip_start);
   if (input.theory == Theory::table)

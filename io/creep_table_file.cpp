@@ -64,10 +64,22 @@ CreepTableNodes read_creep_table(const fs::path& path) {
 }
 
 fs::path shipped_creep_table() {
-  const fs::path name = "hertz.creep";
+  const fs::path name = "hertz.creep", in_share = "share/microslip/python/microslip";
+  const fs::path folder = library_folder();
   std::error_code error;
-  const fs::path beside = library_folder() / name; // of the Python module
-  return fs::exists(beside, error) ? beside : python_folder() / "microslip" / name;
+  // Beside the Python module; of a library in lib, in lib/x86_64-linux-gnu.
+  for (const fs::path& file :
+       {folder / name, folder.parent_path() / in_share / name, folder.parent_path().parent_path() / in_share / name})
+    if (fs::exists(file, error)) return file;
+  return python_folder() / "microslip" / name;
+}
+
+CreepTableSource creep_table_source(const fs::path& path) {
+  const fs::path shipped = shipped_creep_table();
+  std::error_code ignored;
+  if (path != shipped && !fs::equivalent(path, shipped, ignored)) return read_creep_table(path);
+  static const CreepTableSource source = read_creep_table(shipped);
+  return source;
 }
 
 fs::path creep_table_or_shipped(const fs::path& asked) {
@@ -75,8 +87,12 @@ fs::path creep_table_or_shipped(const fs::path& asked) {
 }
 
 void write_creep_table(const CreepTableNodes& nodes, const fs::path& path) {
-  const auto bytes = encode(nodes);
   OutputFile file(path);
+  write_creep_table(nodes, file);
+}
+
+void write_creep_table(const CreepTableNodes& nodes, OutputFile& file) {
+  const auto bytes = encode(nodes);
   file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()}); // NOLINT: bytes are bytes
   file.commit();
 }

@@ -3,7 +3,6 @@
 #include "io/creep_table_file.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
-#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <string>
@@ -15,11 +14,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_tables = 8; ///< some ten MB each
 
-std::shared_ptr<const CreepForceTable> make(const fs::path& file, std::optional<double> poisson_ratio,
+std::shared_ptr<const CreepForceTable> make(const CreepTableSource& source, std::optional<double> poisson_ratio,
                                             RollingDirection direction) {
-  const CreepTableNodes nodes = read_creep_table(file);
-  if (poisson_ratio) return std::make_shared<const CreepForceTable>(nodes, *poisson_ratio, direction);
-  return std::make_shared<const CreepForceTable>(nodes, direction);
+  if (poisson_ratio) return std::make_shared<const CreepForceTable>(source, *poisson_ratio, direction);
+  return std::make_shared<const CreepForceTable>(source, direction);
 }
 
 } // namespace
@@ -30,10 +28,13 @@ std::shared_ptr<const CreepForceTable> CreepTables::get(const fs::path& file, st
   const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
     return e.file == file && e.poisson_ratio == poisson_ratio && e.direction == direction;
   });
-  if (found != entries_.end())
+  if (found != entries_.end()) {
     std::rotate(found, found + 1, entries_.end());
-  else
-    entries_.push_back({file, poisson_ratio, direction, make(file, poisson_ratio, direction)});
+  } else {
+    const auto same_file = std::ranges::find(entries_, file, &Entry::file);
+    const CreepTableSource source = same_file != entries_.end() ? same_file->source : creep_table_source(file);
+    entries_.push_back({file, source, poisson_ratio, direction, make(source, poisson_ratio, direction)});
+  }
   if (entries_.size() > most_tables) entries_.erase(entries_.begin());
   return entries_.back().table;
 }

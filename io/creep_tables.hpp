@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/contact/motion.hpp"
+#include "microslip/table/creep_force_table.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -10,15 +10,14 @@
 
 namespace microslip {
 
-class CreepForceTable;
 class TomlSection;
 
-/// Creep-force tables by the files they come from, each made once, for whoever reads many cases. It keeps the last few.
-/// From any thread.
+/// Creep-force tables by the files they come from, each file read once, for whoever reads many cases. It keeps the last
+/// few. From any thread.
 class CreepTables {
 public:
-  /// The table in a file for one Poisson's ratio, or for all that it has. Throws Error as read_creep_table. Cost some
-  /// tenths of a second, or nothing if it is there.
+  /// The table in a file for one Poisson's ratio, or for all that it has. Throws Error as read_creep_table. Cost as
+  /// that of a CreepForceTable, or nothing if it is there.
   std::shared_ptr<const CreepForceTable> get(const std::filesystem::path& file, std::optional<double> poisson_ratio,
                                              RollingDirection direction) const;
 
@@ -30,6 +29,7 @@ public:
 private:
   struct Entry {
     std::filesystem::path file;
+    CreepTableSource source;
     std::optional<double> poisson_ratio;
     RollingDirection direction;
     std::shared_ptr<const CreepForceTable> table;

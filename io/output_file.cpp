@@ -195,6 +195,18 @@ void require_writable_folder(const std::filesystem::path& path) {
   if (error) throw Error(path.string() + ": cannot be made a folder: " + error.message());
 }
 
+void require_writable_file(const std::filesystem::path& path) {
+  // What is written directly is opened once only: a pipe's reader takes its closing for the end.
+  if (std::error_code ignored; is_special(path) && !std::filesystem::is_directory(path, ignored)) return;
+  if (named_descriptor(path.string()) < 0) const OutputFile tried(path);
+}
+
+void require_writable_file_in(const std::filesystem::path& folder, const std::filesystem::path& name) {
+  require_writable_folder(folder);
+  if (std::error_code ignored; folder.empty() || std::filesystem::exists(folder, ignored))
+    require_writable_file(folder / name);
+}
+
 void create_folder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

@@ -33,6 +33,9 @@ private:
   int descriptor_ = -1;
 };
 
+/// The name of a command's result file in the folder that it writes to.
+inline constexpr const char* result_name = "result.h5";
+
 /// Removes the temporary files of all OutputFiles of this process; nothing may be written to them afterwards. For
 /// signal handlers that end the process: it only calls unlink.
 void remove_temporary_files() noexcept;
@@ -42,7 +45,11 @@ void require_other_file(const std::filesystem::path& output, const std::filesyst
 
 /// Creates a folder and those above it; Error if that is impossible.
 void create_folder(const std::filesystem::path& path);
-/// Error if that could not be done, or nothing be written there: for saying so before long work.
+/// Error if that could not be done, or nothing be written there: for saying so before long work. Nothing is left.
 void require_writable_folder(const std::filesystem::path& path);
+/// The same of a file: as OutputFile would say it.
+void require_writable_file(const std::filesystem::path& path);
+/// The same of a file in a folder that may still be missing.
+void require_writable_file_in(const std::filesystem::path& folder, const std::filesystem::path& name);
 
 } // namespace microslip

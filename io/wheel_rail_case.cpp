@@ -5,6 +5,7 @@
 #include "io/profile_file.hpp"
 #include "io/sliced_profile.hpp"
 #include "io/toml_section.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
@@ -182,7 +183,8 @@ WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, co
   else if (section.has("table"))
     section.at("table", [] { throw Error("solution.table needs theory = \"table\""); });
   section.count("grid", 6, 1000, method.elements);
-  method.tolerance = section.between("tolerance", "-", 1e-12, 1e-2, method.tolerance);
+  method.tolerance =
+      section.between("tolerance", "-", smallest_load_tolerance, largest_load_tolerance, method.tolerance);
   return method;
 }
 

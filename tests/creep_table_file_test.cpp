@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,24 @@ TEST(CreepTableFile, IsReadAsItWasWritten) {
   EXPECT_EQ(nodes.axes, written.axes);
   EXPECT_EQ(nodes.origin, written.origin);
   EXPECT_TRUE(std::ranges::equal(nodes.values, written.values));
+}
+
+/// By whatever name it is asked for, and from any thread.
+TEST(CreepTableFile, TheShippedTableIsReadOnce) {
+  const CreepTableSource first = creep_table_source(shipped_creep_table());
+  const TemporaryFolder folder;
+  const fs::path link = folder / "link.creep";
+  fs::create_symlink(fs::absolute(shipped_creep_table()), link);
+  EXPECT_EQ(creep_table_source(link), first);
+  std::vector<char> same(4);
+  std::vector<std::thread> threads;
+  for (char& one : same)
+    threads.emplace_back([&] { one = creep_table_source(shipped_creep_table()) == first ? 1 : 0; });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(std::ranges::count(same, 1), 4);
+  const fs::path other = folder / "other.creep";
+  write_creep_table(empty_table(), other);
+  EXPECT_NE(creep_table_source(other), first);
 }
 
 TEST(CreepTableFile, WhatCannotBeReadIsNamed) {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -256,6 +257,41 @@ TEST(CreepTable, OneMaterialIsAsInTheTableOfAll) {
     EXPECT_EQ(one.solve(contact_at(0.5, -0.4, 0.3, 0.8, 0.5)).status, Status::out_of_range);
   }
   expect_error([] { CreepForceTable(small_nodes(), 0.1); }, "poisson_ratio", "[-]: must be in [0.28, 0.4]");
+}
+
+/// The splines are made once: the nodes are not looked at again.
+TEST(CreepTable, TablesOfOneSourceShareTheirNumbers) {
+  std::vector<std::int16_t> numbers(small_nodes().values.begin(), small_nodes().values.end());
+  CreepTableNodes nodes = small_nodes();
+  nodes.values = numbers;
+  const CreepTableSource source(nodes);
+  const auto between = contact_at(0.5, -0.4, 0.3, 0.8, 0.33), at_node = contact_at(0.5, -0.4, 0.3, 0.8, 0.28);
+  const ContactForces expected = CreepForceTable(small_nodes(), 0.33).solve(between);
+  const ContactForces expected_at_node = small_table().solve(at_node);
+  {
+    const CreepForceTable first(source, 0.33), all(source);
+    std::ranges::fill(numbers, std::int16_t{0});
+    EXPECT_EQ(CreepForceTable(source, 0.33).solve(between).fx, expected.fx);
+    EXPECT_EQ(CreepForceTable(source).solve(at_node).fx, expected_at_node.fx);
+  }
+  // What is of the nodes' own Poisson's ratios stays, other things are made again.
+  EXPECT_EQ(CreepForceTable(source, 0.28, RollingDirection::backward).solve(at_node).fy,
+            CreepForceTable(small_nodes(), 0.28, RollingDirection::backward).solve(at_node).fy);
+  EXPECT_NE(CreepForceTable(source, 0.33).solve(between).fx, expected.fx);
+}
+
+TEST(CreepTable, ManyThreadsMayAskOneSourceAtOnce) {
+  const auto contact = contact_at(0.5, -0.4, 0.3, 0.8, 0.33);
+  const double expected = CreepForceTable(small_nodes(), 0.33).solve(contact).fx;
+  const CreepTableSource source = small_nodes();
+  std::vector<double> found(8);
+  std::vector<std::thread> threads;
+  for (double& fx : found)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 5; ++k) fx = CreepForceTable(source, 0.33).solve(contact).fx;
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (const double fx : found) EXPECT_EQ(fx, expected);
 }
 
 TEST(CreepTable, BeyondTheRangeAreLimits) {

@@ -172,7 +172,7 @@ TEST(Solver, FieldsOfAnyGapGoStraightToOtherGrids) {
 
 TEST(Solver, RefusesNumbersOutOfRange) {
   expect_error([] { Solver({.mx = 0}); }, "solution.grid", "must be in [1, 4000]");
-  expect_error([] { Solver({.tolerance = 0}); }, "solution.tolerance", "must be in [1e-14, 1]");
+  expect_error([] { Solver({.tolerance = 0}); }, "solution.tolerance", "must be in [1e-14, 0.1]");
   expect_error([] { Solver({.accuracy = 1}); }, "solution.accuracy", "must be in [1e-05, 0.1]");
   RollingProblem problem = problem_of(contact());
   problem.motion.rolling_speed = -1;

@@ -173,6 +173,7 @@ void write(const StudyOptions& options, const std::array<Errors, variants.size()
 } // namespace
 
 bool run_fastsim2_table1(const StudyOptions& options, std::ostream& out) {
+  require_writable_folder(options.output);
   const std::vector<EllipticContact> contacts = test_set_contacts();
   const double exact_share = 0.4;
   const Reference exact = solve_reference(contacts, options, exact_share);

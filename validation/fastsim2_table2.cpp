@@ -189,6 +189,7 @@ void write(const StudyOptions& options, const std::array<Series, schemes.size()>
 } // namespace
 
 bool run_fastsim2_table2(const StudyOptions& options, std::ostream& out) {
+  require_writable_folder(options.output);
   double work = 3.0 * fine_grid * fine_grid;
   for (int n : grids) work += 4.0 * n * n;
   Solver solver(options, static_cast<int>(work));

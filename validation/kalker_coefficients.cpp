@@ -264,6 +264,7 @@ bool report_interpolation(Report& report, const Progress& progress) {
 } // namespace
 
 bool run_kalker_coefficients(const StudyOptions& options, std::ostream& out) {
+  require_writable_folder(options.output);
   Report report(out, options.figures);
   report.line("C11, C22, C23, C33 without slip, for vanishing creepages");
   const auto part = [&](double begin, double end) { return part_of(options.progress, begin, end); };

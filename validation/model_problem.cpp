@@ -281,6 +281,7 @@ std::filesystem::path write_result(const Cases& cases, const StudyOptions& optio
 } // namespace
 
 bool run_model_problem(const StudyOptions& options, std::ostream& out) {
+  require_writable_folder(options.output);
   const Cases cases = model_cases();
   Report report(out, options.figures);
   report_exact_solutions(cases, report);

@@ -452,6 +452,7 @@ void write(const StudyOptions& options, const Times& times, const Curve& curve, 
 } // namespace
 
 bool run_refinement(const StudyOptions& options, std::ostream& out) {
+  require_writable_folder(options.output);
   Report report(out, options.figures);
   report.line("a = 5 mm, a/b = .2, Fn/G = 1.3 mm2, mu = .3, nu = .28, longitudinal creepage .000857");
   const auto part = [&](double begin, double end) { return part_of(options.progress, begin, end); };

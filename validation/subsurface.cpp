@@ -409,6 +409,7 @@ void write(const StudyOptions& options, const Section& section, double p0,
 } // namespace
 
 bool run_subsurface(const StudyOptions& options, std::ostream& out) {
+  require_writable_folder(options.output);
   Report report(out, options.figures);
   const auto go_on = [&](double fraction) { return !options.progress || options.progress(fraction); };
   compare_with_contact(report);

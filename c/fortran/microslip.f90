@@ -9,7 +9,7 @@ module microslip
     microslip_no_contact = 3, microslip_no_solution = 4, microslip_out_of_range = 5, microslip_implausible = 6, &
     microslip_null_pointer = 16, &
     microslip_wrong_size = 17, microslip_invalid_option = 18, microslip_out_of_memory = 19, microslip_no_result = 20, &
-    microslip_internal_error = 21
+    microslip_internal_error = 21, microslip_in_use = 22
   integer(c_int), parameter, public :: microslip_coulomb = 0, microslip_linear = 1, microslip_rational = 2, &
     microslip_exponential = 3
   integer(c_int), parameter, public :: microslip_parabolic = 0, microslip_elliptic = 1

@@ -9,7 +9,8 @@
  * and signs: docs/conventions.md.
  *
  * Solvers stand behind handles: create, solve, get, destroy. Distinct handles may be used from distinct threads at the
- * same time, one handle by one thread at a time. There is no global state.
+ * same time, one handle by one thread at a time: a call with a handle that another thread is using is refused with
+ * MICROSLIP_IN_USE. There is no global state but the creep-force table that microslip has, which is read once.
  *
  * Calls return a microslip_code, MICROSLIP_OK being 0. Those that are not made for an inner loop also take a
  * microslip_error, which may be NULL, and write into it what is wrong in words: field, value, unit and allowed range.
@@ -64,8 +65,9 @@ typedef enum microslip_code {
   MICROSLIP_WRONG_SIZE = 17,     /* of an array or a struct */
   MICROSLIP_INVALID_OPTION = 18, /* an option or argument out of range */
   MICROSLIP_OUT_OF_MEMORY = 19,
-  MICROSLIP_NO_RESULT = 20,     /* nothing was solved yet that this could be got from, or not this field */
-  MICROSLIP_INTERNAL_ERROR = 21 /* a fault of the library; please report it */
+  MICROSLIP_NO_RESULT = 20,      /* nothing was solved yet that this could be got from, or not this field */
+  MICROSLIP_INTERNAL_ERROR = 21, /* a fault of the library; please report it */
+  MICROSLIP_IN_USE = 22          /* another thread is in a call with this handle, or this one from within such a call */
 } microslip_code;
 
 #define MICROSLIP_ERROR_LENGTH 256
@@ -106,6 +108,7 @@ typedef enum microslip_friction_law {
 
 /* One Hertzian contact: ellipse, combined material, load, friction and creepages. */
 typedef struct microslip_contact {
+  /* Numbers that are > 0 lie in [1e-30, 1e30], creepages in [-1e30, 1e30]. */
   double a;                         /* semi-axis along the rolling direction [m], > 0 */
   double b;                         /* lateral semi-axis [m], > 0 */
   double shear_modulus;             /* combined G [Pa], > 0 */
@@ -291,15 +294,16 @@ MICROSLIP_API microslip_code microslip_fastsim2_field(const microslip_fastsim2* 
 
 /* A creep-force table: results of the exact theory, between which it interpolates. */
 typedef struct microslip_creep_table microslip_creep_table;
-/* Reads a table made by `microslip table make`, such as share/microslip/python/microslip/hertz.creep of microslip.
- * MICROSLIP_INVALID_OPTION for a file that is no table, of another version or byte order, cut short or corrupted. */
+/* Reads a table made by `microslip table make`, such as share/microslip/python/microslip/hertz.creep of microslip,
+ * which is read once: handles of it share its numbers. MICROSLIP_INVALID_OPTION for a file that is no table, of another
+ * version or byte order, cut short or corrupted. */
 MICROSLIP_API microslip_code microslip_creep_table_read(const char* file, microslip_direction direction,
                                                         microslip_creep_table** table, microslip_error* error);
 /* NULL is allowed. */
 MICROSLIP_API void microslip_creep_table_destroy(microslip_creep_table* table);
 /* Forces of `count` contacts. Real-time safe: no allocation, no lock, no input or output, about 1 us a contact; from
  * several threads at a time. The code is the worst status of all: MICROSLIP_INVALID_INPUT for a contact out of range,
- * which gets NaN, MICROSLIP_NOT_CONVERGED for one beyond the table, which gets the forces of a limit. */
+ * which gets NaN, MICROSLIP_OUT_OF_RANGE for one beyond the table, which gets the forces of a limit. */
 MICROSLIP_API microslip_code microslip_creep_table_solve(const microslip_creep_table* table, size_t count,
                                                          const microslip_contact* contacts, microslip_forces* forces);
 /* The same with derivatives, those of the interpolation itself. */
@@ -349,7 +353,7 @@ typedef struct microslip_exact_options {
   int mx, my;         /* elements across the ellipse, 1 to 4,000; 24 and 24 */
   int discretisation; /* a microslip_discretisation of steady rolling; second order where that is possible */
   int direction;      /* a microslip_direction; forward */
-  double tolerance;   /* of the residual; 1e-6 */
+  double tolerance;   /* of the residual, in [1e-14, 0.1]; 1e-6 */
   /* If not 0: steady rolling to this accuracy, a fraction of mu Fn in [1e-5, 0.1]. Grids are chosen, mx and my not
    * used, and forces and creepages are extrapolated to the limit. */
   double accuracy;
@@ -533,9 +537,10 @@ MICROSLIP_API void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail
 /* The first state of the case file. */
 MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail,
                                                         microslip_wheel_state* state);
-/* Forces in `count` states, one after another, each with a status. With the theory "fastsim2" it takes no memory and
- * throws nothing, unless material.hardness asks for wear. The code is that of the first state that is not MICROSLIP_OK.
- */
+/* Forces in `count` states, one after another: all of `forces` is written, each with a status. With the theory
+ * "fastsim2" it takes no memory and throws nothing, unless material.hardness asks for wear. The code is that of the
+ * first state that is not MICROSLIP_OK. A state that the lack of memory or a fault of the library leaves unsolved is
+ * MICROSLIP_NOT_CONVERGED with a residual of 1, and the code says why. */
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                                         const microslip_wheel_state* states,
                                                         microslip_wheel_forces* forces);
@@ -568,17 +573,19 @@ typedef struct microslip_wheelset_contact {
   double rolling_radius_difference; /* left less right [m] */
   double contact_angle_difference;  /* left less right, each > 0 where it rises to the field side [rad] */
   microslip_touch left, right;
-  int status; /* a microslip_code below 16; numbers of one that is MICROSLIP_NO_CONTACT are NaN */
+  int status; /* a microslip_code below 16; numbers of one that is not MICROSLIP_OK may be NaN */
 } microslip_wheelset_contact;
 
 /* Contacts of a rigid wheelset with the profiles, track and wheelset of the case at `count` lateral displacements [m]
- * of a yaw angle [rad]. The code is that of the first that is not MICROSLIP_OK. */
+ * of a yaw angle [rad], each in [-1, 1]: all of `contacts` is written. The code is that of the first that is not
+ * MICROSLIP_OK. */
 MICROSLIP_API microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
                                                          double yaw, size_t count, const double* lateral,
                                                          microslip_wheelset_contact* contacts, microslip_error* error);
-/* Equivalent conicity [-] by EN 15302 at `count` amplitudes [m], > 0; contact_distance e [m], > 0, is that of both
- * contacts, usually 1.5. NaN where no periodic motion exists. The nonlinearity parameter is the difference of those at
- * 4 and 2 mm over 2 mm. */
+/* Equivalent conicity [-] by EN 15302 at `count` amplitudes [m], in (0, 0.9]; contact_distance e [m], > 0, is that of
+ * both contacts, usually 1.5. NaN where no periodic motion exists, and for an amplitude out of range, for which the
+ * code is MICROSLIP_INVALID_INPUT; the others are found. The nonlinearity parameter is the difference of those at 4 and
+ * 2 mm over 2 mm. */
 MICROSLIP_API microslip_code microslip_equivalent_conicity(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
                                                            double contact_distance, size_t count,
                                                            const double* amplitudes, double* conicity,

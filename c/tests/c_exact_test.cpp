@@ -449,6 +449,8 @@ TEST(CExact, RefusesWithWords) {
   refused([](auto& o) { o.discretisation = 2; }, MICROSLIP_INVALID_OPTION, "discretisation = 2");
   refused([](auto& o) { o.direction = -1; }, MICROSLIP_INVALID_OPTION, "direction = -1");
   refused([](auto& o) { o.tolerance = 0; }, MICROSLIP_INVALID_OPTION, "tolerance = 0");
+  refused([](auto& o) { o.tolerance = 0.55; }, MICROSLIP_INVALID_OPTION,
+          "tolerance = 0.55 [-]: must be in [1e-14, 0.1]");
   refused([](auto& o) { o.accuracy = 1e-6; }, MICROSLIP_INVALID_OPTION, "accuracy = 1e-06");
   refused([](auto& o) { o.elements = 2; }, MICROSLIP_INVALID_OPTION, "elements = 2");
   refused([](auto& o) { o.coupling = 2; }, MICROSLIP_INVALID_OPTION, "coupling = 2");

@@ -1,7 +1,12 @@
-// Distinct handles on many threads at once give what one thread gives.
+// Distinct handles on many threads at once give what one thread gives; one handle serves one thread at a time, and says
+// so to the others.
 
 #include "c/tests/c_cases.hpp"
+#include "tests/wheel_rail_text.hpp"
 
+#include <atomic>
+#include <functional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -52,6 +57,115 @@ TEST(CThreads, DistinctHandlesAreIndependent) {
     threads.emplace_back([&, thread] { sums[static_cast<std::size_t>(thread)] = everything(thread); });
   for (std::thread& thread : threads) thread.join();
   for (std::size_t thread = 0; thread < sums.size(); ++thread) EXPECT_TRUE(same(sums[thread], wanted[thread % 2]));
+}
+
+/// Makes a call again and again on four threads. It returns its code, and says whether its numbers are right.
+void on_one_handle(const std::function<int(bool& is_right)>& call) {
+  std::atomic<int> done = 0, refused = 0, wrong = 0;
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 300 || (refused == 0 && k < 100000); ++k) {
+        bool is_right = true;
+        const int code = call(is_right);
+        if (code == MICROSLIP_IN_USE)
+          ++refused;
+        else
+          code == MICROSLIP_OK&& is_right ? ++done : ++wrong;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_GT(done, 0);
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(CThreads, OneHandleOfFastsim2) {
+  microslip_fastsim2* solver = nullptr;
+  ASSERT_EQ(microslip_fastsim2_create(nullptr, &solver, nullptr), MICROSLIP_OK);
+  std::vector<microslip_contact> contacts(100, some_contact());
+  for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k].spin = 0.01 * static_cast<double>(k);
+  std::vector<microslip_derivatives> expected(contacts.size());
+  ASSERT_EQ(microslip_fastsim2_differentiate(solver, contacts.size(), contacts.data(), expected.data()), MICROSLIP_OK);
+  on_one_handle([&](bool& is_right) {
+    std::vector<microslip_derivatives> found(contacts.size());
+    const int code = microslip_fastsim2_differentiate(solver, contacts.size(), contacts.data(), found.data());
+    for (std::size_t k = 0; k < found.size() && code == MICROSLIP_OK; ++k)
+      is_right &=
+          same(found[k].forces.fx, expected[k].forces.fx) && same(found[k].jacobian[2][2], expected[k].jacobian[2][2]);
+    return code;
+  });
+  microslip_fastsim2_destroy(solver);
+}
+
+TEST(CThreads, OneHandleOfTheExactTheory) {
+  microslip_exact_options options;
+  microslip_exact_options_init(&options, sizeof options);
+  options.mx = options.my = 6;
+  microslip_exact* solver = nullptr;
+  ASSERT_EQ(microslip_exact_create(&options, &solver, nullptr), MICROSLIP_OK);
+  const microslip_contact contact = some_contact();
+  microslip_exact_result expected;
+  expected.struct_size = sizeof expected;
+  ASSERT_EQ(microslip_exact_solve(solver, &contact, nullptr, &expected, nullptr), MICROSLIP_OK);
+  on_one_handle([&](bool& is_right) {
+    microslip_exact_result found;
+    found.struct_size = sizeof found;
+    microslip_error error;
+    const int code = microslip_exact_solve(solver, &contact, nullptr, &found, &error);
+    if (code == MICROSLIP_OK) is_right = same(found.forces.fx, expected.forces.fx);
+    if (code == MICROSLIP_IN_USE) is_right = std::string(error.text) == "solver is in use by another thread";
+    double power = 0;
+    const int got = microslip_exact_quantity(solver, "frictional_power", &power, &error);
+    if (got == MICROSLIP_OK) is_right &= same(power, expected.frictional_power);
+    return code == MICROSLIP_OK ? got : code;
+  });
+  microslip_exact_destroy(solver);
+}
+
+TEST(CThreads, OneHandleOfAWheelOnARail) {
+  microslip_wheel_rail* wheel_rail = nullptr;
+  const microslip_code made = microslip_wheel_rail_create(wheel_rail_text.c_str(), "w.toml", &wheel_rail, nullptr);
+  if (made == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
+  ASSERT_EQ(made, MICROSLIP_OK);
+  microslip_wheel_state state;
+  microslip_wheel_rail_state(wheel_rail, &state);
+  microslip_wheel_forces expected;
+  ASSERT_EQ(microslip_wheel_rail_solve(wheel_rail, 1, &state, &expected), MICROSLIP_OK);
+  on_one_handle([&](bool& is_right) {
+    microslip_wheel_forces found;
+    const int code = microslip_wheel_rail_solve(wheel_rail, 1, &state, &found);
+    if (code == MICROSLIP_OK) is_right = same(found.force[1], expected.force[1]);
+    return code;
+  });
+  microslip_wheel_rail_destroy(wheel_rail);
+}
+
+/// A handle that a progress function calls from within its own call is in use as well.
+TEST(CThreads, AHandleIsInUseWithinItsOwnProgressFunction) {
+  struct Inner {
+    microslip_exact* solver = nullptr;
+    int code = MICROSLIP_OK;
+  } inner;
+  microslip_exact_options options;
+  microslip_exact_options_init(&options, sizeof options);
+  options.mx = options.my = 40;
+  options.progress_data = &inner;
+  options.progress = [](double, void* data) {
+    auto* const within = static_cast<Inner*>(data);
+    double value = 0;
+    within->code = microslip_exact_quantity(within->solver, "fx", &value, nullptr);
+    return 0;
+  };
+  ASSERT_EQ(microslip_exact_create(&options, &inner.solver, nullptr), MICROSLIP_OK);
+  const microslip_contact contact = some_contact();
+  microslip_exact_result result;
+  result.struct_size = sizeof result;
+  EXPECT_EQ(microslip_exact_solve(inner.solver, &contact, nullptr, &result, nullptr), MICROSLIP_OK);
+  EXPECT_EQ(inner.code, MICROSLIP_IN_USE);
+  double value = 0;
+  EXPECT_EQ(microslip_exact_quantity(inner.solver, "fx", &value, nullptr), MICROSLIP_OK);
+  microslip_exact_destroy(inner.solver);
 }
 
 } // namespace

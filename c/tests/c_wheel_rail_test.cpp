@@ -190,8 +190,8 @@ TEST(CWheelRail, HasTheWheelsetsContactsAndConicity) {
   microslip_error error;
   const double wrong = -1;
   EXPECT_EQ(microslip_equivalent_conicity(handle.pointer, MICROSLIP_ROLL_NONE, 1.5, 1, &wrong, conicity, &error),
-            MICROSLIP_INVALID_OPTION);
-  EXPECT_EQ(std::string(error.text), "amplitude = -1 [m]: must be positive and finite");
+            MICROSLIP_INVALID_INPUT);
+  EXPECT_EQ(std::string(error.text), "amplitude = -1 [m]: must be above 0, up to 0.9");
   EXPECT_EQ(microslip_wheelset_contacts(nullptr, MICROSLIP_ROLL_NONE, 0, 1, lateral, found, &error),
             MICROSLIP_NULL_POINTER);
 }

@@ -1,22 +1,21 @@
 #include "microslip/contact/elliptic_contact.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>
-#include <numbers>
-#include <sstream>
 
 namespace microslip {
 namespace {
 
 /// The ranges of all numbers, told to `range`, which has a function for each kind of range.
 template <class Range> void check_ranges(const EllipticContact& c, Range&& range) {
-  range.positive("a", c.a, "m");
-  range.positive("b", c.b, "m");
-  range.positive("shear_modulus", c.shear_modulus, "Pa");
+  range.size("a", c.a, "m");
+  range.size("b", c.b, "m");
+  range.size("shear_modulus", c.shear_modulus, "Pa");
   range.between("poisson_ratio", c.poisson_ratio, "-", 0, 0.5);
-  range.positive("normal_force", c.normal_force, "N");
-  range.positive("rolling_speed", c.rolling_speed, "m/s");
+  range.size("normal_force", c.normal_force, "N");
+  range.size("rolling_speed", c.rolling_speed, "m/s");
   range.finite("creepage.longitudinal", c.creepage.longitudinal, "-");
   range.finite("creepage.lateral", c.creepage.lateral, "-");
   range.finite("creepage.spin", c.creepage.spin, "1/m");
@@ -25,8 +24,14 @@ template <class Range> void check_ranges(const EllipticContact& c, Range&& range
 
 /// Throws at the first number out of range.
 struct Refusal {
-  void finite(const char* field, double value, const char* unit) { require_finite(field, value, unit); }
-  void positive(const char* field, double value, const char* unit) { require_positive(field, value, unit); }
+  void finite(const char* field, double value, const char* unit) {
+    require_finite(field, value, unit);
+    require_between(field, value, unit, -largest_size, largest_size);
+  }
+  void size(const char* field, double value, const char* unit) {
+    require_positive(field, value, unit);
+    require_between(field, value, unit, smallest_size, largest_size);
+  }
   void between(const char* field, double value, const char* unit, double low, double high) {
     require_between(field, value, unit, low, high);
   }
@@ -36,8 +41,8 @@ struct Refusal {
 struct Verdict {
   bool valid = true;
 
-  void finite(const char*, double value, const char*) { valid &= std::isfinite(value); }
-  void positive(const char*, double value, const char*) { valid &= value > 0 && std::isfinite(value); }
+  void finite(const char*, double value, const char*) { valid &= std::abs(value) <= largest_size; }
+  void size(const char*, double value, const char*) { valid &= value >= smallest_size && value <= largest_size; }
   void between(const char*, double value, const char*, double low, double high) {
     valid &= value >= low && value <= high;
   }

@@ -10,7 +10,8 @@
 
 namespace microslip {
 
-/// A Hertzian contact: an ellipse with load, material, friction and creepages.
+/// A Hertzian contact: an ellipse with load, material, friction and creepages. Numbers that must be > 0 are in [1e-30,
+/// 1e30], creepages in [-1e30, 1e30].
 struct EllipticContact {
   double a = 0;             ///< semi-axis along the rolling direction [m], > 0
   double b = 0;             ///< lateral semi-axis [m], > 0

@@ -13,11 +13,16 @@ inline constexpr int most_steps = 1000000;    ///< of transient rolling
 inline constexpr int most_threads = 1024;     ///< of a batch
 inline constexpr std::size_t most_interior_points = 2000000; ///< inside the bodies: some 100 bytes of a file for each
 
-/// Ranges of what is asked of the exact theory. A tolerance of the relative residual below rounding is never met; of 1
-/// any tractions do, zero as well. Case files and the program, whose figures are printed, end at .1.
-inline constexpr double smallest_tolerance = 1e-14, largest_tolerance = 1;
+/// Ranges of what is asked of the exact theory, for whoever asks. A tolerance of the relative residual below rounding
+/// is never met; of 1 any tractions do, zero as well, and beyond .1 no figure of a result means anything.
+inline constexpr double smallest_tolerance = 1e-14, largest_tolerance = 0.1;
+/// The same of a tolerance of the vertical force on a wheel, relative.
+inline constexpr double smallest_load_tolerance = 1e-12, largest_load_tolerance = 1e-2;
 /// An accuracy of forces in mu Fn: as far as the finest grid of AccurateContactSolver gets, and as its coarsest has.
 inline constexpr double smallest_accuracy = 1e-5, largest_accuracy = 0.1;
+
+/// Sizes of a contact's numbers, in whatever unit: beyond them forces are lost by overflow or underflow.
+inline constexpr double smallest_size = 1e-30, largest_size = 1e30;
 
 /// Elements on each side of the ellipse in the potential contact of the classical discretisation: the discrete contact
 /// may be a little larger than the ellipse.

@@ -1,5 +1,6 @@
 #include "microslip/railway/wheel_rail.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
@@ -53,7 +54,7 @@ void check(const WheelRailBodies& bodies, const WheelRailMethod& method) {
     if (method.fields) throw Error("fields: a creep-force table has none; the levels fastsim2 and exact do");
   }
   require_count("elements", method.elements, 6, 1000);
-  require_between("tolerance", method.tolerance, "-", 1e-12, 1e-2);
+  require_between("tolerance", method.tolerance, "-", smallest_load_tolerance, largest_load_tolerance);
   const auto& [hardness, shear_yield_strength, wear_map] = bodies.strength;
   if (hardness) require_positive("hardness", *hardness, "Pa");
   if (shear_yield_strength) require_positive("shear_yield_strength", *shear_yield_strength, "Pa");

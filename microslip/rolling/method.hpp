@@ -23,7 +23,7 @@ struct Method {
   std::optional<Discretisation> discretisation = {}; ///< none: second order where it is possible
   std::optional<ElementShape> elements = {};         ///< none: constant, or the gap's grid's
   std::optional<double> accuracy = {};      ///< of the forces in mu Fn, in [1e-5, .1], on grids that this picks
-  double tolerance = 1e-6;                  ///< of the relative residual, in [1e-14, 1]
+  double tolerance = 1e-6;                  ///< of the relative residual, in [1e-14, .1]
   std::optional<Coupling> coupling = {};    ///< of the problems of dissimilar bodies; none: Newton's method
   std::optional<SlipStart> slip_start = {}; ///< of friction that depends on the slip; none: below
   // Of the simplified theory:

@@ -1,5 +1,6 @@
 #include "microslip/simplified/fastrip.hpp"
 
+#include "microslip/contact/conclude.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "microslip/simplified/kernel/patch_march.hpp"
 
+#include "microslip/contact/conclude.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/simplified/kernel/field_recorder.hpp"
@@ -143,6 +144,7 @@ ContactSolution march_patch(const MarchingKernels& kernels, double travel, const
   const double dy = patch.row_width;
   set_totals(out, forces_of({totals.fx * dy, totals.fy * dy, totals.mz * dy}, slip_area, area), motion.rolling_speed);
   out.totals.frictional_power = motion.rolling_speed * work_on_rigid_slip(out, motion.flexibilities);
+  conclude(out, 0); // nothing is iterated
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "microslip/simplified/row_solver.hpp"
 
+#include "microslip/contact/conclude.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/numerics/dual.hpp"
@@ -55,11 +56,10 @@ template <std::size_t N>
 void finish(std::span<const RowSums, N> totals, double slip_area, double area, const EllipticContact& contact,
             ContactDerivatives& result) {
   result.forces = forces_of(totals[0], slip_area, area);
-  const double valid = result.forces.status == Status::ok ? 1 : nan;
   for (std::size_t k = 1; k < N; ++k) {
-    result.jacobian[0][k - 1] = totals[k].fx * valid;
-    result.jacobian[1][k - 1] = totals[k].fy * valid;
-    result.jacobian[2][k - 1] = totals[k].mz * valid;
+    result.jacobian[0][k - 1] = totals[k].fx;
+    result.jacobian[1][k - 1] = totals[k].fy;
+    result.jacobian[2][k - 1] = totals[k].mz;
   }
   if (N == 1 + row_partials) return;
   // With Coulomb friction the forces are homogeneous of degree one in creepages and load: Euler's theorem.
@@ -71,12 +71,11 @@ void finish(std::span<const RowSums, N> totals, double slip_area, double area, c
   }
 }
 
-void set_invalid(ContactForces& result) {
-  result = {nan, nan, nan, nan, nan, Status::invalid_input};
+Status& status_of(ContactForces& result) {
+  return result.status;
 }
-void set_invalid(ContactDerivatives& result) {
-  set_invalid(result.forces);
-  for (auto& row : result.jacobian) std::fill(row, row + 4, nan);
+Status& status_of(ContactDerivatives& result) {
+  return result.forces.status;
 }
 
 } // namespace
@@ -221,9 +220,10 @@ struct RowSolver::Workspace {
       else if (is_valid_simplified(contacts[i]))
         solve_one(contacts[i], results[i]);
       else
-        set_invalid(results[i]);
+        status_of(results[i]) = Status::invalid_input;
       i += std::max<std::size_t>(n, 1);
     }
+    for (Result& result : results) conclude(result);
   }
 
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> results) {

@@ -1,5 +1,6 @@
 #include "microslip/table/creep_force_table.hpp"
 
+#include "microslip/contact/conclude.hpp"
 #include "microslip/error.hpp"
 #include "microslip/numerics/kernel/dispatch.hpp"
 #include "microslip/numerics/vector_log.hpp"
@@ -8,9 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <mutex>
 #include <numbers>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace microslip {
 namespace detail {
@@ -19,24 +22,21 @@ MICROSLIP_DECLARE_KERNEL(CreepKernels creep_kernels())
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Linear theory of one Poisson's ratio by a/b: a spline, finer than that of the forces.
 class LinearSpline {
 public:
   LinearSpline(const CreepTableAxes& axes, double poisson_ratio) : last_(finer * (axes.ratios - 1)) {
     const int n = last_ + 1;
-    std::vector<double> values(std::size_t(n) * numbers);
+    const SplineFilter filter = SplineFilter::not_a_knot(n);
+    coefficients_.resize(filter.coefficients() * numbers);
     for (int i = 0; i < n; ++i) {
       const double a_over_b =
           axes.least_ratio * std::pow(axes.largest_ratio / axes.least_ratio, static_cast<double>(i) / last_);
       const auto c = creepage_coefficients(a_over_b, poisson_ratio, CreepageTable::computed);
       const double row[] = {c.c11, c.c22, c.c23, c.c33};
-      for (std::size_t k = 0; k < numbers; ++k) values[std::size_t(i) * numbers + k] = row[k];
+      std::copy_n(row, numbers, &coefficients_[(std::size_t(i) + filter.first_value()) * numbers]);
     }
-    coefficients_.resize(std::size_t(n + 2) * numbers);
-    const SplineFilter filter = SplineFilter::not_a_knot(n);
-    for (std::size_t k = 0; k < numbers; ++k) filter.apply(&values[k], numbers, &coefficients_[k], numbers);
+    filter.apply(coefficients_.data(), numbers, {numbers});
   }
 
   /// At a place among the table's nodes of a/b.
@@ -57,11 +57,37 @@ private:
   std::vector<double> coefficients_;
 };
 
+/// Lagrange's weight of number `k` of some Poisson's ratios at another one.
+double lagrange_weight(std::span<const double> poisson_ratios, std::size_t k, double nu) {
+  double weight = 1;
+  for (std::size_t m = 0; m < poisson_ratios.size(); ++m)
+    if (m != k) weight *= (nu - poisson_ratios[m]) / (poisson_ratios[k] - poisson_ratios[m]);
+  return weight;
+}
+
+/// What a table has of one Poisson's ratio.
 struct Material {
   double poisson_ratio;
-  std::vector<float> coefficients;
+  CreepSpline coefficients;
   LinearSpline linear;
 };
+using Materials = std::vector<std::shared_ptr<const Material>>;
+
+/// Of some Poisson's ratios.
+Materials make_materials(const CreepTableNodes& nodes, std::span<const double> poisson_ratios) {
+  const auto& known = nodes.axes.poisson_ratios;
+  std::vector<std::vector<double>> weights;
+  for (const double nu : poisson_ratios) {
+    auto& of_one = weights.emplace_back(known.size());
+    for (std::size_t m = 0; m < known.size(); ++m) of_one[m] = lagrange_weight(known, m, nu);
+  }
+  auto splines = creep_splines(nodes, weights);
+  Materials made;
+  for (std::size_t i = 0; i < splines.size(); ++i)
+    made.push_back(std::make_shared<const Material>(
+        Material{poisson_ratios[i], std::move(splines[i]), LinearSpline(nodes.axes, poisson_ratios[i])}));
+  return made;
+}
 
 /// What of a contact is not in its block.
 struct Contact {
@@ -80,29 +106,59 @@ template <int size> struct Batch {
   Numbers eta_over_xi;              ///< C22/C11 of the ellipse whose forces are read
 };
 
-/// Lagrange's weight of number `k` of some Poisson's ratios at another one.
-double lagrange_weight(std::span<const double> poisson_ratios, std::size_t k, double nu) {
-  double weight = 1;
-  for (std::size_t m = 0; m < poisson_ratios.size(); ++m)
-    if (m != k) weight *= (nu - poisson_ratios[m]) / (poisson_ratios[k] - poisson_ratios[m]);
-  return weight;
-}
-
 } // namespace
 } // namespace detail
 
 using namespace detail;
 
+struct CreepTableSource::Data {
+  const CreepTableNodes nodes;
+  std::mutex mutex;
+  Materials own;                                        ///< of the nodes' Poisson's ratios, as far as they are made
+  std::vector<std::weak_ptr<const Material>> of_others; ///< that are in use
+
+  explicit Data(CreepTableNodes of_table) : nodes(std::move(of_table)) {}
+
+  Materials materials(std::span<const double> poisson_ratios) {
+    const std::scoped_lock lock(mutex);
+    std::vector<double> missing;
+    for (const double nu : poisson_ratios)
+      if (!find(nu)) missing.push_back(nu);
+    Materials made = make_materials(nodes, missing);
+    const auto& known = nodes.axes.poisson_ratios;
+    for (const auto& one : made)
+      if (std::ranges::find(known, one->poisson_ratio) != known.end())
+        own.push_back(one);
+      else
+        of_others.push_back(one);
+    Materials all;
+    for (const double nu : poisson_ratios) all.push_back(find(nu));
+    return all;
+  }
+
+private:
+  std::shared_ptr<const Material> find(double poisson_ratio) {
+    for (const auto& made : own)
+      if (made->poisson_ratio == poisson_ratio) return made;
+    std::erase_if(of_others, [](const auto& other) { return other.expired(); });
+    for (const auto& other : of_others)
+      if (auto made = other.lock(); made && made->poisson_ratio == poisson_ratio) return made;
+    return nullptr;
+  }
+};
+
+CreepTableSource::CreepTableSource(CreepTableNodes nodes) : data_(std::make_shared<Data>(std::move(nodes))) {}
+
 struct CreepForceTable::Data {
   CreepTableAxes axes;
   double side; ///< 1, rolling backward -1: then all is seen in a mirror
-  std::vector<Material> materials;
+  Materials materials;
   CreepGrid grid;
   CreepKernels kernels;
   double log_least, per_log_step;
 
-  Data(const CreepTableNodes& nodes, RollingDirection direction, InstructionSet instruction_set)
-      : axes(nodes.axes), side(direction == RollingDirection::forward ? 1 : -1),
+  Data(const CreepTableAxes& all_axes, RollingDirection direction, InstructionSet instruction_set)
+      : axes(all_axes), side(direction == RollingDirection::forward ? 1 : -1),
         kernels(MICROSLIP_CALL_KERNEL(instruction_set, creep_kernels())), log_least(std::log(axes.least_ratio)),
         per_log_step((axes.ratios - 1) / std::log(axes.largest_ratio / axes.least_ratio)) {
     if (!is_available(instruction_set)) throw Error("instruction_set is not available on this processor");
@@ -118,13 +174,6 @@ struct CreepForceTable::Data {
             .azimuth_scale = TrigonometricSpline(axes.azimuth_step()).scale};
     grid.level_stride = grid.elevation_stride * size.elevations;
     grid.ratio_stride = grid.level_stride * size.levels;
-  }
-
-  void add(const CreepTableNodes& nodes, double nu) {
-    std::vector<double> weights;
-    const auto& known = nodes.axes.poisson_ratios;
-    for (std::size_t m = 0; m < known.size(); ++m) weights.push_back(lagrange_weight(known, m, nu));
-    materials.push_back({nu, CreepSpline(nodes, weights).coefficients(), LinearSpline(nodes.axes, nu)});
   }
 
   template <class Result> void solve(std::span<const EllipticContact> contacts, std::span<Result> results) const {
@@ -160,18 +209,21 @@ void CreepForceTable::Data::solve(std::span<const EllipticContact> contacts, std
   CreepBlock<size>& block = batch.block;
   block.count = static_cast<int>(contacts.size());
   block.materials = static_cast<int>(materials.size());
-  for (std::size_t m = 0; m < materials.size(); ++m) block.coefficients[m] = materials[m].coefficients.data();
+  for (std::size_t m = 0; m < materials.size(); ++m) block.coefficients[m] = materials[m]->coefficients.data();
   // What is missing at the end of a batch is the last contact once more.
   for (int i = 0; i < size; ++i) read(contacts[std::size_t(std::min(i, block.count - 1))], batch, i);
   for (int i = 0; i < size; ++i) block.ratio[i] = (vector_log(batch.ratio[i]) - log_least) * per_log_step;
   for (int i = 0; i < size; ++i) find_linear_theory(contacts[std::size_t(std::min(i, block.count - 1))], batch, i);
   scale(batch);
   (gradient ? look_up.derivatives : look_up.forces)(grid, block);
-  for (int i = 0; i < block.count; ++i)
+  for (int i = 0; i < block.count; ++i) {
+    Result& result = results[std::size_t(i)];
     if constexpr (gradient)
-      write(contacts[std::size_t(i)], batch, i, results[std::size_t(i)]);
+      write(contacts[std::size_t(i)], batch, i, result);
     else
-      write(batch, i, results[std::size_t(i)]);
+      write(batch, i, result);
+    conclude(result);
+  }
 }
 
 /// A contact's size, load and creepages. One that has no forces, or cannot have any, is looked up without creepage.
@@ -218,18 +270,18 @@ void CreepForceTable::Data::find_linear_theory(const EllipticContact& contact, B
   const double nu = contact.poisson_ratio;
   const Material* known = nullptr;
   for (std::size_t m = 0; m < materials.size(); ++m) {
-    block.weight[m][i] = materials[m].poisson_ratio == nu;
-    if (materials[m].poisson_ratio == nu) known = &materials[m];
+    block.weight[m][i] = materials[m]->poisson_ratio == nu;
+    if (materials[m]->poisson_ratio == nu) known = materials[m].get();
   }
   CreepageCoefficients c;
   if (known != nullptr && own.status == Status::ok) {
     c = known->linear.at(block.ratio[i]);
     batch.eta_over_xi[i] = c.c22 / c.c11;
   } else if (own.status == Status::invalid_input) {
-    c = materials.front().linear.at(block.ratio[i]);
+    c = materials.front()->linear.at(block.ratio[i]);
     batch.eta_over_xi[i] = 1;
   } else {
-    const double read_nu = std::clamp(nu, materials.front().poisson_ratio, materials.back().poisson_ratio);
+    const double read_nu = std::clamp(nu, materials.front()->poisson_ratio, materials.back()->poisson_ratio);
     if (read_nu != nu) own.status = Status::out_of_range;
     for (std::size_t m = 0; m < materials.size(); ++m)
       block.weight[m][i] = lagrange_weight(axes.poisson_ratios, m, read_nu);
@@ -270,10 +322,6 @@ template <int size> void CreepForceTable::Data::scale(Batch<size>& batch) const 
 template <int size> void CreepForceTable::Data::write(const Batch<size>& batch, int i, ContactForces& forces) const {
   const Contact& own = batch.contacts[i];
   const CreepBlock<size>& block = batch.block;
-  if (own.status == Status::invalid_input) {
-    forces = {nan, nan, nan, nan, nan, own.status};
-    return;
-  }
   const double adhesion = own.force[0] > 0 ? own.area * block.adhesion[i] : 0;
   forces = {.fx = own.force[0] * block.force[0][i] * side,
             .fy = own.force[1] * block.force[1][i],
@@ -289,10 +337,6 @@ void CreepForceTable::Data::write(const EllipticContact& contact, const Batch<si
   const Contact& own = batch.contacts[i];
   const CreepBlock<size>& block = batch.block;
   write(batch, i, result.forces);
-  if (own.status == Status::invalid_input) {
-    for (auto& row : result.jacobian) std::fill(row, row + 4, nan);
-    return;
-  }
   const double place[] = {block.x[i], block.y[i], block.z[i]}, own_side[] = {side, 1, side};
   for (int n = 0; n < 3; ++n) {
     double by_capacity = block.force[n][i]; // of F at given creepages, over what F is a multiple of
@@ -310,20 +354,21 @@ void CreepForceTable::Data::write(const EllipticContact& contact, const Batch<si
   }
 }
 
-CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction,
+CreepForceTable::CreepForceTable(const CreepTableSource& source, RollingDirection direction,
                                  InstructionSet instruction_set) {
-  auto data = std::make_shared<Data>(nodes, direction, instruction_set);
-  for (const double nu : nodes.axes.poisson_ratios) data->add(nodes, nu);
+  const CreepTableAxes& axes = source.data_->nodes.axes;
+  auto data = std::make_shared<Data>(axes, direction, instruction_set);
+  data->materials = source.data_->materials(axes.poisson_ratios);
   data_ = std::move(data);
 }
 
-CreepForceTable::CreepForceTable(const CreepTableNodes& nodes, double poisson_ratio, RollingDirection direction,
+CreepForceTable::CreepForceTable(const CreepTableSource& source, double poisson_ratio, RollingDirection direction,
                                  InstructionSet instruction_set) {
-  require_between("poisson_ratio", poisson_ratio, "-", nodes.axes.poisson_ratios.front(),
-                  nodes.axes.poisson_ratios.back());
-  auto data = std::make_shared<Data>(nodes, direction, instruction_set);
-  data->add(nodes, poisson_ratio);
-  data->axes.poisson_ratios = {poisson_ratio};
+  CreepTableAxes axes = source.data_->nodes.axes;
+  require_between("poisson_ratio", poisson_ratio, "-", axes.poisson_ratios.front(), axes.poisson_ratios.back());
+  axes.poisson_ratios = {poisson_ratio};
+  auto data = std::make_shared<Data>(axes, direction, instruction_set);
+  data->materials = source.data_->materials(axes.poisson_ratios);
   data_ = std::move(data);
 }
 

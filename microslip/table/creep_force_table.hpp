@@ -8,9 +8,25 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace microslip {
+
+/// The nodes of a table and what is made of them when it is first asked for, for all tables that are made from it:
+/// these share their numbers, whatever their Poisson's ratio and direction. Copies are the same source. From any
+/// thread.
+class CreepTableSource {
+public:
+  /// Costs nothing yet.
+  CreepTableSource(CreepTableNodes nodes); // NOLINT: nodes are a source that is used once
+
+  /// Whether tables from both share their numbers.
+  friend bool operator==(const CreepTableSource&, const CreepTableSource&) = default;
+
+private:
+  friend class CreepForceTable;
+  struct Data;
+  std::shared_ptr<Data> data_;
+};
 
 /// Forces of Hertzian contacts in steady rolling by interpolation between results of the exact theory: at any load,
 /// modulus, size and coefficient of friction, as the table has scaled variables. The forces are continuous with their
@@ -25,10 +41,12 @@ class CreepForceTable {
 public:
   /// For all Poisson's ratios of the nodes; with `poisson_ratio` for that one alone, at a fraction of the memory.
   /// Throws Error for a Poisson's ratio out of the nodes' range, or an instruction set that this processor lacks; the
-  /// results are the same to the last bit with all of them. Cost some tenths of a second and 8 MB for each.
-  explicit CreepForceTable(const CreepTableNodes& nodes, RollingDirection direction = RollingDirection::forward,
+  /// results are the same to the last bit with all of them. Cost some hundredths of a second and 8 MB for each
+  /// Poisson's ratio that no table of the same source has; else nothing. A source keeps what is of the nodes' Poisson's
+  /// ratios, of others what is in use.
+  explicit CreepForceTable(const CreepTableSource& source, RollingDirection direction = RollingDirection::forward,
                            InstructionSet instruction_set = best_instruction_set());
-  CreepForceTable(const CreepTableNodes& nodes, double poisson_ratio,
+  CreepForceTable(const CreepTableSource& source, double poisson_ratio,
                   RollingDirection direction = RollingDirection::forward,
                   InstructionSet instruction_set = best_instruction_set());
 

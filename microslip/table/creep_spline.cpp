@@ -1,6 +1,7 @@
 #include "microslip/table/creep_spline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace microslip::detail {
@@ -8,188 +9,206 @@ namespace {
 
 using creep_coordinates::LinearTheory;
 
+constexpr std::size_t channels = creep_channels;
+using Channels = std::array<double, channels>;
+
 /// What the mirror images of creepages do to the channels: +1 or -1.
-constexpr double mirrored_in_x[creep_channels] = {-1, 1, 1, 1};   ///< of (-X, Y, Z)
-constexpr double mirrored_in_yz[creep_channels] = {1, -1, -1, 1}; ///< of (X, -Y, -Z)
+constexpr Channels mirrored_in_x = {-1, 1, 1, 1};   ///< of (-X, Y, Z)
+constexpr Channels mirrored_in_yz = {1, -1, -1, 1}; ///< of (X, -Y, -Z)
 
-/// Makes the coefficients of all levels, elevations and azimuths of one a/b and nu.
-class BlockSpline {
+/// Makes the coefficients from the values at the nodes, one axis after the other. Arrays are by a/b, level, elevation,
+/// azimuth and channel, as far as they have them, the last one fastest.
+class SplineMaker {
 public:
-  BlockSpline(const CreepTableAxes& axes)
-      : axes_(axes), size_(axes),
-        levels_(SplineFilter::without_first(axes.levels)), elevations_{SplineFilter::clamped(axes.elevations, false),
-                                                                       SplineFilter::clamped(axes.elevations, true)},
-        azimuths_{SplineFilter::mirrored(axes.azimuths, false, outer(axes)),
-                  SplineFilter::mirrored(axes.azimuths, true, outer(axes))} {}
-
-  std::size_t coefficients() const {
-    return std::size_t(size_.levels) * std::size_t(size_.elevations) * std::size_t(size_.azimuths) * creep_channels;
+  explicit SplineMaker(const CreepTableAxes& axes)
+      : axes_(axes), size_(axes), levels_(std::size_t(axes.levels)), elevations_(std::size_t(axes.elevations)),
+        azimuths_(std::size_t(axes.azimuths)), row_(azimuths_ * channels), plane_(elevations_ * row_),
+        along_ratio_(SplineFilter::not_a_knot(axes.ratios)), along_level_(SplineFilter::without_first(axes.levels)),
+        along_elevation_{SplineFilter::clamped(axes.elevations, false), SplineFilter::clamped(axes.elevations, true)},
+        along_azimuth_{SplineFilter::mirrored(axes.azimuths, false, outer(axes)),
+                       SplineFilter::mirrored(axes.azimuths, true, outer(axes))},
+        by_ratio_(std::size_t(size_.ratios) * levels_ * plane_), by_level_(std::size_t(size_.levels) * plane_),
+        half_(along_elevation_[0].coefficients() * half_row()), other_half_(half_.size()),
+        coefficients_(std::size_t(size_.elevations) * coefficient_row()) {
+    for (std::size_t j = 0; j < azimuths_; ++j) {
+      const double alpha = axes_.azimuth(static_cast<int>(j));
+      harmonics_.push_back({std::cos(alpha), std::sin(alpha), std::sin(alpha), std::sin(alpha)});
+    }
   }
 
-  void find(const CreepTableNodes& nodes, std::size_t material, std::size_t ratio, std::span<double> coefficients) {
-    read(nodes, material, ratio);
-    filter_levels();
-    for (int level = 0; level < size_.levels; ++level) {
-      filter_elevations(&by_level_[std::size_t(level) * plane()]);
-      filter_azimuths(&coefficients[std::size_t(level) * std::size_t(size_.elevations) * std::size_t(size_.azimuths) *
-                                    creep_channels]);
+  CreepSpline make(const CreepTableNodes& nodes, std::span<const double> weights) {
+    std::fill(by_ratio_.begin(), by_ratio_.end(), 0.0);
+    for (std::size_t m = 0; m < weights.size(); ++m)
+      if (weights[m] != 0) add(nodes, m, weights[m]);
+    for (std::size_t first = 0; first < levels_ * plane_; first += row_)
+      along_ratio_.apply(&by_ratio_[first], levels_ * plane_, {row_});
+    CreepSpline all;
+    all.reserve(std::size_t(size_.ratios) * std::size_t(size_.levels) * coefficients_.size());
+    for (std::size_t ratio = 0; ratio < std::size_t(size_.ratios); ++ratio) {
+      filter_levels(&by_ratio_[ratio * levels_ * plane_]);
+      for (std::size_t level = 0; level < std::size_t(size_.levels); ++level) {
+        filter_elevations(&by_level_[level * plane_]);
+        filter_azimuths();
+        round();
+        all.insert(all.end(), coefficients_.begin(), coefficients_.end());
+      }
     }
+    return all;
   }
 
 private:
   static double outer(const CreepTableAxes& axes) { return TrigonometricSpline(axes.azimuth_step()).outer(); }
-  std::size_t plane() const { return std::size_t(axes_.elevations) * std::size_t(axes_.azimuths) * creep_channels; }
-  std::size_t at(int elevation, int azimuth) const {
-    return (std::size_t(elevation) * std::size_t(axes_.azimuths) + std::size_t(azimuth)) * creep_channels;
+  std::size_t at(std::size_t elevation, std::size_t azimuth) const { return elevation * row_ + azimuth * channels; }
+  /// Of the azimuths up to the middle one.
+  std::size_t half_row() const { return (azimuths_ + 1) / 2 * channels; }
+  std::size_t coefficient_row() const { return std::size_t(size_.azimuths) * channels; }
+  double* coefficients_at(std::size_t elevation, std::size_t azimuth) {
+    return &coefficients_[elevation * coefficient_row() + azimuth * channels];
   }
 
-  /// What the spline goes through.
-  void read(const CreepTableNodes& nodes, std::size_t material, std::size_t ratio) {
-    const double a_over_b = axes_.ratio(static_cast<int>(ratio));
-    const LinearTheory linear(creepage_coefficients(a_over_b, axes_.poisson_ratios[material], CreepageTable::computed),
-                              creep_coordinates::spin_scale(a_over_b));
-    const auto numbers = nodes.block(material, ratio);
-    values_.resize(numbers.size());
-    for (int level = 0; level < axes_.levels; ++level) {
-      const double t = axes_.level(level);
-      const double share = creep_coordinates::half_way * (1 - t) / t; // q (1 - t)^2/t^2 for a direction of length 1
-      for (int i = 0; i < axes_.elevations; ++i)
-        for (int j = 0; j < axes_.azimuths; ++j) {
-          const double theta = axes_.elevation(i), alpha = axes_.azimuth(j);
-          const auto [x, y, z] = creep_coordinates::direction(a_over_b, theta, alpha);
-          const double q[] = {x, y + linear.y_z * z, linear.m_y * y + linear.m_z * z};
-          const std::size_t node = std::size_t(level) * plane() + at(i, j);
-          for (std::size_t c = 0; c < 3; ++c)
-            values_[node + c] = numbers[node + c] * nodes.unit[c] / (t * t) + share * q[c];
-          values_[node + 3] = numbers[node + 3] * nodes.unit[3];
-        }
-    }
-  }
-
-  void filter_levels() {
-    by_level_.resize(std::size_t(size_.levels) * plane());
-    for (std::size_t k = 0; k < plane(); ++k) levels_.apply(&values_[k], plane(), &by_level_[k], plane());
-  }
-
-  /// From the values of one level to coefficients in the elevation, by_elevation_. Of channel c at (-theta, alpha) is
-  /// what it is at (theta, -alpha), perhaps with the sign reversed: one half of the sum and of the difference of the
-  /// two is even in theta, the other one odd. At the pole it is the same for all azimuths, and its derivative must be a
-  /// multiple of cos(alpha) or sin(alpha), that of a smooth function of X, Y and Z.
-  void filter_elevations(double* values) {
-    const int last = axes_.azimuths - 1, pole = axes_.elevations - 1;
-    by_elevation_.resize(std::size_t(axes_.elevations + 1) * std::size_t(axes_.azimuths) * creep_channels);
-    side_.resize(std::size_t(axes_.elevations) + 1);
-    half_.resize(side_.size());
-    for (int c = 0; c < creep_channels; ++c) {
-      double mean = 0;
-      for (int j = 0; j <= last; ++j) mean += values[at(pole, j) + std::size_t(c)] / axes_.azimuths;
-      if (c == 0) mean = 0; // Fx is odd in X
-      for (int j = 0; j <= last; ++j) values[at(pole, j) + std::size_t(c)] = mean;
-      const double slope = slope_at_pole(values, c);
-      for (int j = 0; 2 * j <= last; ++j)
-        for (const bool even : {false, true}) {
-          const double sign = even ? mirrored_in_yz[c] : -mirrored_in_yz[c];
-          for (int i = 0; i <= pole; ++i)
-            side_[std::size_t(i)] =
-                (values[at(i, j) + std::size_t(c)] + sign * values[at(i, last - j) + std::size_t(c)]) / 2;
-          side_.back() = slope * (harmonic(c, j) + sign * harmonic(c, last - j)) / 2;
-          elevations_[even].apply(side_.data(), 1, half_.data(), 1);
-          for (int i = 0; i <= axes_.elevations; ++i) {
-            double& to = by_elevation_[at(i, j) + std::size_t(c)];
-            double& mirrored = by_elevation_[at(i, last - j) + std::size_t(c)];
-            to = (even ? to : 0) + half_[std::size_t(i)];
-            if (j != last - j) mirrored = (even ? mirrored : 0) + sign * half_[std::size_t(i)];
-          }
-        }
-    }
-  }
-
-  double harmonic(int channel, int azimuth) const {
-    const double alpha = axes_.azimuth(azimuth);
-    return channel == 0 ? std::cos(alpha) : std::sin(alpha);
-  }
-
-  /// The derivative at the pole over its harmonic, with respect to the elevation's number: from differences across the
-  /// pole, to the other half of a great circle, by least squares.
-  double slope_at_pole(const double* values, int c) const {
-    const int last = axes_.azimuths - 1, pole = axes_.elevations - 1;
-    double numerator = 0, denominator = 0;
-    for (int j = 0; j <= last; ++j) {
-      const auto rise = [&](int steps) {
-        return mirrored_in_x[c] * values[at(pole - steps, last - j) + std::size_t(c)] -
-               values[at(pole - steps, j) + std::size_t(c)];
-      };
-      numerator += (8 * rise(1) - rise(2)) / 12 * harmonic(c, j);
-      denominator += harmonic(c, j) * harmonic(c, j);
-    }
-    return numerator / denominator;
-  }
-
-  /// From by_elevation_ to the coefficients of one level, with those beyond the borders.
-  void filter_azimuths(double* to) const {
-    const auto place = [&](int elevation, int azimuth) {
-      return (std::size_t(elevation) * std::size_t(size_.azimuths) + std::size_t(azimuth)) * creep_channels;
-    };
-    const int n = axes_.azimuths;
-    for (int i = 0; i <= axes_.elevations; ++i)
-      for (int c = 0; c < creep_channels; ++c) {
-        double* row = to + place(i + 1, 0) + c;
-        azimuths_[mirrored_in_x[c] > 0].apply(&by_elevation_[at(i, 0) + std::size_t(c)], creep_channels,
-                                              row + creep_channels, creep_channels);
-        row[0] = mirrored_in_x[c] * row[2 * creep_channels];
-        row[std::size_t(n + 1) * creep_channels] = mirrored_in_x[c] * row[std::size_t(n - 1) * creep_channels];
+  /// Adds the values of one Poisson's ratio of the nodes.
+  void add(const CreepTableNodes& nodes, std::size_t material, double weight) {
+    for (int ratio = 0; ratio < axes_.ratios; ++ratio) {
+      const std::vector<Channels> q = linear_forces(axes_.ratio(ratio), axes_.poisson_ratios[material]);
+      const std::int16_t* numbers = nodes.block(material, std::size_t(ratio)).data();
+      double* to = &by_ratio_[(std::size_t(ratio) + along_ratio_.first_value()) * levels_ * plane_];
+      for (int level = 0; level < axes_.levels; ++level) {
+        const double t = axes_.level(level), per_square = weight / (t * t);
+        const Channels unit = {nodes.unit[0] * per_square, nodes.unit[1] * per_square, nodes.unit[2] * per_square,
+                               nodes.unit[3] * weight};
+        // q (1 - t)^2/t^2 of a direction of length 1
+        const double share = weight * creep_coordinates::half_way * (1 - t) / t;
+        for (const Channels& linear : q)
+          for (std::size_t c = 0; c < channels; ++c) *to++ += *numbers++ * unit[c] + share * linear[c];
       }
-    for (int j = 0; j < size_.azimuths; ++j) // at -theta what there is at theta and -alpha
-      for (int c = 0; c < creep_channels; ++c)
-        to[place(0, j) + std::size_t(c)] = mirrored_in_yz[c] * to[place(2, size_.azimuths - 1 - j) + std::size_t(c)];
+    }
+  }
+
+  /// q of linear theory for (X, Y, Z) of length 1, in all directions; none of the adhesion.
+  std::vector<Channels> linear_forces(double a_over_b, double poisson_ratio) const {
+    const LinearTheory linear(creepage_coefficients(a_over_b, poisson_ratio, CreepageTable::computed),
+                              creep_coordinates::spin_scale(a_over_b));
+    std::vector<Channels> q;
+    q.reserve(elevations_ * azimuths_);
+    for (int i = 0; i < axes_.elevations; ++i) {
+      const double theta = axes_.elevation(i);
+      for (int j = 0; j < axes_.azimuths; ++j) {
+        const auto [x, y, z] = creep_coordinates::direction(a_over_b, theta, axes_.azimuth(j));
+        q.push_back({x, y + linear.y_z * z, linear.m_y * y + linear.m_z * z, 0});
+      }
+    }
+    return q;
+  }
+
+  void filter_levels(const double* values) {
+    std::copy_n(values, levels_ * plane_, &by_level_[along_level_.first_value() * plane_]);
+    for (std::size_t first = 0; first < plane_; first += row_) along_level_.apply(&by_level_[first], plane_, {row_});
+  }
+
+  /// From the values of one level to coefficients in the elevation. Of a channel at (-theta, alpha) is what it is at
+  /// (theta, -alpha), perhaps with the sign reversed: one half of the sum and of the difference of the two is even in
+  /// theta, the other one odd. At the pole it is the same for all azimuths, and its derivative must be a multiple of
+  /// cos(alpha) or sin(alpha), that of a smooth function of X, Y and Z.
+  void filter_elevations(double* values) {
+    const std::size_t last = azimuths_ - 1, pole = elevations_ - 1;
+    level_pole(values);
+    const Channels slope = slopes_at_pole(values);
+    const auto split = [&](std::size_t i, const auto& value) {
+      for (std::size_t j = 0; 2 * j <= last; ++j)
+        for (std::size_t c = 0; c < channels; ++c) {
+          const double here = value(j, c), mirrored = mirrored_in_yz[c] * value(last - j, c);
+          half_[i * half_row() + j * channels + c] = (here + mirrored) / 2;
+          other_half_[i * half_row() + j * channels + c] = (here - mirrored) / 2;
+        }
+    };
+    for (std::size_t i = 0; i <= pole; ++i)
+      split(i, [&](std::size_t j, std::size_t c) { return values[at(i, j) + c]; });
+    split(elevations_, [&](std::size_t j, std::size_t c) { return slope[c] * harmonics_[j][c]; });
+    along_elevation_[true].apply(half_.data(), half_row(), {half_row()});
+    along_elevation_[false].apply(other_half_.data(), half_row(), {half_row()});
+    for (std::size_t i = 0; i <= elevations_; ++i)
+      for (std::size_t j = 0; 2 * j <= last; ++j)
+        for (std::size_t c = 0; c < channels; ++c) {
+          const double even = half_[i * half_row() + j * channels + c];
+          const double odd = other_half_[i * half_row() + j * channels + c];
+          coefficients_at(i + 1, j + 1)[c] = even + odd;
+          if (j != last - j) coefficients_at(i + 1, last - j + 1)[c] = mirrored_in_yz[c] * (even - odd);
+        }
+  }
+
+  /// Gives the pole one value for all azimuths.
+  void level_pole(double* values) const {
+    double* const pole = values + at(elevations_ - 1, 0);
+    Channels mean = {};
+    for (std::size_t k = 0; k < row_; ++k) mean[k % channels] += pole[k] / static_cast<double>(azimuths_);
+    mean[0] = 0; // Fx is odd in X
+    for (std::size_t k = 0; k < row_; ++k) pole[k] = mean[k % channels];
+  }
+
+  /// The derivatives at the pole over their harmonics, with respect to the elevation's number: from differences across
+  /// the pole, to the other half of a great circle, by least squares.
+  Channels slopes_at_pole(const double* values) const {
+    const std::size_t last = azimuths_ - 1, pole = elevations_ - 1;
+    Channels slope, numerator = {}, denominator = {};
+    for (std::size_t j = 0; j <= last; ++j)
+      for (std::size_t c = 0; c < channels; ++c) {
+        const auto rise = [&](std::size_t steps) {
+          return mirrored_in_x[c] * values[at(pole - steps, last - j) + c] - values[at(pole - steps, j) + c];
+        };
+        numerator[c] += (8 * rise(1) - rise(2)) / 12 * harmonics_[j][c];
+        denominator[c] += harmonics_[j][c] * harmonics_[j][c];
+      }
+    for (std::size_t c = 0; c < channels; ++c) slope[c] = numerator[c] / denominator[c];
+    return slope;
+  }
+
+  /// In the coefficients of one level; then those beyond the borders.
+  void filter_azimuths() {
+    const std::size_t n = azimuths_, rows = elevations_ + 1;
+    along_azimuth_[false].apply(coefficients_at(1, 1), channels, {1, rows, coefficient_row()});
+    along_azimuth_[true].apply(coefficients_at(1, 1) + 1, channels, {channels - 1, rows, coefficient_row()});
+    for (std::size_t i = 1; i <= rows; ++i)
+      for (std::size_t c = 0; c < channels; ++c) {
+        coefficients_at(i, 0)[c] = mirrored_in_x[c] * coefficients_at(i, 2)[c];
+        coefficients_at(i, n + 1)[c] = mirrored_in_x[c] * coefficients_at(i, n - 1)[c];
+      }
+    for (std::size_t j = 0; j < n + 2; ++j) // at -theta what there is at theta and -alpha
+      for (std::size_t c = 0; c < channels; ++c)
+        coefficients_at(0, j)[c] = mirrored_in_yz[c] * coefficients_at(2, n + 1 - j)[c];
+  }
+
+  /// To multiples of 2^-20: large numbers have no smaller bits.
+  void round() {
+    constexpr double large = 0x1.8p52 * 0x1p-20;
+    for (double& c : coefficients_) c = c + large - large;
+    // At the pole the spline is an eighth of before + 6 at + beyond, which has to be the same for all azimuths.
+    double* const beyond = coefficients_at(elevations_ + 1, 0);
+    const double *const at = beyond - coefficient_row(), *const before = at - coefficient_row();
+    Channels pole = {};
+    for (std::size_t c = 1; c < channels; ++c) pole[c] = before[c] + 6 * at[c] + beyond[c];
+    for (std::size_t k = 0; k < coefficient_row(); ++k) beyond[k] = pole[k % channels] - 6 * at[k] - before[k];
   }
 
   const CreepTableAxes& axes_;
   CreepSplineSize size_;
-  SplineFilter levels_, elevations_[2], azimuths_[2]; ///< of the latter odd and even ones
-  std::vector<double> values_, by_level_, by_elevation_, side_, half_;
+  std::size_t levels_, elevations_, azimuths_; ///< nodes
+  std::size_t row_, plane_;                    ///< numbers of one elevation, of one level
+  SplineFilter along_ratio_, along_level_, along_elevation_[2], along_azimuth_[2]; ///< of the latter odd and even ones
+  PopulatedVector<double> by_ratio_;      ///< values, of which those along a/b become coefficients
+  std::vector<double> by_level_;          ///< of one a/b
+  std::vector<double> half_, other_half_; ///< of one level, even and odd in theta, with the elevation beyond the pole
+  std::vector<double> coefficients_;      ///< of one level
+  std::vector<Channels> harmonics_;       ///< by azimuth, of the derivatives at the pole
 };
 
 } // namespace
 
-CreepSpline::CreepSpline(const CreepTableNodes& nodes, std::span<const double> weights) {
-  BlockSpline block(nodes.axes);
-  const std::size_t size = block.coefficients();
-  const auto ratios = static_cast<std::size_t>(nodes.axes.ratios);
-  std::vector<double> by_ratio(ratios * size), found(size), sum(size);
-  for (std::size_t m = 0; m < weights.size(); ++m)
-    for (std::size_t i = 0; i < ratios && weights[m] != 0; ++i) {
-      block.find(nodes, m, i, found);
-      for (std::size_t k = 0; k < size; ++k) by_ratio[i * size + k] += weights[m] * found[k];
-    }
-  const SplineFilter filter = SplineFilter::not_a_knot(nodes.axes.ratios);
-  coefficients_.reserve((ratios + 2) * size);
-  for (int row = 0; row < filter.coefficients(); ++row) {
-    std::fill(sum.begin(), sum.end(), 0.0);
-    for (int i = 0; i < filter.values(); ++i) {
-      const double weight = filter.weight(row, i);
-      const double* from = &by_ratio[std::size_t(i) * size];
-      for (std::size_t k = 0; k < size; ++k) sum[k] += weight * from[k];
-    }
-    add_rounded(nodes.axes, sum);
-  }
-}
-
-void CreepSpline::add_rounded(const CreepTableAxes& axes, std::span<double> coefficients) {
-  constexpr double unit = 0x1p-20;
-  for (double& c : coefficients) c = unit * std::nearbyint(c / unit);
-  // At the pole the spline is an eighth of before + 6 at + beyond, which has to be the same for all azimuths.
-  const CreepSplineSize size(axes);
-  const std::size_t row = std::size_t(size.azimuths) * creep_channels, plane = row * std::size_t(size.elevations);
-  for (std::size_t level = 0; level < coefficients.size(); level += plane) {
-    double* const beyond = &coefficients[level + plane - row];
-    const double *const at = beyond - row, *const before = at - row;
-    for (std::size_t c = 0; c < creep_channels; ++c) {
-      const double pole = c == 0 ? 0 : before[c] + 6 * at[c] + beyond[c];
-      for (std::size_t k = c; k < row; k += creep_channels) beyond[k] = pole - 6 * at[k] - before[k];
-    }
-  }
-  coefficients_.insert(coefficients_.end(), coefficients.begin(), coefficients.end());
+std::vector<CreepSpline> creep_splines(const CreepTableNodes& nodes, std::span<const std::vector<double>> weights) {
+  std::vector<CreepSpline> splines;
+  if (weights.empty()) return splines;
+  SplineMaker maker(nodes.axes);
+  for (const auto& of_one : weights) splines.push_back(maker.make(nodes, of_one));
+  return splines;
 }
 
 } // namespace microslip::detail

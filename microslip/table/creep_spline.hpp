@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/numerics/populating_allocator.hpp"
 #include "microslip/table/creep_coordinates.hpp"
 #include "microslip/table/creep_table_nodes.hpp"
 #include "microslip/table/uniform_spline.hpp"
@@ -12,24 +13,16 @@ namespace microslip::detail {
 /// The spline through the nodes of one Poisson's ratio: of forces (F + q (1 - t)^2)/t^2, where -q are those of linear
 /// theory, and of the share of adhesion. Quadratic in ln(a/b), t and e, trigonometric in alpha. Its derivative is
 /// continuous everywhere, also across the borders of the quarter of the sphere and at its pole, pure spin.
-class CreepSpline {
-public:
-  /// Of the forces of all Poisson's ratios, times a weight for each. Cost some tenths of a second for a table of usual
-  /// size.
-  CreepSpline(const CreepTableNodes& nodes, std::span<const double> weights);
+///
+/// Coefficients by a/b, level, elevation, azimuth, channel, the last one fastest; those of three neighbours from a
+/// node's number on make the spline around the node, of the level from number t `levels` on. They are multiples of
+/// 2^-20, which single precision holds exactly, such that at the pole the spline is as independent of alpha as without
+/// rounding.
+using CreepSpline = PopulatedVector<float>;
 
-  /// Coefficients by a/b, level, elevation, azimuth, channel, the last one fastest; those of three neighbours from a
-  /// node's number on make the spline around the node, of the level from number t `levels` on. They are multiples of
-  /// 2^-20, which single precision holds exactly, such that at the pole the spline is as independent of alpha as
-  /// without rounding.
-  const std::vector<float>& coefficients() const { return coefficients_; }
-
-private:
-  /// Rounds the coefficients of one a/b.
-  void add_rounded(const CreepTableAxes& axes, std::span<double> coefficients);
-
-  std::vector<float> coefficients_;
-};
+/// A spline for each list of weights: its values are those of the nodes' Poisson's ratios, times the weights. Some
+/// hundredths of a second for each of a table of usual size.
+std::vector<CreepSpline> creep_splines(const CreepTableNodes& nodes, std::span<const std::vector<double>> weights);
 
 /// How many coefficients there are along the axes.
 struct CreepSplineSize {

@@ -1,30 +1,13 @@
 #include "microslip/table/uniform_spline.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/elimination.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace microslip {
 namespace {
-
-/// Conditions on coefficients, written row by row into a square matrix.
-class Conditions {
-public:
-  explicit Conditions(int size) : size_(std::size_t(size)), matrix_(size_ * size_) {}
-
-  /// A row with these weights from coefficient `first` on.
-  void add(int first, std::initializer_list<double> weights) {
-    double* to = &matrix_[row_ * size_ + std::size_t(first)];
-    for (const double w : weights) *to++ = w;
-    ++row_;
-  }
-  std::vector<double> matrix() && { return std::move(matrix_); }
-
-private:
-  std::size_t size_, row_ = 0;
-  std::vector<double> matrix_;
-};
 
 /// The jump of the second derivative of a quadratic spline between two nodes, from the coefficient before them on.
 constexpr std::initializer_list<double> jump = {-1, 3, -3, 1};
@@ -32,44 +15,73 @@ constexpr std::initializer_list<double> value = {1.0 / 8, 3.0 / 4, 1.0 / 8};
 
 } // namespace
 
-SplineFilter::SplineFilter(std::vector<double> conditions, int size, int values)
-    : rows_(size), columns_(values), matrix_(std::size_t(size) * std::size_t(values)) {
-  const auto order = static_cast<std::size_t>(size);
-  for (int column = 0; column < values; ++column) {
-    std::vector<double> matrix = conditions, side(order);
-    side[std::size_t(column)] = 1;
-    if (!eliminate(matrix, {side})) throw Error("a spline needs more nodes");
-    for (std::size_t row = 0; row < order; ++row) matrix_[row * std::size_t(values) + std::size_t(column)] = side[row];
+/// Conditions on coefficients, written row by row into a band about the diagonal.
+class SplineFilter::Conditions {
+public:
+  static constexpr int width = 2 * reach + 1;
+
+  /// A row with these weights from coefficient `first` on.
+  void add(int first, std::initializer_list<double> weights) {
+    std::array<double, width> row = {};
+    int place = first - static_cast<int>(rows_.size()) + reach;
+    for (const double w : weights) row[static_cast<std::size_t>(place++)] = w;
+    rows_.push_back(row);
+  }
+  const std::vector<std::array<double, width>>& rows() const { return rows_; }
+
+private:
+  std::vector<std::array<double, width>> rows_;
+};
+
+/// Conditions are such that no pivot vanishes where there are as many nodes as check(CreepTableAxes) asks for.
+SplineFilter::SplineFilter(const Conditions& conditions, std::size_t first_value, std::size_t values)
+    : first_value_(first_value), values_(values) {
+  auto band = conditions.rows();
+  const int n = static_cast<int>(band.size());
+  const auto at = [&](int i, int j) -> double& { return band[std::size_t(i)][std::size_t(j - i + reach)]; };
+  for (int i = 0; i < n; ++i) {
+    Row row;
+    for (int j = std::max(0, i - reach); j < i; ++j) {
+      const double factor = at(i, j) * rows_[std::size_t(j)].per_pivot;
+      row.lower[std::size_t(i - j - 1)] = factor;
+      for (int k = j + 1; k <= std::min(n - 1, j + reach); ++k) at(i, k) -= factor * at(j, k);
+    }
+    for (int k = i + 1; k <= std::min(n - 1, i + reach); ++k) row.upper[std::size_t(k - i - 1)] = at(i, k);
+    if (!(std::abs(at(i, i)) > 1e-6)) throw Error("a spline needs more nodes");
+    row.per_pivot = 1 / at(i, i);
+    rows_.push_back(row);
   }
 }
 
 SplineFilter SplineFilter::not_a_knot(int n) {
-  Conditions conditions(n + 2); // coefficient k at place k + 1
+  Conditions conditions; // coefficient k at place k + 1
+  conditions.add(0, jump);
   for (int i = 0; i < n; ++i) conditions.add(i, value);
-  for (const int before : {0, n - 2}) conditions.add(before, jump);
-  return {std::move(conditions).matrix(), n + 2, n};
+  conditions.add(n - 2, jump);
+  return {conditions, 1, std::size_t(n)};
 }
 
 SplineFilter SplineFilter::without_first(int n) {
-  Conditions conditions(n + 3);
+  Conditions conditions;
+  for (const int before : {0, 1}) conditions.add(before, jump);
   for (int i = 1; i <= n; ++i) conditions.add(i, value);
-  for (const int before : {0, 1, n - 1}) conditions.add(before, jump);
-  return {std::move(conditions).matrix(), n + 3, n};
+  conditions.add(n - 1, jump);
+  return {conditions, 2, std::size_t(n)};
 }
 
 SplineFilter SplineFilter::clamped(int n, bool even) {
-  Conditions conditions(n + 1); // coefficient k at place k
+  Conditions conditions; // coefficient k at place k
   if (even)
     conditions.add(0, {3.0 / 4, 1.0 / 4});
   else
     conditions.add(0, {1});
   for (int i = 1; i < n; ++i) conditions.add(i - 1, value);
   conditions.add(n - 2, {-0.5, 0, 0.5});
-  return {std::move(conditions).matrix(), n + 1, n + 1};
+  return {conditions, 0, std::size_t(n) + 1};
 }
 
 SplineFilter SplineFilter::mirrored(int n, bool even, double outer) {
-  Conditions conditions(n);
+  Conditions conditions;
   if (even)
     conditions.add(0, {1 - 2 * outer, 2 * outer});
   else
@@ -79,16 +91,34 @@ SplineFilter SplineFilter::mirrored(int n, bool even, double outer) {
     conditions.add(n - 2, {2 * outer, 1 - 2 * outer});
   else
     conditions.add(n - 1, {1});
-  return {std::move(conditions).matrix(), n, n};
+  return {conditions, 0, std::size_t(n)};
 }
 
-void SplineFilter::apply(const double* values, std::size_t value_stride, double* coefficients,
-                         std::size_t coefficient_stride) const {
-  const double* weights = matrix_.data();
-  for (int row = 0; row < rows_; ++row, coefficients += coefficient_stride) {
-    double sum = 0;
-    for (int k = 0; k < columns_; ++k) sum += *weights++ * values[std::size_t(k) * value_stride];
-    *coefficients = sum;
+void SplineFilter::apply(double* rows, std::size_t stride, const SplineColumns& columns) const {
+  // Calls `work` with the place where each group of a row begins.
+  const auto for_groups = [&](std::size_t row, const auto& work) {
+    for (std::size_t g = 0; g < columns.groups; ++g) work(rows + row * stride + g * columns.distance);
+  };
+  const auto subtract = [&](std::size_t row, std::ptrdiff_t to_other, double factor) {
+    if (factor == 0) return;
+    for_groups(row, [&](double* to) {
+      const double* const from = to + to_other * static_cast<std::ptrdiff_t>(stride);
+      for (std::size_t k = 0; k < columns.width; ++k) to[k] -= factor * from[k];
+    });
+  };
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const bool has_value = i >= first_value_ && i < first_value_ + values_;
+    if (!has_value) for_groups(i, [&](double* to) { std::fill_n(to, columns.width, 0.0); });
+    for (std::size_t d = 1; d <= reach && d <= i; ++d)
+      subtract(i, -static_cast<std::ptrdiff_t>(d), rows_[i].lower[d - 1]);
+  }
+  for (std::size_t i = rows_.size(); i-- > 0;) {
+    const Row& row = rows_[i];
+    for (std::size_t d = 1; d <= reach && i + d < rows_.size(); ++d)
+      subtract(i, static_cast<std::ptrdiff_t>(d), row.upper[d - 1]);
+    for_groups(i, [&](double* to) {
+      for (std::size_t k = 0; k < columns.width; ++k) to[k] *= row.per_pivot;
+    });
   }
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace microslip {
@@ -31,7 +30,14 @@ struct TrigonometricSpline {
   double outer() const { return scale * (1 - std::cos(step / 2)); }
 };
 
-/// Finds the coefficients of a spline from its values: a matrix, as rows are short and many.
+/// Numbers that stand side by side in every row of an array: `groups` times `width` of them, one group beginning
+/// `distance` after the other.
+struct SplineColumns {
+  std::size_t width, groups = 1, distance = 0;
+};
+
+/// Finds the coefficients of splines from their values, of many at a time and in their place: by elimination in the
+/// band of the conditions on the coefficients, once for all splines.
 class SplineFilter {
 public:
   /// The coefficients c_-1 to c_n of the quadratic spline through the values at nodes 0 to n - 1, whose first two
@@ -47,20 +53,24 @@ public:
   /// neighbours, 1/8 for quadratic ones.
   static SplineFilter mirrored(int n, bool even, double outer);
 
-  int values() const { return columns_; }
-  int coefficients() const { return rows_; }
-  /// What coefficient number `row` takes of value number `column`.
-  double weight(int row, int column) const { return matrix_[std::size_t(row * columns_ + column)]; }
-  /// From every `value_stride`-th value to every `coefficient_stride`-th coefficient.
-  void apply(const double* values, std::size_t value_stride, double* coefficients,
-             std::size_t coefficient_stride) const;
+  std::size_t coefficients() const { return rows_.size(); }
+  /// From values to coefficients, one spline in each column: a row for each coefficient, `stride` apart, with the
+  /// values in those from row `first_value` on. What other rows had is lost.
+  void apply(double* rows, std::size_t stride, const SplineColumns& columns) const;
+  std::size_t first_value() const { return first_value_; }
 
 private:
-  /// From the conditions on the coefficients, row by row, of which the first are those with a value.
-  SplineFilter(std::vector<double> conditions, int size, int values);
+  static constexpr int reach = 3; ///< of a condition to both sides
+  /// One row of the factors of the conditions' matrix.
+  struct Row {
+    std::array<double, reach> lower = {}, upper = {}; ///< by the distance from the diagonal, less 1
+    double per_pivot = 0;
+  };
+  class Conditions;
+  SplineFilter(const Conditions& conditions, std::size_t first_value, std::size_t values);
 
-  int rows_, columns_;
-  std::vector<double> matrix_;
+  std::vector<Row> rows_;
+  std::size_t first_value_, values_;
 };
 
 } // namespace microslip

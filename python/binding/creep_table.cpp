@@ -6,10 +6,10 @@
 #include "binding/wheel_rail.hpp"
 #include "binding/words.hpp"
 #include "io/creep_table_file.hpp"
-#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 
 namespace microslip::python {
@@ -19,19 +19,16 @@ namespace py = pybind11;
 using namespace py::literals;
 
 /// The table beside the module, unless another one is named.
-std::string path_of(const py::object& file) {
-  if (!file.is_none()) return readable_path(file);
-  const py::object folder =
-      py::module_::import("os").attr("path").attr("dirname")(py::module_::import("microslip._core").attr("__file__"));
-  return folder.cast<std::string>() + "/hertz.creep";
+std::filesystem::path path_of(const py::object& file) {
+  return file.is_none() ? shipped_creep_table() : std::filesystem::path(readable_path(file));
 }
 
 CreepForceTable table_from(const py::object& file, const std::optional<double>& poisson_ratio,
                            RollingDirection direction) {
-  const std::string path = path_of(file);
+  const std::filesystem::path path = path_of(file);
   const py::gil_scoped_release release;
-  const CreepTableNodes nodes = read_creep_table(path);
-  return poisson_ratio ? CreepForceTable(nodes, *poisson_ratio, direction) : CreepForceTable(nodes, direction);
+  const CreepTableSource source = creep_table_source(path);
+  return poisson_ratio ? CreepForceTable(source, *poisson_ratio, direction) : CreepForceTable(source, direction);
 }
 
 } // namespace

@@ -25,6 +25,12 @@ class CreepTableTest(unittest.TestCase):
         self.assertEqual(self.table.axis_ratios, (0.05, 20))
         self.assertEqual(self.table.poisson_ratios, (0.28,))
 
+    def test_status_and_numbers_agree_whatever_the_contact(self):
+        for changed in ({"b": 1e-300}, {"shear_modulus": 1e-300, "normal_force": 1e30}, {"normal_force": 1e-320}, {"a": 1e300}):
+            batch = self.table.differentiate_batch(contact(), **changed)
+            self.assertEqual(batch.forces.status, microslip.Status.invalid_input)
+            self.assertTrue(np.all(np.isnan(batch.jacobian)) and np.isnan(batch.forces.fx))
+
     def test_as_accurate_as_the_exact_theory(self):
         exact = microslip.AccurateContactSolver(0.003)
         for creepage in ((0.0005, 0.0002, 0.1), (0.001, -0.0008, 0.5), (-0.0003, 0.002, -0.2), (0.0, 0.0003, 1.0)):

@@ -61,6 +61,12 @@ class EllipticContactSolverTest(unittest.TestCase):
         more, less = (solver.solve(contact(at + side * step * np.eye(3)[0])).forces for side in (1, -1))
         self.assertAlmostEqual(found.jacobian[0, 0] / ((more.fx - less.fx) / (2 * step)), 1, delta=1e-3)
 
+    def test_a_tolerance_has_the_range_that_case_files_have(self):
+        for bad in (0.55, 0.11, 9e-15, float("nan")):
+            with self.assertRaisesRegex(microslip.Error, r"tolerance = .*: must be in \[1e-14, 0.1\]"):
+                microslip.EllipticContactSolver(12, 12, tolerance=bad)
+        microslip.EllipticContactSolver(12, 12, tolerance=0.1)
+
     def test_the_gap_is_zero_in_contact(self):
         for discretisation in ("second_order", "classical"):
             solver = microslip.EllipticContactSolver(12, 12, discretisation=discretisation)

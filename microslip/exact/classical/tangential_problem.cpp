@@ -1,5 +1,6 @@
 #include "microslip/exact/classical/tangential_problem.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/coarser_elements.hpp"
@@ -46,7 +47,7 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   if (input.heading != 0 && (input.motion == ContactMotion::shift || input.leading_edge))
     throw Error("heading", input.heading, "rad", "0 except in rolling without the leading edge's correction");
   require_positive("rolling_speed", input.rolling_speed, "m/s");
-  require_between("tolerance", input.tolerance, "-", 1e-14, 1);
+  require_between("tolerance", input.tolerance, "-", smallest_tolerance, largest_tolerance);
 }
 
 /// Elements along an axis that need no start from coarser ones.

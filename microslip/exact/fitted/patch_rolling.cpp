@@ -1,5 +1,6 @@
 #include "microslip/exact/fitted/patch_rolling.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/fitted/patch_estimate.hpp"
@@ -125,7 +126,7 @@ void check(const PatchRollingMotion& motion) {
   if (motion.force_x) require_finite("force_x", *motion.force_x, "N");
   if (motion.force_y) require_finite("force_y", *motion.force_y, "N");
   require_positive("rolling_speed", motion.rolling_speed, "m/s");
-  require_positive("tolerance", motion.tolerance, "-");
+  require_between("tolerance", motion.tolerance, "-", smallest_tolerance, largest_tolerance);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "microslip/exact/normal/normal_problem.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/halfspace/coarser_elements.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
@@ -252,7 +253,7 @@ NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid
     coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress, plans);
 }
 
-void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load) {
+void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load, double tolerance) {
   if (gap.size() != grid.count())
     throw Error("gap: must have mx times my = " + std::to_string(grid.count()) + " values");
   for (std::size_t k = 0; k < gap.size(); ++k)
@@ -261,11 +262,12 @@ void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoa
     require_positive("normal_force", load.value, "N");
   else
     require_finite("approach", load.value, "m");
+  require_between("tolerance", tolerance, "-", smallest_tolerance, largest_tolerance);
 }
 
 NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance,
                                     const Progress& progress) {
-  check(grid_, gap, load);
+  check(grid_, gap, load, tolerance);
   double coarser_products = 0;
   NormalSolution s = solve_nested(gap, load, tolerance, progress, coarser_products);
   s.products += std::lround(coarser_products);
@@ -274,7 +276,7 @@ NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoa
 
 NormalSolution NormalProblem::solve_from(std::vector<double> pressure, std::span<const double> gap,
                                          const NormalLoad& load, double tolerance, const Progress& progress) {
-  check(grid_, gap, load);
+  check(grid_, gap, load, tolerance);
   return Iteration(operator_, grid_, gap, load).run(std::move(pressure), tolerance, progress);
 }
 

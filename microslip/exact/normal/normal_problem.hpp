@@ -52,9 +52,9 @@ public:
   NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
                 const TransformPlans& plans = {});
 
-  /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN or a load out of
-  /// range. Input so large that the result overflows gives Status::invalid_input. `progress` is told of the iterations
-  /// on all grids; false ends them, with status not_converged.
+  /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN, a load or a
+  /// tolerance out of range. Input so large that the result overflows gives Status::invalid_input. `progress` is told
+  /// of the iterations on all grids; false ends them, with status not_converged.
   NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8,
                        const Progress& progress = {});
   /// The same from a pressure near the solution, of which the shape counts, instead of from coarser elements: that of a

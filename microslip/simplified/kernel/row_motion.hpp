@@ -7,11 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace microslip::detail {
-
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// How many plain numbers a number stands for: itself and its derivatives.
 template <class Real> constexpr int numbers_of = 1;
@@ -77,9 +74,8 @@ struct RowSums {
   }
 };
 
-/// RowSums from forces and areas; NaN and a status if input beyond all bounds has made them so.
+/// Forces from sums and areas; what input beyond all bounds makes of them is left to `conclude`.
 inline ContactForces forces_of(const RowSums& totals, double slip_area, double area) {
-  if (!std::isfinite(totals.fx + totals.fy + totals.mz)) return {nan, nan, nan, nan, nan, Status::invalid_input};
   slip_area = std::clamp(slip_area, 0.0, area);
   return {totals.fx, totals.fy, totals.mz, area - slip_area, slip_area, Status::ok};
 }

@@ -1,0 +1,512 @@
+// Calls the C interface with random arguments: zero, tiny, huge, infinite, NaN, null pointers, wrong sizes, mangled
+// case texts.
+//
+//   microslip_c_api_fuzz [--seed S] [--seconds N | --calls N] [--call I]
+//
+// After every call its code is one of the header's, a text stands beside a refusal, what was refused changed nothing,
+// and else all results are written: finite with MICROSLIP_OK, NaN where the header says so. Each call has a seed of its
+// own: --call I makes that one again and nothing else. Calls run in a process of their own, so that a crash is told as
+// well.
+
+#include "microslip.h"
+#include "paths.hpp"
+#include "tests/wheel_rail_text.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <new>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+/// Random arguments. A share of them, drawn for each call, is of an unusual kind.
+class Draw {
+public:
+  Draw(unsigned long seed, unsigned long call) {
+    std::seed_seq seeds{seed, call};
+    random_.seed(seeds);
+    odd_ = pick({0.0, 0.02, 0.1, 0.5});
+  }
+
+  double between(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  int count(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
+  bool is_odd() { return between(0, 1) < odd_; }
+  template <class Value> Value pick(std::initializer_list<Value> values) {
+    return values.begin()[count(0, static_cast<int>(values.size()) - 1)];
+  }
+
+  /// Usually near a number.
+  double number(double usual) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!is_odd()) return usual * between(0.5, 1.5);
+    if (count(0, 1) == 0) return pick({0.0, -usual, infinity, -infinity, std::nan(""), 1e-320, 1e-300, 1e300});
+    return pick({-1.0, 1.0}) * std::pow(10, between(-320, 308));
+  }
+  int choice(int choices) { return is_odd() ? pick({-1, choices, 1000000, -2147483647 - 1}) : count(0, choices - 1); }
+  int size(int low, int high) { return is_odd() ? pick({0, -1, 2147483647}) : count(low, high); }
+  template <class Value> Value* pointer(Value* usual) { return is_odd() && count(0, 3) == 0 ? nullptr : usual; }
+
+  std::string mangled(std::string text) {
+    while (is_odd() && !text.empty()) {
+      const auto at = static_cast<std::size_t>(count(0, static_cast<int>(text.size()) - 1));
+      switch (count(0, 3)) {
+      case 0:
+        text[at] = static_cast<char>(count(1, 255));
+        break;
+      case 1:
+        text.resize(at);
+        break;
+      case 2:
+        text.erase(at, static_cast<std::size_t>(count(1, 40)));
+        break;
+      default:
+        text.insert(at, pick<const char*>({"1e400", "nan", "-inf", "[", "\"", "\n\n", "[[a]]", "= 3", "\xff\xfe"}));
+      }
+    }
+    return text;
+  }
+
+private:
+  std::mt19937_64 random_;
+  double odd_ = 0;
+};
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+bool is_refusal(int code) {
+  return code >= MICROSLIP_NULL_POINTER;
+}
+
+/// Results that are not written yet, and whether they still are not.
+template <class Result> class Results {
+public:
+  explicit Results(std::size_t count) : values_(count) {
+    std::memset(static_cast<void*>(values_.data()), garbage, count * sizeof(Result));
+  }
+  Result* data() { return values_.data(); }
+  const Result& operator[](std::size_t k) const { return values_[k]; }
+  bool is_untouched() const {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values_.data());
+    return std::all_of(bytes, bytes + values_.size() * sizeof(Result), [](unsigned char b) { return b == garbage; });
+  }
+
+private:
+  static constexpr unsigned char garbage = 0xa5;
+  std::vector<Result> values_;
+};
+
+struct Said {
+  microslip_error error = {};
+  microslip_error* pointer;
+
+  explicit Said(Draw& draw) : pointer(draw.pointer(&error)) {}
+  /// Looks at the code of a call, and returns it.
+  int of(int code, const char* call) const {
+    require(std::string_view(microslip_code_text(code)) != microslip_code_text(-1),
+            std::string(call) + ": no such code");
+    require(code != MICROSLIP_INTERNAL_ERROR && code != MICROSLIP_IN_USE, std::string(call) + ": " + error.text);
+    if (pointer == nullptr) return code;
+    require(error.code == code, std::string(call) + ": the error has another code");
+    require(std::memchr(error.text, 0, sizeof error.text) != nullptr, std::string(call) + ": the text has no end");
+    require((code == MICROSLIP_OK) == (error.text[0] == 0),
+            std::string(call) + ": text of code " + std::to_string(code));
+    return code;
+  }
+};
+
+// What is passed on.
+
+microslip_contact contact(Draw& draw) {
+  microslip_contact c = {};
+  c.a = draw.number(6e-3), c.b = draw.number(5e-3);
+  c.shear_modulus = draw.number(82e9), c.poisson_ratio = draw.is_odd() ? draw.number(0.3) : draw.between(0, 0.5);
+  c.normal_force = draw.number(80e3), c.rolling_speed = draw.number(30);
+  c.creepage_longitudinal = draw.number(1e-3), c.creepage_lateral = draw.number(-1e-3), c.spin = draw.number(0.3);
+  c.friction = draw.is_odd() ? draw.number(0.3) : draw.between(0, 1);
+  c.friction_law = draw.count(0, 2) > 0 ? 0 : draw.choice(4);
+  for (double& drop : c.friction_drop) drop = draw.count(0, 1) > 0 ? 0 : draw.number(0.1);
+  for (double& velocity : c.friction_half_velocity) velocity = draw.number(1);
+  return c;
+}
+
+std::vector<microslip_contact> contacts(Draw& draw) {
+  std::vector<microslip_contact> all(static_cast<std::size_t>(draw.count(0, 70)));
+  for (microslip_contact& c : all) c = contact(draw);
+  return all;
+}
+
+bool all_are(bool (*property)(double), std::initializer_list<double> numbers) {
+  return std::ranges::all_of(numbers, property);
+}
+bool is_finite(double x) {
+  return std::isfinite(x);
+}
+bool is_nan(double x) {
+  return std::isnan(x);
+}
+
+void look_at(const microslip_forces& f) {
+  const std::initializer_list<double> numbers = {f.fx, f.fy, f.mz, f.adhesion_area, f.slip_area};
+  if (f.status == MICROSLIP_OK || f.status == MICROSLIP_OUT_OF_RANGE)
+    require(all_are(is_finite, numbers), "forces are not finite with status " + std::to_string(f.status));
+  else if (f.status == MICROSLIP_INVALID_INPUT)
+    require(all_are(is_nan, numbers), "an invalid contact has forces");
+  else
+    require(f.status > 0 && !is_refusal(f.status), "status " + std::to_string(f.status));
+}
+void look_at(const microslip_derivatives& d) {
+  look_at(d.forces);
+  for (const auto& row : d.jacobian)
+    for (const double x : row)
+      require(d.forces.status == MICROSLIP_INVALID_INPUT ? is_nan(x) : is_finite(x), "derivatives and status differ");
+}
+void look_at(const microslip_wheel_forces& f) {
+  require(f.status >= 0 && !is_refusal(f.status), "status " + std::to_string(f.status));
+  require(f.patch_count >= 0 && f.patch_count <= MICROSLIP_WHEEL_PATCHES, "patch_count");
+  if (f.status != MICROSLIP_OK && f.status != MICROSLIP_IMPLAUSIBLE) return;
+  require(all_are(is_finite,
+                  {f.force[0], f.force[1], f.force[2], f.moment[0], f.moment[1], f.moment[2], f.vertical, f.residual}),
+          "a wheel's forces are not finite");
+  for (int k = 0; k < f.patch_count; ++k) {
+    const microslip_wheel_patch& p = f.patches[k];
+    require(p.status >= 0 && !is_refusal(p.status), "status of a patch");
+    require(all_are(is_finite, {p.normal_force, p.fx, p.fy, p.mz, p.contact_area, p.peak_pressure}), "a patch");
+  }
+}
+void look_at(const microslip_wheel_derivatives& d) {
+  look_at(d.forces);
+  if (d.forces.status != MICROSLIP_OK && d.forces.status != MICROSLIP_IMPLAUSIBLE) return;
+  for (const auto& row : d.jacobian)
+    for (const double x : row) require(is_finite(x), "a wheel's derivatives are not finite");
+}
+
+/// Makes a call on many items with results that are not written yet.
+template <class Result, class Item, class Call>
+void on_many(Draw& draw, const std::vector<Item>& items, const char* name, const Call& call) {
+  Results<Result> results(items.size());
+  const Item* const given = draw.pointer(items.data());
+  Result* const wanted = draw.pointer(results.data());
+  const int code = call(items.size(), given, wanted);
+  if (is_refusal(code)) {
+    require(code == MICROSLIP_NULL_POINTER, std::string(name) + ": refused with " + std::to_string(code));
+    require(results.is_untouched(), std::string(name) + ": refused, and written");
+    return;
+  }
+  for (std::size_t k = 0; k < items.size(); ++k) look_at(results[k]);
+}
+
+// What is called.
+
+void simple_calls(Draw& draw) {
+  const Said said(draw);
+  microslip_contact c = contact(draw);
+  said.of(microslip_contact_check(draw.pointer(&c), said.pointer), "contact_check");
+  said.of(
+      microslip_polach_friction(draw.number(0.4), draw.number(0.4), draw.number(0.6), draw.pointer(&c), said.pointer),
+      "polach_friction");
+  microslip_bodies bodies = {};
+  for (int k = 0; k < 2; ++k) {
+    bodies.rolling_radius[k] = k == 1 && draw.count(0, 1) > 0 ? INFINITY : draw.number(0.46);
+    bodies.transverse_radius[k] = draw.number(0.3);
+    bodies.young_modulus[k] = draw.number(2.1e11), bodies.poisson_ratio[k] = draw.number(0.28);
+  }
+  microslip_hertz hertz = {};
+  const int code =
+      said.of(microslip_hertz_from_load(draw.pointer(&bodies), draw.number(8e4), draw.pointer(&hertz), said.pointer),
+              "hertz_from_load");
+  if (code == MICROSLIP_OK)
+    require(all_are(is_finite, {hertz.a, hertz.b, hertz.approach, hertz.peak_pressure}), "hertz");
+  char* text = nullptr;
+  said.of(microslip_hertz_warnings(draw.pointer(&bodies), draw.pointer(&hertz), draw.pointer(&text), said.pointer),
+          "hertz_warnings");
+  microslip_free_text(text);
+  microslip_quantity info = {};
+  said.of(microslip_quantity_info(static_cast<std::size_t>(draw.choice(20)), draw.pointer(&info), said.pointer),
+          "quantity_info");
+  said.of(microslip_field_info(static_cast<std::size_t>(draw.choice(10)), draw.pointer(&info), said.pointer),
+          "field_info");
+  require(microslip_code_text(draw.choice(30)) != nullptr, "code_text");
+}
+
+/// What can be got from a solved contact: by number, by name.
+template <class Handle, class Get, class Quantity, class Field>
+void get_results(Draw& draw, const Said& said, Handle* handle, std::size_t cells, Get get, Quantity quantity,
+                 Field field) {
+  std::vector<double> values(cells + 1);
+  const std::size_t count = draw.is_odd() ? cells + 1 : cells;
+  said.of(get(draw.pointer(handle), static_cast<microslip_field>(draw.choice(12)), count, draw.pointer(values.data()),
+              said.pointer),
+          "get");
+  const char* const name =
+      draw.pick<const char*>({"fx", "frictional_power", "px", "gap", "state", "ux", "", "no such"});
+  said.of(field(handle, draw.pointer(name), count, draw.pointer(values.data()), said.pointer), "field");
+  double value = 0;
+  said.of(quantity(handle, draw.pointer(name), draw.pointer(&value), said.pointer), "quantity");
+}
+
+void fastsim2(Draw& draw) {
+  const Said said(draw);
+  microslip_fastsim2_options options;
+  microslip_fastsim2_options_init(&options, sizeof options);
+  options.mx = draw.is_odd() ? draw.size(1, 9) : draw.count(1, 9), options.my = draw.count(1, 9);
+  options.bound = draw.choice(2), options.flexibility = draw.choice(3), options.coefficients = draw.choice(2);
+  options.direction = draw.choice(2), options.precision = draw.choice(2);
+  options.slope_initial = draw.is_odd() ? draw.number(1) : draw.between(0.1, 1);
+  options.slope_decay = draw.is_odd() ? draw.number(1) : 0.5;
+  if (draw.is_odd()) options.struct_size = draw.pick<std::size_t>({0, 7, sizeof options - 8, 100000});
+  microslip_fastsim2* made = nullptr;
+  said.of(microslip_fastsim2_create(draw.pointer(&options), &made, said.pointer), "fastsim2_create");
+  const std::unique_ptr<microslip_fastsim2, decltype(&microslip_fastsim2_destroy)> own(made,
+                                                                                       microslip_fastsim2_destroy);
+  microslip_fastsim2* const solver = draw.pointer(made);
+  const std::vector<microslip_contact> all = contacts(draw);
+  on_many<microslip_forces>(draw, all, "fastsim2_solve", [&](auto count, auto given, auto results) {
+    return microslip_fastsim2_solve(solver, count, given, results);
+  });
+  on_many<microslip_derivatives>(draw, all, "fastsim2_differentiate", [&](auto count, auto given, auto results) {
+    return microslip_fastsim2_differentiate(solver, count, given, results);
+  });
+  if (made == nullptr || options.mx > 100) return;
+  const microslip_contact c = contact(draw);
+  Results<microslip_forces> forces(1);
+  const int code = said.of(microslip_fastsim2_solve_fields(solver, draw.pointer(&c), forces.data(), said.pointer),
+                           "fastsim2_solve_fields");
+  if (code == MICROSLIP_OK) look_at(forces[0]);
+  get_results(draw, said, made, static_cast<std::size_t>(options.mx * options.my), microslip_fastsim2_get,
+              microslip_fastsim2_quantity, microslip_fastsim2_field);
+}
+
+void creep_table(Draw& draw) {
+  const Said said(draw);
+  const std::string shipped = MICROSLIP_SOURCE_DIR "/python/microslip/hertz.creep";
+  const std::string file = draw.is_odd() ? draw.pick<const char*>({"", "/", "/dev/null", "no such file"}) : shipped;
+  microslip_creep_table* table = nullptr;
+  said.of(microslip_creep_table_read(draw.pointer(file.c_str()), static_cast<microslip_direction>(draw.choice(2)),
+                                     draw.pointer(&table), said.pointer),
+          "creep_table_read");
+  const std::vector<microslip_contact> all = contacts(draw);
+  on_many<microslip_forces>(draw, all, "creep_table_solve", [&](auto count, auto given, auto results) {
+    return microslip_creep_table_solve(table, count, given, results);
+  });
+  on_many<microslip_derivatives>(draw, all, "creep_table_differentiate", [&](auto count, auto given, auto results) {
+    return microslip_creep_table_differentiate(table, count, given, results);
+  });
+  microslip_creep_table_destroy(table);
+}
+
+/// Ends solves that take long, at the same place in every run.
+int end_after_many(double, void* calls) {
+  return ++*static_cast<int*>(calls) > 300 ? 1 : 0;
+}
+
+void exact(Draw& draw) {
+  const Said said(draw);
+  int calls = 0;
+  microslip_exact_options options;
+  microslip_exact_options_init(&options, sizeof options);
+  options.mx = draw.is_odd() ? draw.size(1, 8) : draw.count(1, 8), options.my = draw.count(1, 8);
+  options.discretisation = draw.choice(2), options.direction = draw.choice(2), options.elements = draw.choice(2);
+  options.coupling = draw.choice(2), options.slip_start = draw.choice(2);
+  options.tolerance = draw.is_odd() ? draw.number(1e-4) : 1e-6;
+  options.progress = end_after_many, options.progress_data = &calls;
+  if (draw.is_odd()) options.dissimilarity = draw.number(0.1);
+  if (draw.is_odd()) options.layer = {draw.number(1e-14), draw.number(2e8), draw.number(1e12)};
+  for (microslip_exact_body* body : {&options.body1, &options.body2})
+    if (draw.is_odd())
+      *body = {draw.number(82e9), draw.number(0.28), draw.number(1),    draw.number(1e-3),
+               draw.number(20),   draw.number(50),   draw.number(7800), draw.number(450)};
+  if (draw.is_odd()) options.friction_memory = {draw.number(1e-3), draw.number(0.1)};
+  if (draw.is_odd()) options.temperature_effect = {draw.number(-0.1), draw.number(100), draw.number(500)};
+  if (draw.is_odd()) options.struct_size = draw.pick<std::size_t>({0, 9, 48, 100000});
+  microslip_exact* made = nullptr;
+  said.of(microslip_exact_create(&options, draw.pointer(&made), said.pointer), "exact_create");
+  const std::unique_ptr<microslip_exact, decltype(&microslip_exact_destroy)> own(made, microslip_exact_destroy);
+  microslip_exact_motion motion;
+  microslip_exact_motion_init(&motion, sizeof motion);
+  motion.kind = draw.choice(3), motion.steps = draw.is_odd() ? draw.pick({0, -1, 3}) : 1;
+  motion.force_x_given = draw.is_odd() ? draw.choice(2) : 0, motion.force_x = draw.number(1e4);
+  motion.force_y_given = draw.is_odd() ? draw.choice(2) : 0, motion.force_y = draw.number(1e4);
+  motion.step = draw.is_odd() ? draw.number(1e-3) : 0;
+  const microslip_contact c = contact(draw);
+  microslip_exact_result result = {};
+  result.struct_size = draw.is_odd() ? draw.pick<std::size_t>({0, 8, 100000}) : sizeof result;
+  int code =
+      said.of(microslip_exact_solve(draw.pointer(made), draw.pointer(&c), draw.pointer(&motion), &result, said.pointer),
+              "exact_solve");
+  if (code == MICROSLIP_OK) look_at(result.forces);
+  const std::size_t cells =
+      code < MICROSLIP_NULL_POINTER && result.mx > 0 ? std::size_t(result.mx) * std::size_t(result.my) : 0;
+  if (made != nullptr)
+    get_results(draw, said, made, cells, microslip_exact_get, microslip_exact_quantity, microslip_exact_field);
+  std::vector<double> jacobian(9);
+  calls = 0;
+  code = said.of(microslip_exact_differentiate(made, draw.pointer(&c), draw.is_odd() ? 8 : 9,
+                                               draw.pointer(jacobian.data()), nullptr, said.pointer),
+                 "exact_differentiate");
+  if (code == MICROSLIP_OK) require(std::ranges::all_of(jacobian, is_finite), "derivatives of the exact theory");
+}
+
+const std::string& two_bodies() {
+  static const std::string text =
+      "[body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
+      "[body2]\nrolling_radius = inf\ntransverse_radius = 0.3\nyoung_modulus = \"210 GPa\"\npoisson_ratio = 0.28\n"
+      "[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n[motion]\nrolling_speed = 30\n"
+      "creepage_longitudinal = 0.001\nspin = 0.2\n[solution]\ngrid = 6\n";
+  return text;
+}
+
+void solve_case(Draw& draw) {
+  const Said said(draw);
+  const std::string text = draw.mangled(draw.count(0, 1) > 0 ? two_bodies() : microslip::wheel_rail_text);
+  char* json = nullptr;
+  const int code = said.of(
+      microslip_solve_case(draw.pointer(text.c_str()), draw.pointer("c.toml"), draw.pointer(&json), said.pointer),
+      "solve_case");
+  require(!is_refusal(code) || json == nullptr, "a refused case has a document");
+  microslip_free_text(json);
+}
+
+microslip_wheel_state state(Draw& draw, const microslip_wheel_state& usual) {
+  microslip_wheel_state s = usual;
+  s.lateral = draw.is_odd() ? draw.number(0.006) : draw.between(-0.009, 0.009);
+  s.yaw = draw.is_odd() ? draw.number(0.01) : draw.between(-0.03, 0.03);
+  s.forward_velocity = draw.number(30), s.vertical_force = draw.count(0, 4) > 0 ? draw.number(80e3) : 0;
+  auto* numbers = reinterpret_cast<double*>(&s);
+  for (std::size_t k = 0; k < sizeof s / sizeof(double); ++k)
+    if (draw.count(0, 9) == 0 && draw.is_odd()) numbers[k] = draw.number(1e-3);
+  return s;
+}
+
+void wheel_rail(Draw& draw) {
+  const Said said(draw);
+  std::string text = microslip::wheel_rail_text;
+  const int theory = draw.count(0, 9);
+  if (theory == 0) text = microslip::with_part(text, "\"fastsim2\"", "\"exact\"\ngrid = 8");
+  if (theory > 6) text = microslip::with_part(text, "\"fastsim2\"", "\"table\"");
+  if (draw.count(0, 3) == 0) text = microslip::with_part(text, "side = \"left\"", "side = \"right\"");
+  microslip_wheel_rail* made = nullptr;
+  said.of(microslip_wheel_rail_create(draw.count(0, 3) == 0 ? draw.mangled(text).c_str() : text.c_str(), "w.toml",
+                                      draw.pointer(&made), said.pointer),
+          "wheel_rail_create");
+  const std::unique_ptr<microslip_wheel_rail, decltype(&microslip_wheel_rail_destroy)> own(
+      made, microslip_wheel_rail_destroy);
+  microslip_wheel_state usual = {};
+  microslip_wheel_rail_state(draw.pointer(made), draw.pointer(&usual));
+  microslip_wheel_rail* const handle = draw.pointer(made);
+  std::vector<microslip_wheel_state> states(static_cast<std::size_t>(draw.count(0, 5)));
+  for (microslip_wheel_state& s : states) s = state(draw, usual);
+  on_many<microslip_wheel_forces>(draw, states, "wheel_rail_solve", [&](auto count, auto given, auto results) {
+    return microslip_wheel_rail_solve(handle, count, given, results);
+  });
+  if (draw.count(0, 2) == 0)
+    on_many<microslip_wheel_derivatives>(draw, states, "wheel_rail_differentiate",
+                                         [&](auto count, auto given, auto results) {
+                                           return microslip_wheel_rail_differentiate(handle, count, given, results);
+                                         });
+  std::vector<double> lateral(4), conicity(4);
+  for (double& y : lateral) y = draw.number(0.004);
+  Results<microslip_wheelset_contact> contacts(lateral.size());
+  const auto roll = static_cast<microslip_roll_rule>(draw.choice(2));
+  int code = said.of(microslip_wheelset_contacts(handle, roll, draw.number(1e-3), lateral.size(),
+                                                 draw.pointer(lateral.data()), contacts.data(), said.pointer),
+                     "wheelset_contacts");
+  for (std::size_t k = 0; k < lateral.size() && !is_refusal(code); ++k) {
+    require(contacts[k].status >= 0 && !is_refusal(contacts[k].status), "status of a wheelset's contact");
+    if (contacts[k].status == MICROSLIP_OK)
+      require(all_are(is_finite, {contacts[k].roll, contacts[k].vertical, contacts[k].left.rolling_radius}), "a touch");
+  }
+  require(!is_refusal(code) || contacts.is_untouched(), "wheelset_contacts: refused, and written");
+  said.of(microslip_equivalent_conicity(handle, roll, draw.number(1.5), lateral.size(), draw.pointer(lateral.data()),
+                                        draw.pointer(conicity.data()), said.pointer),
+          "equivalent_conicity");
+}
+
+struct Call {
+  const char* name;
+  void (*make)(Draw&);
+};
+constexpr Call calls[] = {{"simple_calls", simple_calls}, {"fastsim2", fastsim2},
+                          {"creep_table", creep_table},   {"exact", exact},
+                          {"solve_case", solve_case},     {"wheel_rail", wheel_rail}};
+
+void make_call(unsigned long seed, unsigned long k) {
+  Draw draw(seed, k);
+  const Call& call = calls[static_cast<std::size_t>(draw.count(0, static_cast<int>(std::size(calls)) - 1))];
+  try {
+    call.make(draw);
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "%s: %s\n", call.name, fault.what());
+    std::_Exit(1);
+  }
+}
+
+struct Options {
+  unsigned long seed = 1, calls = std::numeric_limits<unsigned long>::max();
+  double seconds = std::numeric_limits<double>::infinity();
+  long call = -1;
+};
+
+Options options_of(int count, char** words) {
+  Options options;
+  for (int k = 1; k + 1 < count; k += 2) {
+    const std::string_view name = words[k];
+    if (name == "--seed") options.seed = std::strtoul(words[k + 1], nullptr, 10);
+    if (name == "--calls") options.calls = std::strtoul(words[k + 1], nullptr, 10);
+    if (name == "--seconds") options.seconds = std::strtod(words[k + 1], nullptr);
+    if (name == "--call") options.call = std::strtol(words[k + 1], nullptr, 10);
+  }
+  if (std::isinf(options.seconds) && options.calls == std::numeric_limits<unsigned long>::max()) options.calls = 1000;
+  return options;
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  const Options options = options_of(count, words);
+  if (options.call >= 0) {
+    make_call(options.seed, static_cast<unsigned long>(options.call));
+    return 0;
+  }
+  // The number of the call is where both processes see it.
+  using Count = std::atomic<unsigned long>;
+  void* const shared = mmap(nullptr, sizeof(Count), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  Count& made = *new (shared) Count(0);
+  const pid_t child = fork();
+  if (child == 0) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    for (; made < options.calls; ++made) {
+      if (std::chrono::duration<double>(Clock::now() - begin).count() > options.seconds) break;
+      make_call(options.seed, made);
+    }
+    std::exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (status == 0) {
+    std::printf("%lu calls with seed %lu: no fault found\n", made.load(), options.seed);
+    return 0;
+  }
+  std::fprintf(stderr, "a fault in call %lu; again: microslip_c_api_fuzz --seed %lu --call %lu\n", made.load(),
+               options.seed, made.load());
+  return 1;
+}
