@@ -5,7 +5,7 @@ import { Chart, type Curve } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core, Reply } from "./core.ts";
 import { loadScript } from "./core.ts";
-import { button, element, fillRemarks, fillTable, save, sentence, type Row } from "./elements.ts";
+import { button, element, fillRemarks, fillTable, save, sentence, statusInWords, type Row } from "./elements.ts";
 import { clearMap, drawMap, rowHeight, yAt, type MapContent } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { laws, type ContactState, type Law, type Values } from "./state.ts";
@@ -444,7 +444,7 @@ export class ContactView {
 /** Why a theory did not come to its end, if so. */
 function whyNot(found: SolveResult, theory: Theory): string[] {
   const status = found[theory]?.status ?? "ok";
-  return status === "ok" ? [] : [sentence(`${theories[theory].name}: ${status.replaceAll("_", " ")}${found.reason ? `: ${found.reason}` : ""}`)];
+  return status === "ok" ? [] : [sentence(`${theories[theory].name}: ${statusInWords(status, found.reason)}`)];
 }
 
 function remarksOn(found: SolveResult, theory: Theory): string[] {

@@ -4,7 +4,7 @@ import { isHowRead, moreInWords, railCase, railPython, runningCase } from "./cas
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, fillRemarks, fillTable, save, sentence } from "./elements.ts";
+import { button, element, fillRemarks, fillTable, save, sentence, statusInWords } from "./elements.ts";
 import { clearMap, drawMap, fitToScreen, rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { RailHead, type Patch } from "./rail_head.ts";
@@ -84,7 +84,7 @@ export class RailView {
     this.#radii = new Chart(radii);
     this.#conicity = new Chart(conicity);
     this.#head = new RailHead(head);
-    this.#shape = new Choice("contact of the exact theory", shapes, state.shape, (shape) => {
+    this.#shape = new Choice("shape, of the exact theory", shapes, state.shape, (shape) => {
       this.state.shape = shape as Shape;
       this.solve();
       this.changed();
@@ -368,7 +368,7 @@ export class RailView {
 
 /** Warnings of a result, its status unless it is ok, and why. */
 function remarksOn({ warnings, status, reason }: WheelResult): string[] {
-  return [...(status === "ok" ? [] : [`${status.replaceAll("_", " ")}${reason ? `: ${reason}` : ""}`]), ...warnings].map(sentence);
+  return [...(status === "ok" ? [] : [statusInWords(status, reason)]), ...warnings].map(sentence);
 }
 
 function patchesOf(solved: WheelResult): Patch[] {

@@ -4,7 +4,7 @@ import { startCase, toPython } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, fillRemarks, save, sentence } from "./elements.ts";
+import { button, element, fillRemarks, save, sentence, statusInWords } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
 import { Choice, Form, type FieldSpec } from "./fields.ts";
 import type { Given, StartState } from "./state.ts";
@@ -119,7 +119,7 @@ export class StartView {
       if (!reply.result) return;
       this.#found = reply.result;
       const { warnings, status, reason } = reply.result;
-      fillRemarks(this.#remarks, [...warnings, ...(status === "ok" ? [] : [`ends at the first frame that is ${status.replaceAll("_", " ")}${reason ? `: ${reason}` : ""}`])].map(sentence));
+      fillRemarks(this.#remarks, [...warnings, ...(status === "ok" ? [] : [`ends at the first frame that is not solved, ${statusInWords(status, reason)}`])].map(sentence));
       this.#time.textContent = `exact theory, ${reply.result.frames.length} frames: ${digits(1e3 * (reply.time ?? 0))} ms`;
       this.#slider.max = String(reply.result.frames.length - 1);
       this.#drawHistory();

@@ -147,7 +147,7 @@ test("a link restores the state; others are refused in words", async () => {
   const second = await opened(link);
   assert.equal(await second.page.locator("#contact-load-normal_force").inputValue(), "55.5");
   assert.deepEqual(await row(second.page, "longitudinal force Fx"), before);
-  for (const [other, why] of [["#7.abc", "version 7"], ["#1.AAAA", "damaged"], ["#nonsense", "not one of the explorer"]] as const) {
+  for (const [other, why] of [["#7.abc", "version 7"], ["#2.AAAA", "damaged"], ["#1.AAAA", "version 1"], ["#nonsense", "not one of the explorer"]] as const) {
     const { page } = await opened(other);
     await page.getByText(why).waitFor();
     await row(page, "longitudinal force Fx");
@@ -311,9 +311,15 @@ test("warnings of results stand beside them, in all views, as long as they hold"
   await warned.waitFor({ state: "hidden" });
   await page.getByRole("tab", { name: "Wheel on rail" }).click();
   await railField(page, "wheel.lateral", "12");
-  await warned.getByText(/surface turns by .* within a flat patch/).waitFor();
+  await warned.getByText("beyond a hundredth of Young's modulus").waitFor();
+  await page.getByLabel("shape, of the exact theory").selectOption("flat");
+  await warned.getByText("patches are solved as flat where the surfaces are not").waitFor();
+  await page.getByLabel("shape, of the exact theory").selectOption("true");
+  await warned.getByText("patches are solved as flat").waitFor({ state: "detached" });
+  await railField(page, "wheel.lateral", "30");
+  await warned.getByText("it has derailed").waitFor();
   await railField(page, "wheel.lateral", "-300");
-  await warned.getByText("wheel and rail do not touch").waitFor();
+  await warned.getByText("no contact: wheel and rail do not touch").waitFor();
   await railField(page, "wheel.lateral", "3");
   await warned.waitFor({ state: "hidden" });
   await page.getByRole("tab", { name: "Start and stop" }).click();
@@ -346,7 +352,7 @@ test("what is refused leaves no picture that looks like the answer", async () =>
   await page.getByRole("button", { name: /add the creep-force table/ }).click();
   await row(page, "longitudinal force Fx", 3);
   await field(page, "body2.transverse_radius", "3"); // an ellipse longer than those of the table
-  await page.locator("section:not([hidden]) .remarks").getByText(/^table: a\/b = .* is beyond the creep-force table's range/).waitFor();
+  await page.locator("section:not([hidden]) .remarks").getByText(/^table: out of range: a\/b = .* is beyond the creep-force table's range/).waitFor();
   await panel("Creep curves").getByText("table: 41 of 41 points are left out, out of range").waitFor();
   await panel("Creep curves").locator("canvas").waitFor(); // of the other theories
   await page.getByRole("tab", { name: "Wheel on rail" }).click();
