@@ -34,7 +34,7 @@ export interface State { view: View; contact: ContactState; rail: RailState; sta
 export const laws = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially" };
 export type Law = keyof typeof laws;
 /** Surfaces of wheels and rails for the exact theory. "true" is what the library takes where the case leaves it out. */
-export const shapes = { true: "left out: the true surfaces", flat: "flat", curved: "curved", conformal: "conformal" };
+export const shapes = { true: "true (left out)", flat: "flat", curved: "curved", conformal: "conformal" };
 export type Shape = keyof typeof shapes;
 
 /** Creepages beyond these are mistaken: of bodies that roll the same way their speeds differ by twice the mean at most. */
