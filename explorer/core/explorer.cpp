@@ -172,14 +172,10 @@ std::string Explorer::answer(std::string_view text) {
 
 Json Explorer::call(const Request& request) {
   constexpr std::pair<std::string_view, Json (Explorer::*)(const Request&)> calls[] = {
-      {"solve", &Explorer::solve},
-      {"inputs", &Explorer::inputs},
-      {"radii", &Explorer::radii},
-      {"creep_curve", &Explorer::creep_curve},
-      {"transient", &Explorer::transient},
-      {"profile", &Explorer::profile},
-      {"conicity", &Explorer::conicity},
-      {"version", &Explorer::version}};
+      {"solve", &Explorer::solve},         {"inputs", &Explorer::inputs},
+      {"radii", &Explorer::radii},         {"creep_curve", &Explorer::creep_curve},
+      {"transient", &Explorer::transient}, {"profile", &Explorer::profile},
+      {"conicity", &Explorer::conicity},   {"version", &Explorer::version}};
   std::vector<std::string_view> names;
   for (const auto& [name, member] : calls) names.push_back(name);
   const std::string name = request.text("call");

@@ -97,9 +97,9 @@ TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
   EXPECT_EQ(words("{\"call\": \"solve\""), "request: must be a JSON object");
   EXPECT_EQ(words("{}"), "request.call: is missing");
   EXPECT_EQ(words("{\"call\": 3}"), "request.call: must be a text");
-  EXPECT_EQ(words("{\"call\": \"sovle\"}"),
-            "request.call = \"sovle\": must be solve, inputs, radii, creep_curve, transient, profile, conicity or version; did "
-            "you mean solve?");
+  EXPECT_EQ(words("{\"call\": \"sovle\"}"), "request.call = \"sovle\": must be solve, inputs, radii, creep_curve, "
+                                            "transient, profile, conicity or version; did "
+                                            "you mean solve?");
   EXPECT_EQ(words("{\"call\": \"solve\"}"), "request.case: is missing");
   EXPECT_EQ(words("{\"call\": \"solve\", \"kase\": \"\"}"), "request.kase: unknown member; did you mean case?");
   EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"fields\": 1}"), "request.fields: must be true or false");
