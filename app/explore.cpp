@@ -7,6 +7,7 @@
 #include "io/profile_file.hpp"
 #include "io/profile_formats.hpp"
 #include "io/program_files.hpp"
+#include "io/toml_section.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/error.hpp"
 
@@ -14,8 +15,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -32,13 +33,12 @@ struct ExploreArguments {
 };
 
 /// The profiles that a case names, by the names that it gives them.
-Json profiles_of(const std::string& text, const fs::path& folder) {
+Json profiles_of(const std::string& text, const fs::path& file) {
+  const toml::table table = parse_toml(text, file.string());
   Json files = Json::object();
-  const std::regex named(R"((?:^|\n)\s*profile\s*=\s*["']([^"'\n]+)["'])");
-  for (auto found = std::sregex_iterator(text.begin(), text.end(), named); found != std::sregex_iterator(); ++found) {
-    const std::string name = (*found)[1];
-    files[name] = read_profile_text(folder / name);
-  }
+  for (const std::string_view section : profile_sections)
+    if (const auto name = table[section]["profile"].value<std::string>())
+      files[*name] = read_profile_text(file.parent_path() / *name);
   return files;
 }
 
@@ -52,7 +52,7 @@ Json start_of_case(const fs::path& file) {
     return {{"case", text}};
   }
   (void)parse_wheel_rail_case(text, name);
-  return {{"case", text}, {"files", profiles_of(text, file.parent_path())}};
+  return {{"case", text}, {"files", profiles_of(text, file)}};
 }
 
 /// A case, or profiles.

@@ -260,16 +260,16 @@ void read_some_case(const SweepSpec& spec, const std::function<void(std::size_t 
 
 template <class Kind> void Sweep::set_up(SweepSpec spec) {
   const auto tables = std::make_shared<const CreepTables>();
-  TomlSection::KeyUnits units;
+  TomlSection::ReadKeys keys;
   try {
     read_some_case(spec, [&](std::size_t index) {
       const toml::table written = spec.case_as_written(index);
-      Kind::check(TomlSection(written, spec.base_name(), {}, &units), *tables);
+      Kind::check(TomlSection(written, spec.base_name(), {}, &keys), *tables);
     });
   } catch (const Error&) {
     if (spec.has_units()) throw; // else the cases fail one by one
   }
-  spec.convert_units(units);
+  spec.convert_units(TomlSection::units_of(keys));
   spec_ = std::make_shared<const SweepSpec>(std::move(spec));
   const auto columns = std::make_shared<const Columns<typename Kind::Solved>>(chosen(Kind::columns(*spec_), *spec_));
   for (const auto& column : *columns) columns_.push_back(column.of_file);

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -88,6 +90,13 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
+TomlSection::KeyUnits TomlSection::units_of(const ReadKeys& keys) {
+  KeyUnits units;
+  for (const auto& [key, read] : keys)
+    if (read.is_given && !read.unit.empty()) units.emplace(key, read.unit);
+  return units;
+}
+
 TomlSection TomlSection::required_section(std::string_view name) const {
   if (!has(name)) throw Error(file_ + ": [" + full(name) + "] is missing");
   return optional_section(name);
@@ -157,14 +166,16 @@ std::vector<double> TomlSection::numbers(std::string_view key, std::string_view 
     values.push_back(value_of(key, element, unit, "a list of numbers"));
     at(key, [&] { require_finite(full(key), values.back(), unit); });
   }
+  record(key, values, unit);
   return values;
 }
 
 std::string TomlSection::text(std::string_view key, std::string_view missing) const {
   const auto* node = find(key);
-  if (node == nullptr) return std::string(missing);
-  if (!node->is_string()) wrong_type(key, *node, "text");
-  return node->as_string()->get();
+  if (node != nullptr && !node->is_string()) wrong_type(key, *node, "text");
+  const std::string value(node == nullptr ? missing : std::string_view(node->as_string()->get()));
+  record(key, value, "");
+  return value;
 }
 
 std::vector<std::string> TomlSection::texts(std::string_view key) const {
@@ -177,6 +188,7 @@ std::vector<std::string> TomlSection::texts(std::string_view key) const {
     if (!element.is_string()) wrong_type(key, element, "a list of texts");
     values.push_back(element.as_string()->get());
   }
+  record(key, values, "");
   return values;
 }
 
@@ -212,23 +224,25 @@ int TomlSection::whole(std::string_view key, const toml::node& node, int low, in
 
 void TomlSection::count(std::string_view key, int low, int high, int& value) const {
   const auto* node = find(key);
-  if (node == nullptr) return;
-  if (!node->is_integer()) wrong_type(key, *node, "a whole number");
-  value = whole(key, *node, low, high);
+  if (node != nullptr) {
+    if (!node->is_integer()) wrong_type(key, *node, "a whole number");
+    value = whole(key, *node, low, high);
+  }
+  record(key, static_cast<double>(value), "");
 }
 
 void TomlSection::counts(std::string_view key, int low, int high, int& first, int& second) const {
   const auto* node = find(key);
-  if (node == nullptr) return;
-  if (node->is_integer()) {
+  if (node != nullptr && node->is_integer()) {
     first = second = whole(key, *node, low, high);
-    return;
+  } else if (node != nullptr) {
+    const auto* list = node->as_array();
+    if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() || !list->get(1)->is_integer())
+      throw Error(location(file_, node->source()) + full(key) + ": must be a whole number or a list of two");
+    first = whole(key, *list->get(0), low, high);
+    second = whole(key, *list->get(1), low, high);
   }
-  const auto* list = node->as_array();
-  if (list == nullptr || list->size() != 2 || !list->get(0)->is_integer() || !list->get(1)->is_integer())
-    throw Error(location(file_, node->source()) + full(key) + ": must be a whole number or a list of two");
-  first = whole(key, *list->get(0), low, high);
-  second = whole(key, *list->get(1), low, high);
+  record(key, std::vector<double>{static_cast<double>(first), static_cast<double>(second)}, "");
 }
 
 void TomlSection::at(std::string_view key, const std::function<void()>& check) const {
@@ -253,9 +267,13 @@ void TomlSection::wrong_type(std::string_view key, const toml::node& node, const
   throw Error(location(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
 }
 
+void TomlSection::record(std::string_view key, Value value, std::string_view unit) const {
+  if (keys_ != nullptr) keys_->insert_or_assign(full(key), ReadKey{std::move(value), std::string(unit), has(key)});
+}
+
 double TomlSection::value_of(std::string_view key, const toml::node& node, std::string_view unit,
                              const std::string& wanted) const {
-  if (key_units_ != nullptr) key_units_->emplace(full(key), unit);
+  record(key, std::numeric_limits<double>::quiet_NaN(), unit);
   if (node.is_integer()) return static_cast<double>(node.as_integer()->get());
   if (node.is_floating_point()) return node.as_floating_point()->get();
   if (!node.is_string()) wrong_type(key, node, wanted);
@@ -267,10 +285,14 @@ double TomlSection::value_of(std::string_view key, const toml::node& node, std::
 double TomlSection::number(std::string_view key, std::string_view unit, std::optional<double> missing,
                            const Check& check) const {
   const auto* node = find(key);
-  if (node == nullptr && missing) return *missing;
+  if (node == nullptr && missing) {
+    record(key, *missing, unit);
+    return *missing;
+  }
   if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
   const double value = value_of(key, *node, unit, "a number");
   at(key, [&] { check(full(key), value); });
+  record(key, value, unit);
   return value;
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace microslip {
@@ -23,12 +24,23 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 class TomlSection {
 public:
   using Words = std::vector<std::string_view>;
-  /// Which unit a number is read in, by the full names of keys: "load.normal_force".
+  using Value = std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
+  /// What was read under a key: numbers in their unit; whole ones and texts have none.
+  struct ReadKey {
+    Value value;
+    std::string unit;
+    bool is_given = false; ///< else it is the default of a key that the file leaves out
+  };
+  /// By the full names of keys: "load.normal_force".
+  using ReadKeys = std::map<std::string, ReadKey, std::less<>>;
+  /// Which unit a number of the file is read in, by the full names of keys.
   using KeyUnits = std::map<std::string, std::string, std::less<>>;
+  static KeyUnits units_of(const ReadKeys& keys);
 
-  /// The whole file, or a table in it with its name for messages. The units of all numbers that are read go to `units`.
-  TomlSection(const toml::table& table, const std::string& file, std::string name = {}, KeyUnits* units = nullptr)
-      : table_(&table), name_(std::move(name)), file_(file), key_units_(units) {}
+  /// The whole file, or a table in it with its name for messages. All that is read goes to `keys`, of what is refused
+  /// the unit alone.
+  TomlSection(const toml::table& table, const std::string& file, std::string name = {}, ReadKeys* keys = nullptr)
+      : table_(&table), name_(std::move(name)), file_(file), keys_(keys) {}
   /// The file's name for messages.
   const std::string& file() const { return file_; }
   TomlSection required_section(std::string_view name) const;
@@ -75,18 +87,19 @@ private:
   using Check = std::function<double(std::string_view field, double value)>;
 
   TomlSection(const toml::table* table, std::string name, const TomlSection& parent)
-      : table_(table), name_(std::move(name)), file_(parent.file_), key_units_(parent.key_units_) {}
+      : table_(table), name_(std::move(name)), file_(parent.file_), keys_(parent.keys_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
   double number(std::string_view key, std::string_view unit, std::optional<double> missing, const Check& check) const;
   double value_of(std::string_view key, const toml::node& node, std::string_view unit, const std::string& wanted) const;
   int whole(std::string_view key, const toml::node& node, int low, int high) const;
+  void record(std::string_view key, Value value, std::string_view unit) const;
 
   const toml::table* table_ = nullptr;
   std::string name_;
   const std::string& file_;
-  KeyUnits* key_units_ = nullptr;
+  ReadKeys* keys_ = nullptr;
 };
 
 } // namespace microslip

@@ -63,6 +63,9 @@ bool is_wheel_rail_case(const TomlSection& root);
 bool is_wheelset_case(std::string_view text, const std::string& name);
 bool is_wheelset_case(const TomlSection& root);
 
+/// Sections whose `profile` names a file, a path that starts at the case file's folder.
+inline constexpr std::string_view profile_sections[] = {"rail", "wheelset", "right_rail", "right_wheel"};
+
 /// Reads a case from TOML text, and the profiles it names; `name` is the file's name for messages and where the paths
 /// of profiles start. Errors as of parse_case; those about a profile begin with the line that names it.
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name);

@@ -421,9 +421,9 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
   const auto check = [&](const std::string& name, const auto& read) {
     const std::string file = MICROSLIP_SOURCE_DIR "/examples/" + name;
     const auto table = parse_toml(read_case_text(file), file);
-    TomlSection::KeyUnits found;
+    TomlSection::ReadKeys found;
     read(TomlSection(table, file, {}, &found));
-    for (const auto& [key, unit] : found) {
+    for (const auto& [key, unit] : TomlSection::units_of(found)) {
       ++count;
       try {
         number_in_unit(key, "1 kg s", unit);

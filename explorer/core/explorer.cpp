@@ -6,6 +6,7 @@
 #include "cases/wheel_rail_result.hpp"
 #include "explorer/core/rolling_start.hpp"
 #include "io/length_unit.hpp"
+#include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "io/profile_file.hpp"
 #include "io/toml_section.hpp"
@@ -16,9 +17,12 @@
 #include <array>
 #include <chrono>
 #include <exception>
+#include <map>
 #include <new>
 #include <sstream>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace microslip {
 namespace {
@@ -35,10 +39,39 @@ std::string setting_of(toml::table table) {
   return text.str();
 }
 
+/// Files have no folders here: of the paths of profiles their ends count. Error for two that end alike, and for what is
+/// not there, all of it by name.
+toml::table with_files(toml::table table, const std::string& name, const KeptFiles& files) {
+  std::map<std::string, std::string> paths;
+  std::vector<std::string> missing;
+  for (const std::string_view section : profile_sections) {
+    auto* const profile = table[section]["profile"].as_string();
+    if (profile == nullptr || profile->get().empty()) continue;
+    const std::string path = profile->get(), end = path.substr(path.find_last_of("/\\") + 1),
+                      key = std::string(section) + ".profile";
+    const auto known = paths.try_emplace(end, path).first;
+    const TomlSection named = TomlSection(table, name).required_section(section);
+    named.at("profile", [&] {
+      if (known->second != path)
+        throw Error(key + ": " + printable(path) + " and " + printable(known->second) +
+                    " have one name without their folders, and there are none here");
+      if (!files.has(end)) missing.push_back(key + " = " + printable(path));
+    });
+    *profile = end;
+  }
+  std::string all;
+  for (const std::string& one : missing) all += (all.empty() ? "" : ", ") + one;
+  if (!all.empty()) throw Error(name + ": " + all + ": not here; such a file goes along with the case");
+  return table;
+}
+
 /// A case that is parsed as TOML.
 struct CaseText {
-  CaseText(const Request& request, const std::string& case_name)
-      : text(request.text("case")), name(case_name), table(parse_toml(text, name)), root(table, name) {}
+  /// What is read of it goes to `keys`.
+  CaseText(const Request& request, const std::string& case_name, const KeptFiles& files,
+           TomlSection::ReadKeys* keys = nullptr)
+      : text(request.text("case")), name(case_name), table(with_files(parse_toml(text, name), name, files)),
+        root(table, name, {}, keys) {}
   CaseText(const CaseText&) = delete;
   CaseText& operator=(const CaseText&) = delete;
 
@@ -64,6 +97,18 @@ Json document(const CaseText& given, const Input& input, const Result& result, J
   Json all = case_document(input, result, given.provenance(kind_of(input), input.title), fields);
   if (!result.reason.empty()) all["reason"] = result.reason;
   return all;
+}
+
+Json json_of(double number) {
+  return json_number(number);
+}
+Json json_of(const std::string& text) {
+  return text;
+}
+template <class Item> Json json_of(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(json_of(item));
+  return list;
 }
 
 struct CreepVariable {
@@ -127,9 +172,10 @@ std::string Explorer::answer(std::string_view text) {
 
 Json Explorer::call(const Request& request) {
   constexpr std::pair<std::string_view, Json (Explorer::*)(const Request&)> calls[] = {
-      {"solve", &Explorer::solve},         {"radii", &Explorer::radii},     {"creep_curve", &Explorer::creep_curve},
-      {"transient", &Explorer::transient}, {"profile", &Explorer::profile}, {"conicity", &Explorer::conicity},
-      {"version", &Explorer::version}};
+      {"solve", &Explorer::solve},         {"inputs", &Explorer::inputs},
+      {"radii", &Explorer::radii},         {"creep_curve", &Explorer::creep_curve},
+      {"transient", &Explorer::transient}, {"profile", &Explorer::profile},
+      {"conicity", &Explorer::conicity},   {"version", &Explorer::version}};
   std::vector<std::string_view> names;
   for (const auto& [name, member] : calls) names.push_back(name);
   const std::string name = request.text("call");
@@ -149,7 +195,7 @@ void Explorer::take_files(const Request& request) {
 Json Explorer::solve(const Request& request) {
   request.allow({"case", "files", "fields", "extent"});
   take_files(request);
-  const CaseText given(request, case_name_);
+  const CaseText given(request, case_name_, files_);
   const JsonFields fields = request.flag("fields") ? JsonFields::kept : JsonFields::left_out;
   const bool is_full = request.word("extent", extents) == "full";
   if (!is_wheel_rail_case(given.root)) {
@@ -166,10 +212,35 @@ Json Explorer::solve(const Request& request) {
   return all;
 }
 
+/// What a case says, and the defaults of what it leaves out.
+Json Explorer::inputs(const Request& request) {
+  request.allow({"case", "files"});
+  take_files(request);
+  TomlSection::ReadKeys keys;
+  const CaseText given(request, case_name_, files_, &keys);
+  Json all = Json::object();
+  if (!is_wheel_rail_case(given.root))
+    all["kind"] = kind_of(given.rolling_case(tables_));
+  else if (!is_wheelset_case(given.root))
+    all["kind"] = kind_of(given.wheel_rail_case(tables_));
+  else
+    all["kind"] = kind_of(read_wheelset_case(given.root, tables_));
+  Json inputs = Json::object(), units = Json::object(), in_the_text = Json::array();
+  for (const auto& [key, read] : keys) {
+    inputs[key] = std::visit([](const auto& value) { return json_of(value); }, read.value);
+    if (!read.unit.empty()) units[key] = read.unit;
+    if (read.is_given) in_the_text.push_back(key);
+  }
+  all["inputs"] = std::move(inputs);
+  all["given"] = std::move(in_the_text);
+  all["units"] = std::move(units);
+  return all;
+}
+
 /// The upper body whose contact with a flat one, of the case's material and under its load, is an ellipse.
 Json Explorer::radii(const Request& request) {
   request.allow({"case", "a", "b"});
-  const RollingCase input = CaseText(request, case_name_).rolling_case(tables_);
+  const RollingCase input = CaseText(request, case_name_, files_).rolling_case(tables_);
   const auto material = combine(input.body1.material, input.body2.material);
   const double normal_force = hertz_contact(input).normal_force;
   const GapCurvatures gap = hertz_from_ellipse(request.number("a"), request.number("b"), material, normal_force).gap;
@@ -181,7 +252,7 @@ Json Explorer::radii(const Request& request) {
 Json Explorer::creep_curve(const Request& request) {
   constexpr int most_points = 1000;
   request.allow({"case", "variable", "from", "to", "count"});
-  const CaseText given(request, case_name_);
+  const CaseText given(request, case_name_, files_);
   const RollingCase input = given.rolling_case(tables_);
   const CreepVariable& variable = creep_variable(request);
   const double from = request.number("from"), to = request.number("to");
@@ -206,7 +277,7 @@ Json Explorer::creep_curve(const Request& request) {
 
 Json Explorer::transient(const Request& request) {
   request.allow({"case"});
-  return rolling_start(CaseText(request, case_name_).rolling_case(tables_));
+  return rolling_start(CaseText(request, case_name_, files_).rolling_case(tables_));
 }
 
 Json Explorer::profile(const Request& request) {
@@ -225,7 +296,7 @@ Json Explorer::profile(const Request& request) {
 Json Explorer::conicity(const Request& request) {
   request.allow({"case", "files", "amplitudes"});
   take_files(request);
-  const CaseText given(request, case_name_);
+  const CaseText given(request, case_name_, files_);
   const WheelRailCase read = given.wheel_rail_case(tables_);
   const auto range = request.numbers("amplitudes", 3).value_or(std::vector<double>{1e-3, 7e-3, 2e-4});
   ConicityInput input{.track = read.track, .wheelset = read.wheelset};

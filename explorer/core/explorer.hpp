@@ -26,6 +26,7 @@ public:
 private:
   Json call(const Request& request);
   Json solve(const Request& request);
+  Json inputs(const Request& request);
   Json radii(const Request& request);
   Json creep_curve(const Request& request);
   Json transient(const Request& request);

@@ -4,12 +4,19 @@
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
 
+#include <system_error>
+
 namespace microslip {
 
 std::filesystem::path KeptFiles::path(const std::string& name) const {
   const bool is_plain = !name.empty() && name.front() != '.' && name.find_first_of("/\\:") == std::string::npos;
   if (!is_plain) throw Error("file " + printable(name) + ": must be a name without a folder");
   return folder_ / name;
+}
+
+bool KeptFiles::has(const std::string& name) const {
+  std::error_code ignored;
+  return std::filesystem::exists(path(name), ignored);
 }
 
 bool KeptFiles::put(const std::string& name, const std::string& contents) {

@@ -3,6 +3,7 @@
 #include "cases/rolling_contact_result.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/contact/quantities.hpp"
+#include "microslip/contact/solver_report.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
@@ -96,6 +97,9 @@ Json rolling_start(const RollingCase& input) {
   result["units"] = std::move(units);
   result["warnings"] = case_warnings(input, hertz).texts;
   result["status"] = to_string(status);
+  SolverReport report{.status = status};
+  add_reason(report);
+  if (!report.reason.empty()) result["reason"] = report.reason;
   return result;
 }
 

@@ -2,15 +2,14 @@
 //   TO    folder for index.html, page.js, page.css and copies of the core's scripts
 //   CORE  folder with explorer_core.js, explorer_core_plain.js, hertz_table.js
 import { build } from "esbuild";
-import { copyFile, mkdir, readFile } from "node:fs/promises";
+import { copyFile, mkdir } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { builtInProfiles } from "./profiles.mjs";
 
 const [to, core] = process.argv.slice(2);
 if (!to || !core) throw new Error("usage: node build.mjs TO CORE");
 const here = path.dirname(fileURLToPath(import.meta.url));
-const profiles = path.join(here, "../../examples/profiles");
-const text = (name) => readFile(path.join(profiles, name), "utf8");
 
 await mkdir(to, { recursive: true });
 await build({
@@ -20,7 +19,7 @@ await build({
   minify: true,
   format: "iife",
   target: "es2022",
-  define: { BUILT_IN_PROFILES: JSON.stringify({ "60e1.prr": await text("60e1.prr"), "s1002.prw": await text("s1002.prw") }) },
+  define: builtInProfiles,
 });
 await copyFile(path.join(here, "src/index.html"), path.join(to, "index.html"));
 for (const script of ["explorer_core.js", "explorer_core_plain.js", "hertz_table.js"])

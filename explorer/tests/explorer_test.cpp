@@ -3,6 +3,7 @@
 #include "cases/case_document.hpp"
 #include "cases/wheel_rail_result.hpp"
 #include "explorer_paths.hpp"
+#include "io/toml_section.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
 
@@ -13,6 +14,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -95,9 +97,9 @@ TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
   EXPECT_EQ(words("{\"call\": \"solve\""), "request: must be a JSON object");
   EXPECT_EQ(words("{}"), "request.call: is missing");
   EXPECT_EQ(words("{\"call\": 3}"), "request.call: must be a text");
-  EXPECT_EQ(words("{\"call\": \"sovle\"}"),
-            "request.call = \"sovle\": must be solve, radii, creep_curve, transient, profile, conicity or version; did "
-            "you mean solve?");
+  EXPECT_EQ(words("{\"call\": \"sovle\"}"), "request.call = \"sovle\": must be solve, inputs, radii, creep_curve, "
+                                            "transient, profile, conicity or version; did "
+                                            "you mean solve?");
   EXPECT_EQ(words("{\"call\": \"solve\"}"), "request.case: is missing");
   EXPECT_EQ(words("{\"call\": \"solve\", \"kase\": \"\"}"), "request.kase: unknown member; did you mean case?");
   EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"fields\": 1}"), "request.fields: must be true or false");
@@ -159,8 +161,73 @@ TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
     EXPECT_EQ(words(text), readers(text));
     EXPECT_TRUE(words(text).starts_with(name + ":")) << words(text);
   }
-  const std::string missing = refusal({{"call", "solve"}, {"case", wheel_case()}});
-  EXPECT_NE(missing.find("rail.profile: " + (folder_ / "60e1.prr").string()), std::string::npos) << missing;
+  EXPECT_EQ(refusal({{"call", "solve"}, {"case", wheel_case()}, {"files", {{"s1002.prw", "x"}}}}),
+            name + ": rail.profile = \"60e1.prr\": not here; such a file goes along with the case");
+}
+
+/// Of the paths of profiles their ends count.
+TEST_F(ExplorerTest, TakesProfilesWithoutTheirFolders) {
+  const std::string text = replaced(wheel_case(), "\"60e1.prr\"", "\"../rails/60e1.prr\"");
+  const Json plain = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
+  EXPECT_EQ(result({{"call", "solve"}, {"case", text}})["wheel"], plain["wheel"]);
+  EXPECT_EQ(refusal({{"call", "solve"}, {"case", replaced(text, "\"s1002.prw\"", "\"worn\\\\s1002.txt\"")}}),
+            (folder_ / "case.toml").string() +
+                ": wheelset.profile = \"worn\\s1002.txt\": not here; such a file goes along with the case");
+  const std::string alike = refusal({{"call", "solve"}, {"case", replaced(text, "\"s1002.prw\"", "\"60e1.prr\"")}});
+  EXPECT_NE(alike.find("wheelset.profile: \"60e1.prr\" and \"../rails/60e1.prr\" have one name"), std::string::npos)
+      << alike;
+}
+
+/// The keys of a table's values, "load.normal_force".
+void add_keys(const toml::table& table, const std::string& before, std::set<std::string>& keys) {
+  for (const auto& [key, value] : table) {
+    const std::string name = before + std::string(key.str());
+    if (value.is_table())
+      add_keys(*value.as_table(), name + ".", keys);
+    else
+      keys.insert(name);
+  }
+}
+
+TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
+  std::size_t count = 0;
+  for (const auto& [example, kind] : {std::pair{"hertzian_contact.toml", "rolling_contact"},
+                                      {"two_rollers.toml", "rolling_contact"},
+                                      {"starting_to_roll.toml", "rolling_contact"},
+                                      {"wheel_on_rail.toml", "wheel_rail"},
+                                      {"lateral_sweep.toml", "wheel_rail"},
+                                      {"wheelset_in_curve.toml", "wheelset"}}) {
+    const std::string text = text_of(examples / example);
+    const Json found = result({{"call", "inputs"}, {"case", text}, {"files", profiles()}});
+    EXPECT_EQ(found["kind"], kind);
+    std::set<std::string> keys;
+    add_keys(parse_toml(text, example), "", keys);
+    EXPECT_EQ(found["given"].get<std::set<std::string>>(), keys) << example;
+    for (const std::string& key : keys) EXPECT_TRUE(found["inputs"].contains(key)) << key;
+    count += keys.size();
+  }
+  EXPECT_GT(count, 100u);
+}
+
+TEST_F(ExplorerTest, TellsInputsInSiWithTheirDefaults) {
+  const Json found = result({{"call", "inputs"}, {"case", text_of(examples / "two_rollers.toml")}});
+  const Json& inputs = found["inputs"];
+  EXPECT_EQ(inputs["body1.rolling_radius"], 0.05);
+  EXPECT_EQ(inputs["body2.transverse_radius"], "inf");
+  EXPECT_EQ(inputs["friction.half_velocity"], 0.05);
+  EXPECT_EQ(inputs["friction.law"], "exponential");
+  EXPECT_EQ(inputs["solution.grid"], Json({60, 30}));
+  EXPECT_EQ(inputs["motion.creepage_longitudinal"], 0); // the default
+  EXPECT_EQ(inputs["motion.kind"], "steady");
+  EXPECT_EQ(found["units"]["friction.half_velocity"], "m/s");
+  EXPECT_FALSE(found["units"].contains("friction.law"));
+  const Json wheel = result({{"call", "inputs"}, {"case", wheel_case()}, {"files", profiles()}});
+  EXPECT_EQ(wheel["inputs"]["rail.profile"], "60e1.prr");
+  EXPECT_EQ(wheel["inputs"]["rail.smoothing_length"], 0);
+  EXPECT_EQ(wheel["inputs"]["solution.grid"], 16);
+  EXPECT_EQ(wheel["inputs"]["wheel.yaw"], 0.002);
+  EXPECT_EQ(refusal({{"call", "inputs"}, {"case", replaced(ellipse_case(), "spin =", "spinn =")}}),
+            refusal({{"call", "solve"}, {"case", replaced(ellipse_case(), "spin =", "spinn =")}}));
 }
 
 TEST_F(ExplorerTest, SolvesAnEllipseAsTheProgramDoes) {

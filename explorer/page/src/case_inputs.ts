@@ -1,102 +1,108 @@
-// Case files of the program as states of the page: the core reads them, its result's inputs say what they hold.
+// Case files of the program as states of the page. The core reads them and tells what they say, by their own keys; what the
+// page then says of its state has to be the same, or the case is refused with the keys that the page does not have.
 
-import { contactCase, railCase, startCase } from "./case_text.ts";
+import { contactCase, ofExact, ofFastsim, railCase, startCase } from "./case_text.ts";
 import type { Core } from "./core.ts";
-import { initialState, type State, type Values } from "./state.ts";
+import { withoutPlace } from "./fields.ts";
+import { initialState, laws, limits, requireLimits, shapes, type ContactState, type Law, type More, type RailState, type Shape, type StartState, type State, type Value, type Values } from "./state.ts";
 
-type Inputs = Record<string, number | string | (number | string)[]>;
-interface Document { kind: string; inputs: Inputs; states?: Inputs; hertz?: { normal_force: number } }
+declare const BUILT_IN_PROFILES: Record<string, string>;
+
+/** What a case says by section.key in SI, infinite numbers as words; with the defaults of what it leaves out. */
+interface Inputs { kind: "rolling_contact" | "wheel_rail" | "wheelset"; inputs: Record<string, Value>; given: string[] }
 
 /** What the program hands over: a case with the files that it names, or files alone. */
 export interface Start { case?: string; files?: Record<string, string> }
 
-/** Where inputs of a result are in a case file. */
-const ofContact: Record<string, string> = {
-  rolling_radius_1: "body1.rolling_radius", transverse_radius_1: "body1.transverse_radius",
-  rolling_radius_2: "body2.rolling_radius", transverse_radius_2: "body2.transverse_radius",
-  normal_force: "load.normal_force", friction_coefficient: "friction.coefficient",
-  friction_kinetic_coefficient: "friction.kinetic_coefficient", friction_drop: "friction.drop", friction_half_velocity: "friction.half_velocity",
-  creepage_longitudinal: "motion.creepage_longitudinal", creepage_lateral: "motion.creepage_lateral", spin: "motion.spin",
-  rolling_speed: "motion.rolling_speed", force_longitudinal: "motion.force_longitudinal", force_lateral: "motion.force_lateral",
-  steps: "motion.steps", poisson_ratio_1: "body1.poisson_ratio",
-};
-const ofRail: Record<string, string> = {
-  gauge: "track.gauge", cant: "track.cant", nominal_radius: "wheelset.nominal_radius", flange_back_distance: "wheelset.flange_back_distance",
-  poisson_ratio: "material.poisson_ratio", friction_coefficient: "friction.coefficient",
-  lateral: "wheel.lateral", yaw: "wheel.yaw", vertical_force: "wheel.vertical_force", forward_velocity: "wheel.forward_velocity",
-};
-const ofSolver = /^(mx|my|grid|theory|shape|tolerance|discretisation|elements|bound|flexibility|coefficients|slope_reduction.*|motion)$/;
+/** Of wheels on rails the page takes over what has no field, but for what stands in place of one. */
+const carried = /^(track|rail|wheelset|wheel|material)\.|^solution\.(grid|tolerance)$/;
+const notCarried = /\.profile$|^wheel\.(side|vertical)$|^material\.shear_modulus$|^track\.rail_[yz]$/;
 
-function number(value: unknown): number | undefined {
-  const one: unknown = Array.isArray(value) ? value[0] : value;
-  if (one === "inf") return Infinity;
-  return one === "-inf" ? -Infinity : typeof one === "number" ? one : undefined;
+/** The ends of the paths of files, which is all that a browser knows of them. */
+function plain(files: Record<string, string>): Record<string, string> {
+  return Object.fromEntries(Object.entries(files).map(([path, content]) => [path.replace(/^.*[\\/]/, ""), content]));
 }
 
-function fill(values: Values, inputs: Inputs, places: Record<string, string>): void {
-  for (const [name, key] of Object.entries(places)) {
-    const value = number(inputs[name]);
-    if (value !== undefined && key in values) values[key] = value;
-  }
-}
-
-function young(inputs: Inputs, suffix: string): number {
-  return 2 * number(inputs[`shear_modulus${suffix}`])! * (1 + number(inputs[`poisson_ratio${suffix}`])!);
-}
-
-/** Names of inputs that are not the same, but for those of the solver. */
-function differing(wanted: Inputs, found: Inputs): string[] {
-  const same = (one: unknown, other: unknown) => {
-    const [a, b] = [number(one), number(other)];
-    return a !== undefined && b !== undefined ? a === b || Math.abs(a - b) <= 1e-9 * Math.abs(a) : JSON.stringify(one) === JSON.stringify(other);
-  };
-  return [...new Set([...Object.keys(wanted), ...Object.keys(found)])].filter((name) => !ofSolver.test(name) && !same(wanted[name], found[name]));
-}
-
-async function documentOf(core: Core, text: string, files: Record<string, string>): Promise<Document> {
-  const reply = await core.ask<Document>("start", { call: "solve", case: text, files, extent: "solution" });
-  if (!reply?.result) throw new Error(reply?.error?.message ?? "the case was not solved");
+async function inputsOf(core: Pick<Core, "ask">, text: string, files: Record<string, string>): Promise<Inputs> {
+  const reply = await core.ask<Inputs>("start", { call: "inputs", case: text, files });
+  if (!reply?.result) throw new Error(reply?.error ? withoutPlace(reply.error.message) : "another case came in between");
   return reply.result;
 }
 
-/** Files under the ends of their paths, and the case that names them so. */
-function withPlainNames(start: Start): { text: string; files: Record<string, string> } {
-  let text = start.case ?? "";
-  const files: Record<string, string> = {};
-  for (const [path, content] of Object.entries(start.files ?? {})) {
-    const name = path.replace(/^.*[\\/]/, "");
-    text = text.replaceAll(`"${path}"`, `"${name}"`).replaceAll(`'${path}'`, `"${name}"`);
-    files[name] = content;
-  }
-  return { text, files };
+function number(value: Value | undefined): number | undefined {
+  if (value === "inf") return Infinity;
+  return value === "-inf" ? -Infinity : typeof value === "number" ? value : undefined;
 }
 
-/** The state of a case, and a sentence on what of it the page does not have. Throws an Error in the reader's words. */
-export async function stateOfCase(core: Core, start: Start): Promise<{ state: State; left: string }> {
-  const { text, files } = withPlainNames(start), state = initialState();
-  const { kind, inputs, states, hertz } = await documentOf(core, text, files);
-  let own: string;
-  if (kind === "wheel_rail") {
-    state.view = "rail";
-    const { rail } = state;
-    fill(rail.values, { ...inputs, ...states }, ofRail);
-    rail.values["material.young_modulus"] = young(inputs, "");
-    const named = (section: string) => new RegExp(`\\[${section}\\][^[]*?profile *= *["']([^"']+)["']`, "s").exec(text)?.[1];
-    rail.profiles = { rail: named("rail") ?? rail.profiles.rail, wheel: named("wheelset") ?? rail.profiles.wheel };
-    rail.files = files;
-    own = railCase(rail, "fastsim2");
-  } else {
-    const transient = inputs.motion === "transient";
-    state.view = transient ? "start" : "contact";
-    const { values } = transient ? state.start : state.contact;
-    fill(values, { ...inputs, normal_force: inputs.normal_force ?? hertz!.normal_force }, ofContact);
-    values["body1.young_modulus"] = young(inputs, "_1");
-    if (!transient) state.contact.law = String(inputs.friction_law);
-    own = transient ? startCase(state.start) : contactCase(state.contact, "exact");
-  }
-  const found = await documentOf(core, own, files);
-  const missing = differing({ ...inputs, ...states }, { ...found.inputs, ...found.states });
-  return { state, left: missing.length ? `The page does not have all of the case; different here: ${missing.join(", ")}.` : "" };
+function fill(values: Values, inputs: Record<string, Value>): void {
+  for (const key of Object.keys(values)) values[key] = number(inputs[key]) ?? values[key]!;
+}
+
+function pair(value: Value | undefined): [number, number] {
+  const [along, across] = value as number[];
+  return [along!, across!];
+}
+
+function moreOf({ inputs, given }: Inputs, isCarried: (key: string) => boolean): More {
+  return Object.fromEntries(given.filter(isCarried).map((key) => [key, inputs[key]!]));
+}
+
+function toContact(state: ContactState, wanted: Inputs): string {
+  const { inputs } = wanted;
+  fill(state.values, inputs);
+  state.more = moreOf(wanted, (key) => ofExact.test(key) || ofFastsim.test(key));
+  const law = String(inputs["friction.law"]), theory = inputs["solution.theory"];
+  if (law in laws) state.law = law as Law;
+  state.theory = theory === "exact" ? "exact" : "fastsim2";
+  state.elements = pair(inputs["solution.grid"]);
+  return contactCase(state, state.theory);
+}
+
+function toStart(state: StartState, { inputs }: Inputs): string {
+  fill(state.values, inputs);
+  const given = (component: string) => (`motion.force_${component}` in inputs ? "force" : "creepage");
+  state.given = { longitudinal: given("longitudinal"), lateral: given("lateral") };
+  state.elements = pair(inputs["solution.grid"]);
+  return startCase(state);
+}
+
+function toRail(state: RailState, wanted: Inputs, files: Record<string, string>): string {
+  const { inputs } = wanted;
+  fill(state.values, inputs);
+  const shape = String(inputs["solution.shape"] ?? "true");
+  if (shape in shapes) state.shape = shape as Shape;
+  state.more = moreOf(wanted, (key) => carried.test(key) && !notCarried.test(key) && !(key in state.values));
+  state.profiles = { rail: String(inputs["rail.profile"]), wheel: String(inputs["wheelset.profile"]) };
+  state.files = Object.fromEntries(Object.values(state.profiles).filter((name) => files[name] !== BUILT_IN_PROFILES[name]).map((name) => [name, files[name]!]));
+  return railCase(state, inputs["solution.theory"] === "fastsim2" ? "fastsim2" : "exact");
+}
+
+/** Keys of a case whose values the page does not have, those that stand in its text if any. */
+function lost(wanted: Inputs, found: Inputs, isSaid: (key: string) => boolean): string[] {
+  const isSame = (key: string) => JSON.stringify(wanted.inputs[key]) === JSON.stringify(found.inputs[key]);
+  const all = [...new Set([...Object.keys(wanted.inputs), ...Object.keys(found.inputs)])].filter((key) => !isSaid(key) && !isSame(key));
+  const inText = all.filter((key) => wanted.given.includes(key));
+  return inText.length ? inText : all;
+}
+
+function lacking(keys: string[]): Error {
+  return new Error(`the page does not have this of the case: ${keys.join(", ")}`);
+}
+
+/** The state of a case. Throws an Error in the reader's words, or with the names of the keys that the page does not have. */
+export async function stateOfCase(core: Pick<Core, "ask">, start: Start): Promise<State> {
+  const text = start.case ?? "", state = initialState(), files = { ...BUILT_IN_PROFILES, ...plain(start.files ?? {}) };
+  const wanted = await inputsOf(core, text, files);
+  if (wanted.kind === "wheelset") throw lacking(["wheel.side"]); // both
+  const isRail = wanted.kind !== "rolling_contact", isStart = wanted.inputs["motion.kind"] === "transient";
+  state.view = isRail ? "rail" : isStart ? "start" : "contact";
+  const own = isRail ? toRail(state.rail, wanted, files) : isStart ? toStart(state.start, wanted) : toContact(state.contact, wanted);
+  const found = await inputsOf(core, own, files);
+  const ofSurface = isRail && wanted.inputs["solution.theory"] === "fastsim2" ? "solution.shape" : ""; // its rows always follow it
+  const keys = lost(wanted, found, (key) => key === "title" || key === ofSurface);
+  if (keys.length) throw lacking(keys);
+  requireLimits(Object.fromEntries(Object.keys(limits).map((key) => [key, number(wanted.inputs[key]) ?? 0])));
+  return state;
 }
 
 /** "case." and base64 of a Start in JSON, as `microslip explore` makes it. */

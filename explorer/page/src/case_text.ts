@@ -1,20 +1,20 @@
 // States as case files for the program, and as Python.
 
-import type { ContactState, RailState, StartState, Values } from "./state.ts";
+import { initialState, type ContactState, type More, type RailState, type StartState, type Value, type Values } from "./state.ts";
 
-type Entry = number | string | number[];
+type Entries = Record<string, Value>;
 
-function word(value: Entry): string {
+function word(value: Value): string {
   if (typeof value === "string") return JSON.stringify(value);
   if (Array.isArray(value)) return `[${value.map(word).join(", ")}]`;
   if (value === Infinity) return "inf";
   return value === -Infinity ? "-inf" : String(value);
 }
 
-export function toToml(title: string, entries: Record<string, Entry>): string {
+export function toToml(title: string, entries: Entries): string {
   const sections = new Map<string, string[]>();
   for (const [path, value] of Object.entries(entries)) {
-    const [section, key] = path.split(".") as [string, string];
+    const dot = path.lastIndexOf("."), section = path.slice(0, dot), key = path.slice(dot + 1);
     if (!sections.has(section)) sections.set(section, []);
     sections.get(section)!.push(`${key} = ${word(value)}`);
   }
@@ -22,39 +22,98 @@ export function toToml(title: string, entries: Record<string, Entry>): string {
 }
 
 /** Both bodies of one material. */
-function withBothBodies(values: Values): Record<string, Entry> {
+function withBothBodies(values: Values): Entries {
   const { "body1.young_modulus": modulus, "body1.poisson_ratio": ratio } = values;
   return { ...values, "body2.young_modulus": modulus!, "body2.poisson_ratio": ratio! };
 }
 
-function friction(state: ContactState): Record<string, Entry> {
+function without(values: Values, left: RegExp): Values {
+  return Object.fromEntries(Object.entries(values).filter(([key]) => !left.test(key)));
+}
+
+function friction(state: ContactState): Entries {
   const keys = state.law === "coulomb" ? ["coefficient"] : ["kinetic_coefficient", "drop", "half_velocity"];
   return { "friction.law": state.law, ...Object.fromEntries(keys.map((key) => [`friction.${key}`, state.values[`friction.${key}`]!])) };
 }
 
-export function contactCase(state: ContactState, theory: "exact" | "fastsim2" | "table", more: Record<string, Entry> = {}): string {
-  const values = Object.fromEntries(Object.entries(state.values).filter(([key]) => !/^(friction|ellipse)\./.test(key)));
-  const grid: Record<string, Entry> = theory === "table" ? {} : { "solution.grid": [state.elements, state.elements] };
-  return toToml("A contact of the explorer", { ...withBothBodies(values), ...friction(state), "solution.theory": theory, ...grid, ...more });
+/** Options of the theories that have no field; with the exact theory FASTSIM2 is solved beside it. */
+export const ofExact = /^solution\.(discretisation|elements|tolerance|coupling|slip_start)$/;
+export const ofFastsim = /^solution\.(bound|flexibility|coefficients|slope_reduction\..*)$/;
+
+function options({ more }: ContactState, theory: "exact" | "fastsim2" | "table"): More {
+  return Object.fromEntries(Object.entries(more).filter(([key]) => (theory === "exact" && ofExact.test(key)) || (theory !== "table" && ofFastsim.test(key))));
 }
 
-export function railCase(state: RailState, theory: "exact" | "fastsim2" | "table"): string {
-  const shape: Record<string, Entry> = theory === "exact" ? { "solution.shape": state.shape } : {};
+export function contactCase(state: ContactState, theory: "exact" | "fastsim2" | "table", more: Entries = {}): string {
+  const grid: Entries = theory === "table" ? {} : { "solution.grid": state.elements };
+  return toToml("A contact of the explorer",
+                { ...withBothBodies(without(state.values, /^(friction|ellipse)\./)), ...friction(state), "solution.theory": theory, ...grid, ...options(state, theory), ...more });
+}
+
+/** What of a case file has no field, for people. */
+export function moreInWords(more: More): string {
+  const text = (value: Value): string => (Array.isArray(value) ? value.map(text).join(", ") : String(value));
+  const all = Object.entries(more).map(([key, value]) => `${key} = ${text(value)}`);
+  return all.length ? `Of the case file, in SI: ${all.join("; ")}.` : "";
+}
+
+export function railCase(state: RailState, theory: "exact" | "fastsim2"): string {
+  const shape: Entries = theory === "exact" && state.shape !== "true" ? { "solution.shape": state.shape } : {};
   return toToml(`${state.profiles.wheel} on ${state.profiles.rail}`, {
-    ...state.values, "rail.profile": state.profiles.rail, "wheelset.profile": state.profiles.wheel, "wheel.side": "left",
+    ...state.values, ...state.more, "rail.profile": state.profiles.rail, "wheelset.profile": state.profiles.wheel, "wheel.side": "left",
     "solution.theory": theory, ...shape,
   });
 }
 
+/** What the running of a wheelset depends on: no load, speed, friction or place of a wheel. */
+export function runningCase(state: RailState): string {
+  const ofRunning = (key: string) => /^(track|rail|wheelset)\./.test(key), { values } = initialState().rail;
+  const kept = <Kept>(of: Record<string, Kept>) => Object.fromEntries(Object.entries(of).filter(([key]) => ofRunning(key)));
+  return railCase({ ...state, values: { ...values, ...kept(state.values) }, more: kept(state.more) }, "fastsim2");
+}
+
 export function startCase(state: StartState): string {
+  const other = { force: "creepage", creepage: "force" } as const, { longitudinal, lateral } = state.given;
+  const left = new RegExp(`^motion\\.(${other[longitudinal]}_longitudinal|${other[lateral]}_lateral)$`);
   return toToml("Starting to roll", {
-    ...withBothBodies(state.values), "motion.kind": "transient", "motion.rolling_speed": 1,
-    "solution.theory": "exact", "solution.grid": [state.elements, state.elements],
+    ...withBothBodies(without(state.values, left)), "motion.kind": "transient", "solution.theory": "exact", "solution.grid": state.elements,
   });
 }
 
 /** A program that solves the case and prints it. */
-export function toPython(toml: string, files: string[]): string {
-  const note = files.length ? `# Needs beside it: ${files.join(", ")}\n` : "";
-  return `import microslip\n\n${note}CASE = """\n${toml}"""\n\nresult = microslip.solve_case(microslip.parse_case(CASE))\nprint(result)\n`;
+export function toPython(toml: string): string {
+  return `import microslip\n\nCASE = """\n${toml}"""\n\nresult = microslip.solve_case(microslip.parse_case(CASE))\nprint(result)\n`;
+}
+
+/** Whether a key says how the profile of its section is to be read. */
+export function isHowRead(key: string, section: "rail" | "wheelset"): boolean {
+  return new RegExp(`^${section}\\.(format|unit|scale|y_axis|z_axis|section|trim|smoothing_length)$`).test(key);
+}
+
+/** The same wheel on the same rail in Python, whose arguments have the names of the keys. */
+export function railPython(state: RailState): string {
+  const { profiles, shape } = state, all: Entries = { ...state.values, ...state.more };
+  const literal = (value: Value): string => (Array.isArray(value) ? `(${value.map(literal).join(", ")})` : typeof value === "string" ? JSON.stringify(value) : String(value));
+  const ofState = /^(wheel\.|track\.curvature$|rail\.deviation_)/, isOfFile = (key: string) => isHowRead(key, "rail") || isHowRead(key, "wheelset");
+  const ofStrength = /^material\.(hardness|shear_yield_strength)$/;
+  const named = (wanted: (key: string) => boolean) => Object.entries(all).filter(([key]) => wanted(key))
+    .map(([key, value]) => `, ${key.replace(/^.*\./, "")}=${key.endsWith(".unit") ? String({ mm: 1e-3, m: 1, in: 0.0254 }[String(value)]) : literal(value)}`).join("");
+  const of = (section: string) => named((key) => key.startsWith(`${section}.`) && !ofState.test(key) && !isOfFile(key)).slice(2);
+  const file = (section: "rail" | "wheelset") => named((key) => isHowRead(key, section));
+  const strength = named((key) => ofStrength.test(key)).slice(2), { "wheelset.nominal_radius": radius, "wheel.forward_velocity": velocity } = state.values;
+  const pitch = "wheel.pitch_velocity" in all ? "" : `, pitch_velocity=${String(velocity)} / ${String(radius)}`;
+  return `import microslip
+
+# Needs beside it: ${profiles.rail}, ${profiles.wheel}
+wheel_rail = microslip.WheelRail(
+    track=microslip.Track(${of("track")}),
+    rail=microslip.read_profile("${profiles.rail}", kind="rail"${file("rail")}),
+    wheelset=microslip.Wheelset(${of("wheelset")}),
+    wheel=microslip.read_profile("${profiles.wheel}", kind="wheel"${file("wheelset")}),
+    material=microslip.Material.from_young(${literal(all["material.young_modulus"]!)}, ${literal(all["material.poisson_ratio"]!)}),${strength && `
+    strength=microslip.SurfaceStrength(${strength}),`}
+    friction=${literal(all["friction.coefficient"]!)}, theory="exact"${named((key) => key.startsWith("solution."))}${shape === "true" ? "" : `, shape="${shape}"`})
+solution = wheel_rail.solve(${named((key) => ofState.test(key)).slice(2)}${pitch})
+print(solution)
+`;
 }

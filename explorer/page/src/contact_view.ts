@@ -1,14 +1,14 @@
 // A contact of two bodies by their radii or by its ellipse: tractions, slip, creep curves, stresses, by three theories side by side.
 
-import { contactCase, toPython } from "./case_text.ts";
+import { contactCase, moreInWords, toPython } from "./case_text.ts";
 import { Chart, type Curve } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core, Reply } from "./core.ts";
 import { loadScript } from "./core.ts";
-import { button, element, fillRemarks, fillTable, save, sentence, type Row } from "./elements.ts";
+import { button, element, fillRemarks, fillTable, save, sentence, statusInWords, type Row } from "./elements.ts";
 import { clearMap, drawMap, rowHeight, yAt, type MapContent } from "./field_map.ts";
-import { Choice, Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
-import type { ContactState, Values } from "./state.ts";
+import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
+import { laws, type ContactState, type Law, type Values } from "./state.ts";
 import { digits } from "./units.ts";
 
 interface SurfaceFields {
@@ -71,13 +71,13 @@ const frictionFields: FieldSpec[] = [
 ];
 
 export class ContactView {
-  readonly root: HTMLElement;
-  readonly fields: Field[] = [];
+  readonly root = element("section", { class: "view", "aria-label": "Contact" });
+  readonly #form = new Form("contact", this.root);
   readonly map = element("canvas", { class: "map", role: "img", tabindex: "0" });
   readonly #stress = element("canvas", { class: "map small", role: "img" });
   readonly #numbers = element("table", { class: "numbers" });
-  readonly #message = element("p", { class: "message", role: "alert" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
+  readonly #more = element("p", { class: "hint" });
   readonly #stressMessage = element("p", { class: "message", role: "status" });
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
@@ -101,10 +101,10 @@ export class ContactView {
     const cut = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
     this.#cutChart = new Chart(cut);
     this.#curveChart = new Chart(curve);
-    this.root = element("section", { class: "view", "aria-label": "Contact" },
+    this.root.append(
       element("div", { class: "controls" }, ...this.#controls()),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, ...this.#mapChoices(), this.map, this.#message, this.#remarks, this.#time),
+        element("div", { class: "panel wide" }, ...this.#mapChoices(), this.map, this.#form.message, this.#remarks, this.#time),
         element("div", { class: "panel" }, element("h3", {}, "Forces on the upper body"), this.#numbers, this.#tableButton(), this.#spoken),
         element("div", { class: "panel" }, element("h3", {}, "Along the dashed cut"), cut),
         element("div", { class: "panel" }, element("h3", {}, "Creep curves"), this.#variableChoice(), curve),
@@ -122,9 +122,9 @@ export class ContactView {
   /** Takes over another state, as from a link; `solve` is the next step. */
   set(state: ContactState): void {
     this.state = state;
-    for (const field of this.fields) field.set(state.values[field.spec.key]!);
     for (const choice of this.#choices) choice.set(state);
     this.#showFields();
+    this.#form.set(state.values);
   }
 
   /** The fast theory first, then the exact one; curves and stresses once nothing has changed for a while. */
@@ -145,7 +145,7 @@ export class ContactView {
   exports(): Record<string, () => void> {
     return {
       "case as TOML": () => { save("contact.toml", contactCase(this.state, this.state.theory)); },
-      "case as Python": () => { save("contact.py", toPython(contactCase(this.state, this.state.theory), [])); },
+      "case as Python": () => { save("contact.py", toPython(contactCase(this.state, this.state.theory))); },
       "tractions as CSV": () => { save("tractions.csv", this.#fieldsCsv(), "text/csv"); },
       "creep curves as CSV": () => { save("creep_curves.csv", this.#curveChart.csv(), "text/csv"); },
       "picture as PNG": () => { this.map.toBlob((blob) => { if (blob) save("contact.png", blob); }); },
@@ -153,19 +153,14 @@ export class ContactView {
   }
 
   #controls(): HTMLElement[] {
-    const made = (spec: FieldSpec) => {
-      const field = new Field("contact", spec, this.state.values[spec.key]!, (value) => {
-        this.state.values[spec.key] = value;
-        this.solve();
-        this.changed();
-      });
-      this.fields.push(field);
-      return field.root;
-    };
+    const made = (spec: FieldSpec) => this.#form.add(spec, this.state.values[spec.key]!, (value) => {
+      this.state.values[spec.key] = value;
+      this.solve();
+      this.changed();
+    }).root;
     const group = (name: string, ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
-    const laws = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially" };
     const law = new Choice("law", laws, this.state.law, (value) => {
-      this.state.law = value;
+      this.state.law = value as Law;
       this.#showFields();
       this.solve();
       this.changed();
@@ -177,16 +172,18 @@ export class ContactView {
       name === "Bodies" ? group(name, given.root, ...specs.map(made), this.#radiiFound) : group(name, ...specs.map(made)));
     all.splice(2, 0, group("Friction", law.root, ...frictionFields.map(made)));
     this.#showFields();
-    return all;
+    return [...all, this.#more];
   }
 
   #showFields(): void {
-    for (const field of this.fields.filter(({ spec }) => spec.key.startsWith("friction.")))
+    for (const field of this.#form.fields.filter(({ spec }) => spec.key.startsWith("friction.")))
       field.root.hidden = (field.spec.key === "friction.coefficient") !== (this.state.law === "coulomb");
     const ofEllipse = this.state.given === "ellipse";
-    for (const field of this.fields.filter(({ spec }) => /^ellipse|_radius$/.test(spec.key)))
+    for (const field of this.#form.fields.filter(({ spec }) => /^ellipse|_radius$/.test(spec.key)))
       field.root.hidden = field.spec.key.startsWith("ellipse.") !== ofEllipse;
     this.#radiiFound.hidden = !ofEllipse;
+    this.#more.textContent = moreInWords(this.state.more);
+    this.#form.show();
   }
 
   #choice<Key extends "shown" | "theory" | "variable" | "stress">(label: string, key: Key, words: Record<ContactState[Key], string>, then: () => void): HTMLElement {
@@ -227,7 +224,7 @@ export class ContactView {
         this.#hasTable = true;
         load.hidden = true;
         this.solve();
-      }).catch((error: unknown) => { this.#message.textContent = String(error); });
+      }).catch((error: unknown) => { this.#form.message.textContent = String(error); });
     });
     return load;
   }
@@ -255,7 +252,7 @@ export class ContactView {
     const { values } = this.state;
     this.state.given = way;
     if (way === "ellipse" && this.#solved) Object.assign(values, { "ellipse.a": this.#solved.hertz.a, "ellipse.b": this.#solved.hertz.b });
-    for (const field of this.fields) if (/^ellipse|_radius$/.test(field.spec.key)) field.set(values[field.spec.key]!);
+    for (const field of this.#form.fields) if (/^ellipse|_radius$/.test(field.spec.key)) field.set(values[field.spec.key]!);
     this.#showFields();
     this.solve();
     this.changed();
@@ -272,7 +269,7 @@ export class ContactView {
     const exact = theory === "fastsim2" ? this.#solved?.exact : found.exact;
     this.#solved = { ...found, ...(exact ? { exact } : {}) };
     if (theory === this.state.theory || theory === "exact" || !exact) this.draw();
-    this.#time.textContent = `${theories[theory].name}: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.state.elements} × ${this.state.elements} elements`;
+    this.#time.textContent = `${theories[theory].name}: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.state.elements.join(" × ")} elements`;
     return true;
   }
 
@@ -285,10 +282,7 @@ export class ContactView {
   }
 
   #refused(reply: Reply<unknown>): boolean {
-    const message = reply.error?.message ?? "", named = refuseAt(this.fields, message);
-    this.root.classList.toggle("old", message !== "");
-    this.#message.textContent = message && `${named ? "" : `${sentence(withoutPlace(message))} `}${showsLast}`;
-    return message !== "";
+    return this.#form.refuse(reply.error?.message ?? "");
   }
 
   #solveRest(): void {
@@ -336,7 +330,7 @@ export class ContactView {
     const x = Array.from({ length: 41 }, (_, i) => (i - 20) * 0.09 * a), z = Array.from({ length: 28 }, (_, i) => -(i + 0.5) * 0.09 * a);
     const reply = await this.core.ask<SolveResult>("stress", {
       call: "solve", fields: true, extent: "solution",
-      case: contactCase({ ...this.state, elements: 20 }, "exact", { "interior.x": x, "interior.y": [0], "interior.z": z }),
+      case: contactCase({ ...this.state, elements: [20, 20] }, "exact", { "interior.x": x, "interior.y": [0], "interior.z": z }),
     });
     if (!reply) return;
     this.#interior = reply.result?.interior;
@@ -450,7 +444,7 @@ export class ContactView {
 /** Why a theory did not come to its end, if so. */
 function whyNot(found: SolveResult, theory: Theory): string[] {
   const status = found[theory]?.status ?? "ok";
-  return status === "ok" ? [] : [sentence(`${theories[theory].name}: ${found.reason ?? status.replaceAll("_", " ")}`)];
+  return status === "ok" ? [] : [sentence(`${theories[theory].name}: ${statusInWords(status, found.reason)}`)];
 }
 
 function remarksOn(found: SolveResult, theory: Theory): string[] {

@@ -31,6 +31,12 @@ export function sentence(text: string): string {
   return /[.!?]$/.test(text) ? text : `${text}.`;
 }
 
+/** A status that is not ok with its reason, whose words may begin with it. */
+export function statusInWords(status: string, reason = ""): string {
+  const words = status.replaceAll("_", " ");
+  return reason === "" || reason.startsWith(words) ? reason || words : `${words}: ${reason}`;
+}
+
 /** Shows sentences below each other; none: nothing. */
 export function fillRemarks(list: HTMLElement, sentences: string[]): void {
   list.replaceChildren(...[...new Set(sentences)].map((sentence) => element("li", {}, sentence)));

@@ -1,6 +1,7 @@
 // Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's own words where it refuses.
 
-import { element } from "./elements.ts";
+import { element, sentence } from "./elements.ts";
+import { limits, type Values } from "./state.ts";
 import { parse, show, type Kind } from "./units.ts";
 
 export interface FieldSpec {
@@ -19,9 +20,9 @@ export class Field {
   readonly #slider: HTMLInputElement | undefined;
   readonly #error: HTMLElement;
   #value: number;
-  #misread = ""; // why the text is no number, until it is one
+  #misread = ""; // why the text is no number to take, until it is one
 
-  constructor(place: string, readonly spec: FieldSpec, value: number, readonly changed: (value: number) => void) {
+  constructor(place: string, readonly spec: FieldSpec, value: number, readonly changed: (value: number) => void, readonly reread: () => void) {
     const { key, label, unit } = spec;
     const id = `${place}-${key.replaceAll(".", "-")}`;
     this.#value = value;
@@ -43,6 +44,13 @@ export class Field {
 
   get value(): number { return this.#value; }
 
+  /** Why what is typed is not taken, with the names that people see; "" if it is, or if the field is not there. */
+  get refusal(): string {
+    if (this.#misread === "" || this.root.hidden) return "";
+    const group = this.root.closest("fieldset")?.querySelector("legend")?.textContent;
+    return `${group ? `${group}, ` : ""}${this.spec.label}: ${this.#misread}`;
+  }
+
   set(value: number): void {
     this.#value = value;
     this.#text.value = show(value, this.spec.kind, this.spec.unit);
@@ -59,14 +67,23 @@ export class Field {
   }
 
   #typed(): void {
-    const read = parse(this.#text.value, this.spec.kind, this.spec.unit);
+    const read = this.#read();
     if (typeof read === "string") {
       this.#misread = read;
       this.refuse("");
+      this.reread();
       return;
     }
     this.set(read);
+    this.reread();
     this.changed(read);
+  }
+
+  /** The number in the text, or why it is none to take. */
+  #read(): number | string {
+    const { key, kind, unit } = this.spec, read = parse(this.#text.value, kind, unit), limit = limits[key];
+    if (typeof read === "string" || limit === undefined || Math.abs(read) <= limit) return read;
+    return `"${this.#text.value}" is not between ${show(-limit, kind, unit)} and ${show(limit, kind, unit)} ${unit}`;
   }
 
   #moved(): void {
@@ -75,6 +92,7 @@ export class Field {
     this.#text.value = show(read, this.spec.kind, this.spec.unit);
     this.#misread = "";
     this.refuse("");
+    this.reread();
     this.changed(read);
   }
 }
@@ -100,12 +118,46 @@ export function withoutPlace(message: string): string {
   return message.replace(/^case\.toml:(\d+: )?/, "").trim();
 }
 
-export const showsLast = "Faint pictures and numbers are those of the last case without errors.";
+const showsLast = "Faint pictures and numbers are those of the last case without errors.";
 
-/** Shows "case.toml:15: friction.coefficient = -0.3 [-]: must be in [0, 10]" at the field that it names, and returns whether one is named. */
-export function refuseAt(fields: Field[], message: string): boolean {
-  for (const field of fields) field.refuse("");
-  const named = fields.find((field) => message.includes(field.spec.key));
-  named?.refuse(withoutPlace(message));
-  return named !== undefined;
+/** The fields of a view. As long as a text is misread or the core refuses the case the view is faint, and words say why. */
+export class Form {
+  readonly fields: Field[] = [];
+  readonly message = element("p", { class: "message", role: "alert" });
+  #refusal = ""; // the core's, of the whole case
+  #isRefused = false;
+
+  /** `root`: of the view, which is marked as `old`. */
+  constructor(readonly place: string, readonly root: HTMLElement) {}
+
+  add(spec: FieldSpec, value: number, changed: (value: number) => void): Field {
+    const field = new Field(this.place, spec, value, changed, () => { this.show(); });
+    this.fields.push(field);
+    return field;
+  }
+
+  set(values: Values): void {
+    for (const field of this.fields) field.set(values[field.spec.key]!);
+    this.show();
+  }
+
+  /**
+   * Takes "case.toml:15: friction.coefficient = -0.3 [-]: must be in [0, 10]" to the field that it names, "" as no error.
+   * Whether there is one.
+   */
+  refuse(message: string): boolean {
+    for (const field of this.fields) field.refuse("");
+    const named = this.fields.find((field) => message.includes(field.spec.key));
+    named?.refuse(withoutPlace(message));
+    this.#refusal = named || message === "" ? "" : sentence(withoutPlace(message));
+    this.#isRefused = message !== "";
+    this.show();
+    return this.#isRefused;
+  }
+
+  show(): void {
+    const misread = this.fields.map(({ refusal }) => refusal).filter(Boolean).map(sentence), isOld = this.#isRefused || misread.length > 0;
+    this.root.classList.toggle("old", isOld);
+    this.message.textContent = [this.#refusal, ...misread, isOld ? showsLast : ""].filter(Boolean).join(" ");
+  }
 }

@@ -77,8 +77,7 @@ class Page {
 
   async take(start: Start): Promise<void> {
     if (start.case !== undefined) {
-      const { state, left } = await stateOfCase(this.core, start);
-      this.#show(state, left);
+      this.#show(await stateOfCase(this.core, start), "");
       this.#changed();
       return;
     }
@@ -100,13 +99,10 @@ class Page {
     const isCase = (file: File) => file.name.endsWith(".toml"), given = files.find(isCase);
     if (!given) return;
     const others = await Promise.all(files.filter((file) => !isCase(file)).map(async (file) => [file.name, await file.text()] as const));
-    const text = await given.text();
-    const paths = [...text.matchAll(/profile *= *["']([^"']+)["']/g)].map(([, path]) => path!);
-    const named = others.map(([name, content]) => [paths.find((path) => path.replace(/^.*[\\/]/, "") === name) ?? name, content] as const);
     try {
-      await this.take({ case: text, files: Object.fromEntries(named) });
+      await this.take({ case: await given.text(), files: Object.fromEntries(others) });
     } catch (error) {
-      this.say(`${given.name}: ${error instanceof Error ? error.message : String(error)}`);
+      this.say(`${given.name} is not taken: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
 

@@ -1,15 +1,15 @@
 // A wheel on a rail by their profiles: dragged sideways or turned; patches, forces, running radii.
 
-import { railCase } from "./case_text.ts";
+import { isHowRead, moreInWords, railCase, railPython, runningCase } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, fillRemarks, fillTable, save, sentence } from "./elements.ts";
+import { button, element, fillRemarks, fillTable, save, sentence, statusInWords } from "./elements.ts";
 import { clearMap, drawMap, fitToScreen, rowHeight } from "./field_map.ts";
-import { Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
+import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { RailHead, type Patch } from "./rail_head.ts";
 import { cellsUpToTheEdge } from "./row_edge.ts";
-import { initialState, type RailState, type Values } from "./state.ts";
+import { shapes, type RailState, type Shape } from "./state.ts";
 import { digits } from "./units.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
@@ -31,28 +31,39 @@ interface Conicity {
 }
 type Level = "fastsim2" | "exact";
 
-const specs: FieldSpec[] = [
-  { key: "wheel.lateral", label: "lateral position, to the left", kind: "length", unit: "mm", from: -8, to: 8, step: 0.01 },
-  { key: "wheel.yaw", label: "yaw, to the left", kind: "angle", unit: "mrad", from: -20, to: 20, step: 0.1 },
-  { key: "wheel.vertical_force", label: "wheel load", kind: "force", unit: "kN", from: 5, to: 150, step: 1 },
-  { key: "wheel.forward_velocity", label: "speed", kind: "speed", unit: "km/h", from: 5, to: 350, step: 1 },
-  { key: "friction.coefficient", label: "friction", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
-  { key: "track.cant", label: "rail inclination", kind: "angle", unit: "rad" },
-  { key: "track.gauge", label: "gauge", kind: "length", unit: "mm" },
-  { key: "wheelset.nominal_radius", label: "wheel radius", kind: "length", unit: "mm" },
-  { key: "wheelset.flange_back_distance", label: "between flange backs", kind: "length", unit: "mm" },
-];
-/** What running depends on: no load, speed, friction or place of the wheel. */
-const ofRunning = ["track.cant", "track.gauge", "wheelset.nominal_radius", "wheelset.flange_back_distance"];
+const groups: Record<"Wheelset" | "Profiles" | "Track and wheelset" | "Material", FieldSpec[]> = {
+  Wheelset: [
+    { key: "wheel.lateral", label: "lateral position, to the left", kind: "length", unit: "mm", from: -8, to: 8, step: 0.01 },
+    { key: "wheel.yaw", label: "yaw, to the left", kind: "angle", unit: "mrad", from: -20, to: 20, step: 0.1 },
+    { key: "wheel.vertical_force", label: "wheel load", kind: "force", unit: "kN", from: 5, to: 150, step: 1 },
+    { key: "wheel.forward_velocity", label: "speed", kind: "speed", unit: "km/h", from: 5, to: 350, step: 1 },
+    { key: "friction.coefficient", label: "friction", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
+  ],
+  Profiles: [
+    { key: "rail.smoothing_length", label: "rail smoothed with a wavelength of", kind: "length", unit: "mm" },
+    { key: "wheelset.smoothing_length", label: "wheel smoothed with a wavelength of", kind: "length", unit: "mm" },
+  ],
+  "Track and wheelset": [
+    { key: "track.cant", label: "rail inclination", kind: "angle", unit: "rad" },
+    { key: "track.gauge", label: "gauge", kind: "length", unit: "mm" },
+    { key: "wheelset.nominal_radius", label: "wheel radius", kind: "length", unit: "mm" },
+    { key: "wheelset.flange_back_distance", label: "between flange backs", kind: "length", unit: "mm" },
+  ],
+  Material: [
+    { key: "material.young_modulus", label: "Young's modulus", kind: "stress", unit: "GPa" },
+    { key: "material.poisson_ratio", label: "Poisson's ratio", kind: "number", unit: "" },
+  ],
+};
 const largestFile = 20e6; // [bytes] beyond which a dropped file is no profile
 
 export class RailView {
-  readonly root: HTMLElement;
-  readonly fields: Field[] = [];
+  readonly root = element("section", { class: "view", "aria-label": "Wheel on rail" });
+  readonly #form = new Form("rail", this.root);
+  readonly #shape: Choice;
   readonly section = element("canvas", { class: "map", role: "img", tabindex: "0" });
   readonly #patchMap = element("canvas", { class: "map small", role: "img" });
   readonly #numbers = element("table", { class: "numbers" });
-  readonly #message = element("p", { class: "message", role: "alert" });
+  readonly #more = element("p", { class: "hint" });
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
   readonly #names = element("p", { class: "names" });
@@ -73,12 +84,17 @@ export class RailView {
     this.#radii = new Chart(radii);
     this.#conicity = new Chart(conicity);
     this.#head = new RailHead(head);
-    this.root = element("section", { class: "view", "aria-label": "Wheel on rail" },
+    this.#shape = new Choice("shape, of the exact theory", shapes, state.shape, (shape) => {
+      this.state.shape = shape as Shape;
+      this.solve();
+      this.changed();
+    });
+    this.root.append(
       element("div", { class: "controls" }, ...this.#controls()),
       element("div", { class: "pictures" },
         element("div", { class: "panel wide" },
           element("p", { class: "hint" }, "Drag the wheel sideways; with Shift, or up and down, turn it. Arrow keys do the same."),
-          this.section, this.#message, this.#warnings, this.#time),
+          this.section, this.#form.message, this.#warnings, this.#time),
         element("div", { class: "panel" }, element("h3", {}, "Forces on the left wheel"), this.#numbers, this.#spoken),
         element("div", { class: "panel" }, element("h3", {}, "Pressure on the rail head"), head),
         element("div", { class: "panel" }, element("h3", {}, "Largest patch: pressure and tractions"), this.#patchMap),
@@ -90,7 +106,8 @@ export class RailView {
 
   set(state: RailState): void {
     this.state = state;
-    for (const field of this.fields) field.set(state.values[field.spec.key]!);
+    this.#shape.set(state.shape);
+    this.#form.set(state.values);
     this.#remarks.textContent = "";
     this.#showNames();
   }
@@ -105,7 +122,7 @@ export class RailView {
     const names = () => Object.values(this.state.profiles);
     return {
       "case as TOML": () => { save("wheel_on_rail.toml", railCase(this.state, "exact")); },
-      "case as Python": () => { save("wheel_on_rail.py", pythonOf(this.state)); },
+      "case as Python": () => { save("wheel_on_rail.py", railPython(this.state)); },
       profiles: () => { for (const name of names()) save(name, this.#files()[name] ?? ""); },
       "rolling radii as CSV": () => { save("rolling_radius_difference.csv", this.#radii.csv(), "text/csv"); },
       "picture as PNG": () => { this.section.toBlob((blob) => { if (blob) save("wheel_on_rail.png", blob); }); },
@@ -117,27 +134,27 @@ export class RailView {
   }
 
   #controls(): HTMLElement[] {
-    const made = specs.map((spec) => {
-      const field = new Field("rail", spec, this.state.values[spec.key]!, (value) => { this.#change(spec.key, value); });
-      this.fields.push(field);
-      return field.root;
-    });
+    const made = (group: keyof typeof groups) => groups[group].map((spec) =>
+      this.#form.add(spec, this.state.values[spec.key]!, (value) => { this.#change(spec.key, value); }).root);
+    const group = (name: keyof typeof groups, ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
     const choose = (role: "rail" | "wheel") => {
       const input = element("input", { type: "file", id: `file-${role}` });
       input.addEventListener("change", () => { const [file] = input.files ?? []; if (file) void this.take(file, role); });
       return element("div", { class: "field" }, element("label", { for: `file-${role}` }, `${role} profile from a file`), input);
     };
     return [
-      element("fieldset", {}, element("legend", {}, "Wheelset"), ...made.slice(0, 5)),
-      element("fieldset", {}, element("legend", {}, "Profiles"), this.#names, this.#remarks, choose("rail"), choose("wheel"),
+      group("Wheelset", ...made("Wheelset"), this.#shape.root),
+      group("Profiles", this.#names, this.#remarks, choose("rail"), choose("wheel"),
         element("p", { class: "hint" }, "Simpack, MiniProf or two columns; files may also be dropped on the picture. They stay on this machine."),
         button("S1002 on 60E1 again", () => {
           this.state.profiles = { rail: "60e1.prr", wheel: "s1002.prw" };
           this.state.files = {};
           this.#remarks.textContent = "";
-          this.#newProfiles();
-        })),
-      element("fieldset", {}, element("legend", {}, "Track and wheelset"), ...made.slice(5)),
+          this.#newProfiles("rail", "wheel");
+        }), ...made("Profiles")),
+      group("Track and wheelset", ...made("Track and wheelset")),
+      group("Material", ...made("Material")),
+      this.#more,
     ];
   }
 
@@ -174,7 +191,7 @@ export class RailView {
 
   #change(key: string, value: number): void {
     this.state.values[key] = value;
-    this.fields.find(({ spec }) => spec.key === key)?.set(value);
+    this.#form.fields.find(({ spec }) => spec.key === key)?.set(value);
     this.solve();
     this.changed();
   }
@@ -182,7 +199,7 @@ export class RailView {
   /** A profile that a person gives; the core says what it is, or why it is none. */
   async take(file: File, role?: "rail" | "wheel"): Promise<void> {
     if (file.size > largestFile) {
-      this.#message.textContent = `${file.name} has ${digits(file.size / 1e6)} MB; profiles up to ${digits(largestFile / 1e6)} MB are read`;
+      this.#form.message.textContent = `${file.name} has ${digits(file.size / 1e6)} MB; profiles up to ${digits(largestFile / 1e6)} MB are read`;
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
@@ -191,25 +208,27 @@ export class RailView {
     const name = file.name.replaceAll(/[\\/"]/g, "_");
     const reply = await this.core.ask<ProfileResult>(`profile ${name}`, { call: "profile", name, text, ...(role ? { role } : {}) });
     if (!reply) return;
-    if (reply.error) { this.#message.textContent = reply.error.message; return; }
+    if (reply.error) { this.#form.message.textContent = reply.error.message; return; }
     const found = role ?? reply.result?.role;
     if (found !== "rail" && found !== "wheel") {
-      this.#message.textContent = `${name} does not say whether it is a rail or a wheel: choose it under its own name at the left`;
+      this.#form.message.textContent = `${name} does not say whether it is a rail or a wheel: choose it under its own name at the left`;
       return;
     }
     if (this.state.profiles[found === "rail" ? "wheel" : "rail"] === name && this.#files()[name] !== text) {
-      this.#message.textContent = `rail and wheel are both called ${name}: give one of the files another name`;
+      this.#form.message.textContent = `rail and wheel are both called ${name}: give one of the files another name`;
       return;
     }
     this.state.files[name] = text;
     this.state.profiles[found] = name;
     const { steps, assumptions, warnings } = reply.result!;
     this.#remarks.textContent = `${name}: ${[...warnings, ...assumptions, ...steps].join("; ") || "read as it is"}.`;
-    this.#newProfiles();
+    this.#newProfiles(found);
   }
 
-  #newProfiles(): void {
-    const used = Object.values(this.state.profiles);
+  /** How a case said that its profile is to be read is nothing to another one. */
+  #newProfiles(...roles: ("rail" | "wheel")[]): void {
+    const used = Object.values(this.state.profiles), ofOld = (key: string) => roles.some((role) => isHowRead(key, role === "rail" ? "rail" : "wheelset"));
+    this.state.more = Object.fromEntries(Object.entries(this.state.more).filter(([key]) => !ofOld(key)));
     this.state.files = Object.fromEntries(Object.entries(this.state.files).filter(([name]) => used.includes(name)));
     this.#showNames();
     this.solve();
@@ -217,7 +236,9 @@ export class RailView {
   }
 
   #showNames(): void {
-    this.#names.textContent = `Wheel ${this.state.profiles.wheel} on rail ${this.state.profiles.rail}`;
+    const { profiles, more } = this.state;
+    this.#names.textContent = `Wheel ${profiles.wheel} on rail ${profiles.rail}`;
+    this.#more.textContent = moreInWords(more);
   }
 
   async #ask(level: Level): Promise<boolean> {
@@ -225,10 +246,7 @@ export class RailView {
       call: "solve", case: railCase(this.state, level), files: this.#files(), fields: true, extent: level === "exact" ? "solution" : "full",
     });
     if (!reply) return false;
-    const message = reply.error?.message ?? "", named = refuseAt(this.fields, message);
-    this.root.classList.toggle("old", message !== "");
-    this.#message.textContent = message && `${named ? "" : `${sentence(withoutPlace(message))} `}${showsLast}`;
-    if (message) return false;
+    if (this.#form.refuse(reply.error?.message ?? "")) return false;
     const found = reply.result!;
     this.#solved[level] = { ...found, outlines: found.outlines ?? this.#solved.fastsim2?.outlines };
     if (level === "fastsim2") delete this.#solved.exact;
@@ -238,8 +256,7 @@ export class RailView {
   }
 
   async #askConicity(): Promise<void> {
-    const { values } = this.state, running: Values = Object.fromEntries(ofRunning.map((key) => [key, values[key]!]));
-    const asked = railCase({ ...this.state, values: { ...initialState().rail.values, ...running } }, "fastsim2");
+    const asked = runningCase(this.state);
     const of = asked + JSON.stringify(this.state.files);
     if (of !== this.#runningOf) {
       const reply = await this.core.ask<Conicity>("conicity", { call: "conicity", case: asked, files: this.#files() });
@@ -341,7 +358,7 @@ export class RailView {
     });
     fillTable(this.#numbers, ["exact", "FASTSIM2"], [
       row("longitudinal force", "force_x", "kN", 1e-3), row("lateral force, to the left", "force_y", "kN", 1e-3),
-      row("vertical force", "force_z", "kN", 1e-3), row("T-gamma", "t_gamma", "N", 1), row("Y/Q", "y_over_q", "", 1),
+      row("vertical force", "force_z", "kN", 1e-3), row("T-gamma", "t_gamma", "N", 1), row("Y/Q", "y_over_q", "", 1), row("Nadal's limit of Y/Q", "nadal_limit", "", 1),
       row("frictional power", "frictional_power", "W", 1), row("patches", "patch_count", "", 1),
     ]);
     const shown = columns[0] ?? columns[1];
@@ -349,9 +366,9 @@ export class RailView {
   }
 }
 
-/** Warnings of a result, and why it is not one to rely on. */
+/** Warnings of a result, its status unless it is ok, and why. */
 function remarksOn({ warnings, status, reason }: WheelResult): string[] {
-  return [...warnings, ...(status === "ok" ? [] : [reason ?? status.replaceAll("_", " ")])].map(sentence);
+  return [...(status === "ok" ? [] : [statusInWords(status, reason)]), ...warnings].map(sentence);
 }
 
 function patchesOf(solved: WheelResult): Patch[] {
@@ -360,24 +377,4 @@ function patchesOf(solved: WheelResult): Patch[] {
     normal_force, place_x: patches.place_x![i]!, place_y: patches.place_y![i]!, place_z: patches.place_z![i]!, angle: patches.angle![i]!,
     rail_y: patches.rail_y![i]!, peak_pressure: patches.peak_pressure![i]!, fields: fields?.[i],
   }));
-}
-
-/** The same wheel on the same rail in Python. */
-function pythonOf({ values, profiles, shape }: RailState): string {
-  const v = (key: string) => String(values[key]);
-  return `import microslip
-
-# Needs beside it: ${profiles.rail}, ${profiles.wheel}
-wheel_rail = microslip.WheelRail(
-    track=microslip.Track(gauge=${v("track.gauge")}, cant=${v("track.cant")}),
-    rail=microslip.read_profile("${profiles.rail}", kind="rail"),
-    wheelset=microslip.Wheelset(nominal_radius=${v("wheelset.nominal_radius")}, flange_back_distance=${v("wheelset.flange_back_distance")}),
-    wheel=microslip.read_profile("${profiles.wheel}", kind="wheel"),
-    material=microslip.Material.from_young(${v("material.young_modulus")}, ${v("material.poisson_ratio")}),
-    friction=${v("friction.coefficient")}, theory="exact", shape="${shape}")
-solution = wheel_rail.solve(lateral=${v("wheel.lateral")}, yaw=${v("wheel.yaw")}, vertical_force=${v("wheel.vertical_force")},
-                            forward_velocity=${v("wheel.forward_velocity")},
-                            pitch_velocity=${v("wheel.forward_velocity")} / ${v("wheelset.nominal_radius")})
-print(solution)
-`;
 }

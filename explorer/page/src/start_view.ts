@@ -4,10 +4,10 @@ import { startCase, toPython } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, fillRemarks, save, sentence } from "./elements.ts";
+import { button, element, fillRemarks, save, sentence, statusInWords } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
-import { Field, refuseAt, showsLast, withoutPlace, type FieldSpec } from "./fields.ts";
-import type { StartState } from "./state.ts";
+import { Choice, Form, type FieldSpec } from "./fields.ts";
+import type { Given, StartState } from "./state.ts";
 import { digits } from "./units.ts";
 
 interface Frame {
@@ -15,73 +15,111 @@ interface Frame {
   px: number[]; py: number[]; sx: number[]; sy: number[]; state: number[];
 }
 interface Transient {
-  hertz: { a: number; b: number }; x: number[]; y: number[]; bound: number[]; frames: Frame[]; status: string; warnings: string[];
+  hertz: { a: number; b: number }; x: number[]; y: number[]; bound: number[]; frames: Frame[]; status: string; reason?: string; warnings: string[];
 }
 
-const specs: FieldSpec[] = [
-  { key: "load.normal_force", label: "normal force", kind: "force", unit: "kN", from: 5, to: 200, step: 1 },
-  { key: "motion.force_longitudinal", label: "longitudinal force on the upper body", kind: "force", unit: "kN", from: -40, to: 40, step: 0.5 },
-  { key: "motion.force_lateral", label: "lateral force on the upper body", kind: "force", unit: "kN", from: -40, to: 40, step: 0.5 },
-  { key: "friction.coefficient", label: "friction", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
-  { key: "body1.rolling_radius", label: "radius of the upper body", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
-  { key: "body2.transverse_radius", label: "lower body, across", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
-  { key: "motion.steps", label: "steps", kind: "number", unit: "", from: 10, to: 120, step: 1 },
-];
+const creepage = { kind: "number", unit: "%", from: -1, to: 1, step: 0.005 } as const, force = { kind: "force", unit: "kN", from: -40, to: 40, step: 0.5 } as const;
+const groups: Record<"Contact" | "Motion" | "Bodies", FieldSpec[]> = {
+  Contact: [
+    { key: "load.normal_force", label: "normal force", kind: "force", unit: "kN", from: 5, to: 200, step: 1 },
+    { key: "friction.coefficient", label: "friction", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
+  ],
+  Motion: [
+    { key: "motion.force_longitudinal", label: "longitudinal force on the upper body", ...force },
+    { key: "motion.creepage_longitudinal", label: "longitudinal creepage", ...creepage },
+    { key: "motion.force_lateral", label: "lateral force on the upper body", ...force },
+    { key: "motion.creepage_lateral", label: "lateral creepage", ...creepage },
+    { key: "motion.spin", label: "spin", kind: "spin", unit: "1/m", from: -3, to: 3, step: 0.02 },
+    { key: "motion.rolling_speed", label: "rolling speed", kind: "speed", unit: "km/h" },
+    { key: "motion.steps", label: "steps", kind: "number", unit: "", from: 10, to: 120, step: 1 },
+  ],
+  Bodies: [
+    { key: "body1.rolling_radius", label: "upper body, in rolling", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
+    { key: "body1.transverse_radius", label: "upper body, across", kind: "length", unit: "mm" },
+    { key: "body2.rolling_radius", label: "lower body, in rolling", kind: "length", unit: "mm" },
+    { key: "body2.transverse_radius", label: "lower body, across", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
+    { key: "body1.young_modulus", label: "Young's modulus", kind: "stress", unit: "GPa" },
+    { key: "body1.poisson_ratio", label: "Poisson's ratio", kind: "number", unit: "" },
+  ],
+};
 
 export class StartView {
-  readonly root: HTMLElement;
-  readonly fields: Field[] = [];
+  readonly root = element("section", { class: "view", "aria-label": "Start and stop" });
+  readonly #form = new Form("start", this.root);
+  readonly #given: Record<keyof StartState["given"], Choice>;
   readonly #map = element("canvas", { class: "map", role: "img" });
-  readonly #message = element("p", { class: "message", role: "alert" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #spoken = element("p", { "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
   readonly #slider = element("input", { type: "range", min: "0", max: "0", step: "1", "aria-label": "distance rolled" });
   readonly #play: HTMLButtonElement;
   readonly #cut: Chart;
-  readonly #history: Chart;
+  readonly #creepages: Chart;
+  readonly #forces: Chart;
   #found: Transient | undefined;
   #timer = 0;
 
   constructor(readonly core: Core, public state: StartState, readonly changed: () => void) {
-    const cut = element("div", { class: "chart" }), history = element("div", { class: "chart" });
+    const cut = element("div", { class: "chart" }), creepages = element("div", { class: "chart" }), forces = element("div", { class: "chart" });
     this.#cut = new Chart(cut);
-    this.#history = new Chart(history);
+    this.#creepages = new Chart(creepages);
+    this.#forces = new Chart(forces);
     this.#play = button("▶ play", () => { if (this.#timer) this.stop(); else this.play(); }, "play or stop");
     this.#slider.addEventListener("input", () => { this.#show(Number(this.#slider.value)); this.changed(); });
-    const made = specs.map((spec) => {
-      const field = new Field("start", spec, state.values[spec.key]!, (value) => {
-        this.state.values[spec.key] = value;
-        this.solve();
-        this.changed();
-      });
-      this.fields.push(field);
-      return field.root;
+    const made = Object.fromEntries(Object.values(groups).flat().map((spec) => [spec.key, this.#form.add(spec, state.values[spec.key]!, (value) => {
+      this.state.values[spec.key] = value;
+      this.#changed();
+    }).root]));
+    const choice = (component: keyof StartState["given"]) => new Choice(`${component}: given is`, { force: "the force", creepage: "the creepage" }, state.given[component], (given) => {
+      this.state.given[component] = given as Given;
+      this.#showFields();
+      this.#changed();
     });
-    this.root = element("section", { class: "view", "aria-label": "Start and stop" },
-      element("div", { class: "controls" }, element("fieldset", {}, element("legend", {}, "Contact"), ...made),
-        element("p", { class: "hint" }, "At rest the forces are put on: slip begins all around the edge (Cattaneo). Then the bodies roll: slip moves to the trailing edge, and after about one length of the contact rolling is steady (Carter).")),
+    this.#given = { longitudinal: choice("longitudinal"), lateral: choice("lateral") };
+    const group = (name: keyof typeof groups) => element("fieldset", {}, element("legend", {}, name),
+      ...groups[name].flatMap(({ key }) => {
+        const component = /^motion\.force_(.*)$/.exec(key)?.[1] as keyof StartState["given"] | undefined;
+        return component ? [this.#given[component].root, made[key]!] : [made[key]!];
+      }));
+    this.root.append(
+      element("div", { class: "controls" }, group("Contact"), group("Motion"), group("Bodies"),
+        element("p", { class: "hint" }, "At rest given forces are put on: slip begins all around the edge (Cattaneo). Then the bodies roll: slip moves to the trailing edge, and after about one length of the contact rolling is steady (Carter). Given creepages start from tractions of zero.")),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#message, this.#remarks, this.#time),
+        element("div", { class: "panel wide" }, element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#form.message, this.#remarks, this.#time),
         element("div", { class: "panel" }, element("h3", {}, "Along y = 0"), cut),
-        element("div", { class: "panel" }, element("h3", {}, "Creepage that the force takes"), history)));
+        element("div", { class: "panel" }, element("h3", {}, "Creepage"), creepages),
+        element("div", { class: "panel" }, element("h3", {}, "Forces on the upper body"), forces)));
+    this.#showFields();
   }
 
   set(state: StartState): void {
     this.state = state;
-    for (const field of this.fields) field.set(state.values[field.spec.key]!);
+    for (const component of ["longitudinal", "lateral"] as const) this.#given[component].set(state.given[component]);
+    this.#showFields();
+    this.#form.set(state.values);
+  }
+
+  #changed(): void {
+    this.solve();
+    this.changed();
+  }
+
+  #showFields(): void {
+    for (const { spec, root } of this.#form.fields) {
+      const [, given, component] = /^motion\.(force|creepage)_(.*)$/.exec(spec.key) ?? [];
+      if (component) root.hidden = this.state.given[component as keyof StartState["given"]] !== given;
+    }
+    this.#form.show();
   }
 
   solve(): void {
     void this.core.ask<Transient>("transient", { call: "transient", case: startCase(this.state) }).then((reply) => {
       if (!reply) return;
-      const message = reply.error?.message ?? "", named = refuseAt(this.fields, message);
-      this.root.classList.toggle("old", message !== "");
-      this.#message.textContent = message && `${named ? "" : `${sentence(withoutPlace(message))} `}${showsLast}`;
+      this.#form.refuse(reply.error?.message ?? "");
       if (!reply.result) return;
       this.#found = reply.result;
-      const { warnings, status } = reply.result;
-      fillRemarks(this.#remarks, [...warnings, ...(status === "ok" ? [] : [`ends at the first frame that is ${status.replaceAll("_", " ")}`])].map(sentence));
+      const { warnings, status, reason } = reply.result;
+      fillRemarks(this.#remarks, [...warnings, ...(status === "ok" ? [] : [`ends at the first frame that is not solved, ${statusInWords(status, reason)}`])].map(sentence));
       this.#time.textContent = `exact theory, ${reply.result.frames.length} frames: ${digits(1e3 * (reply.time ?? 0))} ms`;
       this.#slider.max = String(reply.result.frames.length - 1);
       this.#drawHistory();
@@ -110,8 +148,9 @@ export class StartView {
   exports(): Record<string, () => void> {
     return {
       "case as TOML": () => { save("starting_to_roll.toml", startCase(this.state)); },
-      "case as Python": () => { save("starting_to_roll.py", toPython(startCase(this.state), [])); },
-      "creepages as CSV": () => { save("creepages.csv", this.#history.csv(), "text/csv"); },
+      "case as Python": () => { save("starting_to_roll.py", toPython(startCase(this.state))); },
+      "creepages as CSV": () => { save("creepages.csv", this.#creepages.csv(), "text/csv"); },
+      "forces as CSV": () => { save("forces.csv", this.#forces.csv(), "text/csv"); },
       "picture as PNG": () => { this.#map.toBlob((blob) => { if (blob) save("starting_to_roll.png", blob); }); },
     };
   }
@@ -139,20 +178,21 @@ export class StartView {
         { name: "|p|", colour: colours.exact, values: at.map((k) => Math.hypot(frame.px[k]!, frame.py[k]!) / 1e6) },
       ],
     });
-    this.#history.draw({ ...this.#history.content!, present: frame.distance * 1e3 });
-    const text = index === 0 ? "at rest, forces put on" : `rolled ${digits(frame.distance * 1e3)} mm, ${digits(frame.distance / (2 * a))} lengths of the contact`;
+    for (const chart of [this.#creepages, this.#forces]) chart.draw({ ...chart.content!, present: frame.distance * 1e3 });
+    const text = frame.distance === 0 ? "at rest, forces put on" : `rolled ${digits(frame.distance * 1e3)} mm, ${digits(frame.distance / (2 * a))} lengths of the contact`;
     this.#spoken.textContent = text;
     this.#map.setAttribute("aria-label", `adhesion, slip and tractions ${text}`);
   }
 
   #drawHistory(): void {
-    const rolled = this.#found!.frames.slice(1);
-    this.#history.draw({
-      x: rolled.map(({ distance }) => distance * 1e3), xLabel: "distance rolled [mm]", yLabel: "creepage [%]",
-      curves: [
-        { name: "longitudinal", colour: colours.exact, values: rolled.map((frame) => frame.creepage_longitudinal * 100) },
-        { name: "lateral", colour: colours.fastsim2, values: rolled.map((frame) => frame.creepage_lateral * 100) },
-      ],
-    });
+    const { frames } = this.#found!, rolled = frames.filter(({ distance }) => distance > 0);
+    const draw = (chart: Chart, of: Frame[], yLabel: string, [along, across]: [(frame: Frame) => number, (frame: Frame) => number]) => {
+      chart.draw({
+        x: of.map(({ distance }) => distance * 1e3), xLabel: "distance rolled [mm]", yLabel,
+        curves: [{ name: "longitudinal", colour: colours.exact, values: of.map(along) }, { name: "lateral", colour: colours.fastsim2, values: of.map(across) }],
+      });
+    };
+    draw(this.#creepages, rolled, "creepage [%]", [(frame) => frame.creepage_longitudinal * 100, (frame) => frame.creepage_lateral * 100]);
+    draw(this.#forces, frames, "force [kN]", [({ fx }) => fx / 1e3, ({ fy }) => fy / 1e3]);
   }
 }

@@ -1,27 +1,55 @@
 // All that a view shows follows from its state; a link holds the states of all views.
 
 export type Values = Record<string, number>; // by section.key of the case file, SI
+/** What a key of a case file has, numbers in SI. */
+export type Value = number | string | (number | string)[];
 
 export interface ContactState {
   values: Values;
   given: "radii" | "ellipse"; // of which the radii follow
-  law: string;
+  law: Law;
   shown: "tractions" | "adhesion and slip" | "slip" | "pressure" | "px" | "py";
   theory: "exact" | "fastsim2";
-  elements: number;
+  elements: [along: number, across: number];
   variable: "creepage_longitudinal" | "creepage_lateral" | "spin";
   cut: number; // y over b
   stress: "von_mises" | "sigma_xx" | "sigma_zz" | "sigma_xz";
+  more: More;
 }
+/** Of a case file, keys that have no field on the page. */
+export type More = Record<string, Value>;
 export interface RailState {
   values: Values;
-  shape: "flat" | "curved";
+  shape: Shape;
   profiles: { rail: string; wheel: string }; // names of files
   files: Record<string, string>;             // those that were dropped on the page
+  more: More;
 }
-export interface StartState { values: Values; elements: number; frame: number }
+/** What sets a component of the motion. */
+export type Given = "force" | "creepage";
+export interface StartState { values: Values; given: { longitudinal: Given; lateral: Given }; elements: [along: number, across: number]; frame: number }
 export type View = "contact" | "rail" | "start";
 export interface State { view: View; contact: ContactState; rail: RailState; start: StartState }
+
+export const laws = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially" };
+export type Law = keyof typeof laws;
+/** Surfaces of wheels and rails for the exact theory. "true" is what the library takes where the case leaves it out. */
+export const shapes = { true: "true (left out)", flat: "flat", curved: "curved", conformal: "conformal" };
+export type Shape = keyof typeof shapes;
+
+/** Creepages beyond these are mistaken: of bodies that roll the same way their speeds differ by twice the mean at most. */
+const largestCreepage = 2;
+export const limits: Record<string, number> = {
+  "motion.creepage_longitudinal": largestCreepage, "motion.creepage_lateral": largestCreepage,
+};
+
+/** Throws an Error that names the first number beyond its limits. */
+export function requireLimits(values: Values): void {
+  for (const [key, limit] of Object.entries(limits)) {
+    const value = values[key];
+    if (value !== undefined && !(Math.abs(value) <= limit)) throw new Error(`${key} = ${String(value)}: must be in [${String(-limit)}, ${String(limit)}]`);
+  }
+}
 
 const bodies: Values = {
   "body1.rolling_radius": 0.46, "body1.transverse_radius": Infinity, "body2.rolling_radius": Infinity,
@@ -36,24 +64,28 @@ export function initialState(): State {
         ...bodies, "ellipse.a": 0.006, "ellipse.b": 0.004, "friction.coefficient": 0.3, "friction.kinetic_coefficient": 0.2, "friction.drop": 0.1, "friction.half_velocity": 1,
         "motion.creepage_longitudinal": 0.0012, "motion.creepage_lateral": 0.0006, "motion.spin": 0.4, "motion.rolling_speed": 30,
       },
-      given: "radii", law: "coulomb", shown: "tractions", theory: "exact", elements: 24, variable: "creepage_longitudinal", cut: 0, stress: "von_mises",
+      given: "radii", law: "coulomb", shown: "tractions", theory: "exact", elements: [24, 24], variable: "creepage_longitudinal", cut: 0, stress: "von_mises", more: {},
     },
     rail: {
       values: {
         "wheel.lateral": 0.003, "wheel.yaw": 0.002, "wheel.vertical_force": 80e3, "wheel.forward_velocity": 30,
         "friction.coefficient": 0.3, "track.cant": 0.05, "track.gauge": 1.435, "wheelset.nominal_radius": 0.46,
-        "wheelset.flange_back_distance": 1.36, "material.young_modulus": 210e9, "material.poisson_ratio": 0.28,
+        "wheelset.flange_back_distance": 1.36, "rail.smoothing_length": 0, "wheelset.smoothing_length": 0,
+        "material.young_modulus": 210e9, "material.poisson_ratio": 0.28,
       },
-      shape: "flat", profiles: { rail: "60e1.prr", wheel: "s1002.prw" }, files: {},
+      shape: "true", profiles: { rail: "60e1.prr", wheel: "s1002.prw" }, files: {}, more: {},
     },
     start: {
-      values: { ...bodies, "friction.coefficient": 0.3, "motion.force_longitudinal": -12e3, "motion.force_lateral": 0, "motion.steps": 60 },
-      elements: 24, frame: 0,
+      values: {
+        ...bodies, "friction.coefficient": 0.3, "motion.force_longitudinal": -12e3, "motion.force_lateral": 0,
+        "motion.creepage_longitudinal": 0.0015, "motion.creepage_lateral": 0, "motion.spin": 0, "motion.rolling_speed": 1, "motion.steps": 60,
+      },
+      given: { longitudinal: "force", lateral: "force" }, elements: [24, 24], frame: 0,
     },
   };
 }
 
-const version = "1";
+const version = "2";
 
 async function through(stream: ReadableWritablePair<Uint8Array<ArrayBuffer>, BufferSource>, bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -67,16 +99,28 @@ export async function encode(state: State): Promise<string> {
   return `${version}.${btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }
 
+const isOne = (value: unknown) => typeof value === "number" || typeof value === "string";
+/** Members that have names of their own, and what may be there. */
+const open: Record<string, (value: unknown) => boolean> = {
+  files: (value) => typeof value === "string",
+  more: (value) => isOne(value) || (Array.isArray(value) && value.every(isOne)),
+};
+
 /** Takes over what both have in the same type, and refuses what else is there. */
-function merge(into: Record<string, unknown>, from: Record<string, unknown>, open: boolean): void {
+function merge(into: Record<string, unknown>, from: Record<string, unknown>, mayBe?: (value: unknown) => boolean): void {
   for (const [key, value] of Object.entries(from)) {
     const old = into[key];
-    if (old !== undefined && typeof old === "object" && old !== null && typeof value === "object" && value !== null)
-      merge(old as Record<string, unknown>, value as Record<string, unknown>, key === "files");
-    else if (open ? typeof value === "string" : typeof value === typeof old) into[key] = value;
+    if (mayBe?.(value)) into[key] = value;
+    else if (old !== undefined && typeof old === "object" && old !== null && typeof value === "object" && value !== null)
+      merge(old as Record<string, unknown>, value as Record<string, unknown>, open[key]);
+    else if (!mayBe && typeof value === typeof old) into[key] = value;
     else if (typeof old === "number" && (value === "inf" || value === "-inf")) into[key] = value === "inf" ? Infinity : -Infinity;
     else throw new Error(`its "${key}" is not one of this page`);
   }
+}
+
+function requireWord(name: string, word: string, words: string[]): void {
+  if (!words.includes(word)) throw new Error(`its "${name}" is "${word}"; it may be ${words.join(", ")}`);
 }
 
 /** The state of a link; throws an Error that says why it is none. */
@@ -88,8 +132,12 @@ export async function decode(fragment: string): Promise<State> {
   try {
     const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
     const text = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
-    merge(state as unknown as Record<string, unknown>, JSON.parse(text) as Record<string, unknown>, false);
-    if (!["contact", "rail", "start"].includes(state.view)) throw new Error(`"${state.view}" is not one of its views`);
+    merge(state as unknown as Record<string, unknown>, JSON.parse(text) as Record<string, unknown>);
+    requireWord("view", state.view, ["contact", "rail", "start"]);
+    requireWord("law", state.contact.law, Object.keys(laws));
+    requireWord("shape", state.rail.shape, Object.keys(shapes));
+    for (const given of Object.values(state.start.given)) requireWord("given", given, ["force", "creepage"]);
+    for (const { values } of [state.contact, state.start]) requireLimits(values);
   } catch (error) {
     throw new Error(`the link is damaged: ${error instanceof Error ? error.message : String(error)}`);
   }

@@ -147,7 +147,7 @@ test("a link restores the state; others are refused in words", async () => {
   const second = await opened(link);
   assert.equal(await second.page.locator("#contact-load-normal_force").inputValue(), "55.5");
   assert.deepEqual(await row(second.page, "longitudinal force Fx"), before);
-  for (const [other, why] of [["#7.abc", "version 7"], ["#1.AAAA", "damaged"], ["#nonsense", "not one of the explorer"]] as const) {
+  for (const [other, why] of [["#7.abc", "version 7"], ["#2.AAAA", "damaged"], ["#1.AAAA", "version 1"], ["#nonsense", "not one of the explorer"]] as const) {
     const { page } = await opened(other);
     await page.getByText(why).waitFor();
     await row(page, "longitudinal force Fx");
@@ -157,7 +157,50 @@ test("a link restores the state; others are refused in words", async () => {
   await second.page.close();
 });
 
-test("the program opens the page with a case, and tells what of it the page does not have", async () => {
+/** Files dropped on the page, where no picture takes them. */
+async function dropped(page: Page, files: [string, string][]): Promise<void> {
+  await page.evaluate((given) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, text] of given) dataTransfer.items.add(new File([text], name));
+    document.querySelector("header")!.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, files);
+}
+
+test("case files that are dropped have the program's numbers, or are refused by what the page does not have", async () => {
+  const { page, errors } = await opened(), folder = path.join(profiles, "..");
+  const example = (name: string) => readFileSync(path.join(folder, name), "utf8");
+  const solved = (name: string) => solvedByProgram(path.join(path.resolve(folder), name));
+  await row(page, "longitudinal force Fx");
+  await dropped(page, [["hertzian_contact.toml", example("hertzian_contact.toml")]]);
+  await page.getByText("ms on 40 × 40 elements").waitFor();
+  await settled(page);
+  const contact = solved("hertzian_contact.toml"), [fx, fast] = await row(page, "longitudinal force Fx");
+  near(fx! * 1e3, contact.exact!.fx!);
+  near(fast! * 1e3, contact.fastsim2!.fx!);
+  await dropped(page, [["starting_to_roll.toml", example("starting_to_roll.toml")]]);
+  await page.getByRole("tab", { name: "Start and stop", selected: true }).waitFor();
+  await settled(page);
+  assert.equal(await page.locator("#start-motion-creepage_lateral").inputValue(), "0.05");
+  assert.ok(await page.locator("#start-motion-force_longitudinal").isHidden());
+  const last = readFileSync(await saved(page, "forces as CSV"), "utf8").trim().split("\n").at(-1)!.split(",").map(Number);
+  near(last[1]! * 1e3, solved("starting_to_roll.toml").exact!.fx!);
+  await dropped(page, [["wheel_on_rail.toml", example("wheel_on_rail.toml")]]);
+  await page.getByText("material.hardness = 3000000000").waitFor();
+  await settled(page);
+  near((await row(page, "lateral force"))[0]! * 1e3, solved("wheel_on_rail.toml").wheel!.force_y![0]!);
+  await dropped(page, [["two_rollers.toml", example("two_rollers.toml")]]);
+  await page.getByText(/two_rollers.toml is not taken: the page does not have this of the case: .*load.approach/).waitFor();
+  await dropped(page, [["worn.toml", example("wheel_on_rail.toml").replace("profiles/s1002.prw", "worn/s1.prw")]]);
+  await page.getByText('worn.toml is not taken: wheelset.profile = "worn/s1.prw": not here').waitFor();
+  await dropped(page, [["worn.toml", example("wheel_on_rail.toml").replace("profiles/s1002.prw", "worn/s1.prw")], ["s1.prw", example("profiles/s1002.prw")]]);
+  await page.getByText("Wheel s1.prw on rail 60e1.prr").waitFor();
+  await settled(page);
+  near((await row(page, "lateral force"))[0]! * 1e3, solved("wheel_on_rail.toml").wheel!.force_y![0]!);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the program opens the page with a case, and what the page does not have is named", async () => {
   const explore = (file: string) => {
     const to = path.join(scratch, "leads.html");
     execFileSync(program, ["explore", file, "--no-browser", "-o", to], { stdio: "pipe" });
@@ -173,27 +216,48 @@ test("the program opens the page with a case, and tells what of it the page does
   writeFileSync(layered, readFileSync(path.join(profiles, "../hertzian_contact.toml"), "utf8").replace("# [layer] ", "[layer] ")
     .replace("# shear_modulus = \"8.2 GPa\"", "shear_modulus = \"8.2 GPa\"").replace("# thickness = ", "thickness = ").replace('"second_order"', '"classical"'));
   await page.goto(explore(layered));
-  await page.getByText(/The page does not have all of the case; different here: .*layer/).waitFor({ timeout: 60000 });
-  assert.equal(await page.locator("#contact-load-normal_force").inputValue(), "80");
+  await page.getByText(/the page does not have this of the case: layer.shear_modulus, layer.thickness.* The page shows its own example instead/).waitFor({ timeout: 60000 });
   await page.close();
 });
 
-test("empty, absurd and misread fields are refused where they stand", async () => {
-  const { page } = await opened();
+test("empty, absurd and misread fields are refused where they stand, and results are faint as long as they are", async () => {
+  const { page, errors } = await opened();
+  const faint = page.locator("section.old:not([hidden])"), inWords = page.locator("section:not([hidden]) .panel .message").first();
   await row(page, "longitudinal force Fx");
+  assert.equal(await faint.count(), 0);
   await field(page, "load.normal_force", "");
-  await page.getByText("needs a number").waitFor();
-  await field(page, "load.normal_force", "80 kg");
-  await page.getByText("not one of its units").waitFor();
+  await inWords.getByText("Load, normal force: needs a number. Faint pictures and numbers are those of the last case").waitFor();
+  await field(page, "load.normal_force", "55 t");
+  await inWords.getByText('Load, normal force: "t" is not one of its units: kN, N, MN.').waitFor();
+  await faint.waitFor();
   await field(page, "motion.spin", "0.5"); // solved with the last load that was read
   await settled(page);
-  assert.ok(await page.getByText("not one of its units").isVisible(), "a text that is no number stays refused");
+  assert.ok(await inWords.getByText("not one of its units").isVisible(), "a text that is no number stays refused");
+  assert.equal(await faint.count(), 1);
+  await field(page, "load.normal_force", "abc");
+  await inWords.getByText('"abc" is not a number').waitFor();
+  assert.ok(await page.locator("#contact-load-normal_force[aria-invalid]").isVisible());
   await field(page, "load.normal_force", "80");
+  await faint.waitFor({ state: "detached" });
+  await field(page, "motion.creepage_longitudinal", "5000 %");
+  await inWords.getByText('Creepages, longitudinal: "5000 %" is not between -200 and 200 %').waitFor();
+  await faint.waitFor();
+  await field(page, "motion.creepage_longitudinal", "0.1 %");
+  await faint.waitFor({ state: "detached" });
   await field(page, "friction.coefficient", "-0.3");
   await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").first().waitFor(); // the reader's own words
   await field(page, "friction.coefficient", "0.3");
   await settled(page);
   assert.equal(await page.getByText("must be in").filter({ visible: true }).count(), 0);
+  for (const [tab, key, label] of [["Wheel on rail", "rail-wheel-lateral", "Wheelset, lateral position, to the left"], ["Start and stop", "start-motion-steps", "Motion, steps"]] as const) {
+    await page.getByRole("tab", { name: tab }).click();
+    await settled(page);
+    await page.locator(`#${key}`).fill("abc");
+    await page.locator(`#${key}`).press("Enter");
+    await inWords.getByText(`${label}: "abc" is not a number.`).waitFor();
+    await faint.waitFor();
+  }
+  assert.deepEqual(errors, []);
   await page.close();
 });
 
@@ -247,9 +311,15 @@ test("warnings of results stand beside them, in all views, as long as they hold"
   await warned.waitFor({ state: "hidden" });
   await page.getByRole("tab", { name: "Wheel on rail" }).click();
   await railField(page, "wheel.lateral", "12");
-  await warned.getByText(/surface turns by .* within a flat patch/).waitFor();
+  await warned.getByText("beyond a hundredth of Young's modulus").waitFor();
+  await page.getByLabel("shape, of the exact theory").selectOption("flat");
+  await warned.getByText("patches are solved as flat where the surfaces are not").waitFor();
+  await page.getByLabel("shape, of the exact theory").selectOption("true");
+  await warned.getByText("patches are solved as flat").waitFor({ state: "detached" });
+  await railField(page, "wheel.lateral", "30");
+  await warned.getByText("it has derailed").waitFor();
   await railField(page, "wheel.lateral", "-300");
-  await warned.getByText("wheel and rail do not touch").waitFor();
+  await warned.getByText("no contact: wheel and rail do not touch").waitFor();
   await railField(page, "wheel.lateral", "3");
   await warned.waitFor({ state: "hidden" });
   await page.getByRole("tab", { name: "Start and stop" }).click();
@@ -282,7 +352,7 @@ test("what is refused leaves no picture that looks like the answer", async () =>
   await page.getByRole("button", { name: /add the creep-force table/ }).click();
   await row(page, "longitudinal force Fx", 3);
   await field(page, "body2.transverse_radius", "3"); // an ellipse longer than those of the table
-  await page.locator("section:not([hidden]) .remarks").getByText(/^table: a\/b = .* is beyond the creep-force table's range/).waitFor();
+  await page.locator("section:not([hidden]) .remarks").getByText(/^table: out of range: a\/b = .* is beyond the creep-force table's range/).waitFor();
   await panel("Creep curves").getByText("table: 41 of 41 points are left out, out of range").waitFor();
   await panel("Creep curves").locator("canvas").waitFor(); // of the other theories
   await page.getByRole("tab", { name: "Wheel on rail" }).click();

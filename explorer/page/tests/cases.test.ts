@@ -1,0 +1,174 @@
+// Case files and links as states of the page, by the native core: nothing is lost on the way, or it is refused by its name.
+//   MICROSLIP_ANSWERS the native core; MICROSLIP the program; EXAMPLES folder of case files
+
+import assert from "node:assert/strict";
+import { execFileSync, spawn, type ChildProcess } from "node:child_process";
+import { once } from "node:events";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+import { stateOfCase } from "../src/case_inputs.ts";
+import { contactCase, railCase, startCase } from "../src/case_text.ts";
+import type { Reply, Request } from "../src/core.ts";
+import { decode, encode, initialState, laws, shapes, type Given, type Law, type More, type Shape, type State, type Values } from "../src/state.ts";
+
+const { MICROSLIP_ANSWERS: answers = "", MICROSLIP: named = "", EXAMPLES: examples = "" } = process.env;
+const program = path.resolve(named);
+const scratch = mkdtempSync(path.join(tmpdir(), "explorer-cases-"));
+
+let native: ChildProcess;
+let replies: AsyncIterator<string>;
+const core = {
+  async ask<Result>(_: string, request: Request): Promise<Reply<Result>> {
+    native.stdin!.write(`${JSON.stringify(request)}\n`);
+    return JSON.parse((await replies.next()).value as string) as Reply<Result>;
+  },
+};
+
+before(() => {
+  native = spawn(path.resolve(answers), [], { cwd: scratch, stdio: ["pipe", "pipe", "inherit"] });
+  replies = createInterface({ input: native.stdout! })[Symbol.asyncIterator]();
+});
+after(async () => {
+  native.stdin!.end();
+  await once(native, "exit");
+  rmSync(scratch, { recursive: true });
+});
+
+type Numbers = Record<string, number>;
+interface Solved { hertz?: Numbers; exact?: Numbers; fastsim2?: Numbers; wheel?: Record<string, number[]>; frames?: Numbers[] }
+
+async function result<Result>(request: Request): Promise<Result> {
+  const reply = await core.ask<Result>("", request);
+  assert.equal(reply.error, undefined);
+  return reply.result!;
+}
+
+const example = (name: string) => readFileSync(path.join(examples, name), "utf8");
+const textOf = (state: State) => ({ contact: () => contactCase(state.contact, state.contact.theory), rail: () => railCase(state.rail, "exact"), start: () => startCase(state.start) })[state.view]();
+
+function replaced(text: string, from: string, to: string): string {
+  assert.ok(text.includes(from), from);
+  return text.replace(from, to);
+}
+
+/** What the page says of a case that it does not take. */
+async function refusal(text: string, files: Record<string, string> = {}): Promise<string> {
+  return stateOfCase(core, { case: text, files }).then(() => "taken", (error: unknown) => (error as Error).message);
+}
+
+/** Forces of the page's state, and of the file by the program. */
+async function forces(state: State, byProgram: Solved): Promise<[number[], number[]]> {
+  if (state.view === "rail") {
+    const { wheel } = await result<Solved>({ call: "solve", case: textOf(state) });
+    const of = ({ force_x, force_y, force_z, moment_z }: Record<string, number[]>) => [...force_x!, ...force_y!, ...force_z!, ...moment_z!];
+    return [of(wheel!), of(byProgram.wheel!)];
+  }
+  const of = ({ fx, fy, mz }: Numbers) => [fx!, fy!, mz!];
+  if (state.view === "start") {
+    const { frames } = await result<Solved>({ call: "transient", case: textOf(state) });
+    return [of(frames!.at(-1)!), of(byProgram.exact!)];
+  }
+  const found = await result<Solved>({ call: "solve", case: textOf(state), extent: "solution" });
+  const all = ({ exact, fastsim2, hertz }: Solved) => [...(exact ? of(exact) : []), ...of(fastsim2!), hertz!.a!, hertz!.b!];
+  return [all(found), all(byProgram)];
+}
+
+test("every example is shown with the program's numbers, or refused with the names of keys", async () => {
+  const refused: Record<string, RegExp> = {
+    "creep_sweep.toml": /grid: unknown key/, "wheel_rail_sample.toml": /case: unknown key/,
+    "lateral_sweep.toml": /does not have this of the case: sweep\.lateral/, "wheelset_in_curve.toml": /does not have this of the case: .*wheel\.side/,
+    "two_rollers.toml": /does not have this of the case: body1\.shear_modulus, .*load\.approach, motion\.direction, solution\.theory$/,
+  };
+  const shown: string[] = [];
+  for (const name of readdirSync(examples).filter((file) => file.endsWith(".toml"))) {
+    if (refused[name]) {
+      assert.match(await refusal(example(name)), refused[name], name);
+      continue;
+    }
+    const state = await stateOfCase(core, { case: example(name) });
+    const [found, wanted] = await forces(state, JSON.parse(execFileSync(program, ["solve", path.join(examples, name), "--json", "-o", path.join(scratch, "solved.h5")], { encoding: "utf8", maxBuffer: 1e9 })) as Solved);
+    const largest = Math.max(...wanted.map(Math.abs));
+    found.forEach((value, k) => { assert.ok(Math.abs(value - wanted[k]!) <= 1e-9 * largest, `${name}: ${String(value)} on the page, ${String(wanted[k])} by the program`); });
+    shown.push(name);
+  }
+  assert.deepEqual(shown.sort(), ["hertzian_contact.toml", "starting_to_roll.toml", "wheel_on_rail.toml"]);
+});
+
+/** Another number for every key, with all digits. */
+function changed(values: Values): Values {
+  return Object.fromEntries(Object.entries(values).map(([key, value]) => {
+    if (key === "motion.steps") return [key, value + 1];
+    if (value === Infinity) return [key, 1.7 + key.length / 7];
+    return [key, value === 0 ? 0.001 / 3 : value * 1.0123456789];
+  }));
+}
+
+test("states come back from their case files with every number", async () => {
+  const back = async (state: State) => stateOfCase(core, { case: textOf(state) });
+  for (const law of Object.keys(laws) as Law[]) {
+    for (const theory of ["exact", "fastsim2"] as const) {
+      const state = initialState();
+      state.contact = { ...state.contact, values: changed(state.contact.values), law, theory, elements: [20, 31] };
+      const ofFalling: More = law === "coulomb" ? {} : { "solution.discretisation": "classical", "solution.slip_start": "above" };
+      state.contact.more = { "solution.slope_reduction.initial": 0.9 / 7, "solution.slope_reduction.decay": 1 / 3, "solution.flexibility": "one", ...(theory === "exact" ? { "solution.tolerance": 1e-7 / 3, ...ofFalling } : {}) };
+      const found = (await back(state)).contact, has = (key: string) => !/^(ellipse|friction)\./.test(key) || (key === "friction.coefficient") === (law === "coulomb") && key.startsWith("friction.");
+      const keys = Object.keys(state.contact.values).filter(has);
+      assert.ok(keys.length >= 12);
+      for (const key of keys) assert.equal(found.values[key], state.contact.values[key], key);
+      assert.deepEqual([found.law, found.theory, found.elements, found.more], [law, theory, [20, 31], state.contact.more]);
+    }
+  }
+  for (const longitudinal of ["force", "creepage"] as Given[]) {
+    for (const lateral of ["force", "creepage"] as Given[]) {
+      const state: State = { ...initialState(), view: "start" };
+      state.start = { ...state.start, values: changed(state.start.values), given: { longitudinal, lateral }, elements: [20, 31] };
+      const found = (await back(state)).start, other = { force: "creepage", creepage: "force" };
+      const left = [`motion.${other[longitudinal]}_longitudinal`, `motion.${other[lateral]}_lateral`];
+      for (const key of Object.keys(state.start.values).filter((key) => !left.includes(key))) assert.equal(found.values[key], state.start.values[key], key);
+      assert.deepEqual([found.given, found.elements], [{ longitudinal, lateral }, [20, 31]]);
+    }
+  }
+  for (const shape of Object.keys(shapes) as Shape[]) {
+    const state: State = { ...initialState(), view: "rail" };
+    const more = { "solution.grid": 30, "solution.tolerance": 1e-7 / 3, "track.curvature": 0.001 / 3, "track.gauge_height": 0.0091, "wheel.roll": 1e-3 / 3, "wheel.pitch_velocity": 0, "rail.trim": [-0.034, 0.036], "rail.unit": "mm", "rail.deviation_lateral": 1e-4 / 3, "wheelset.tape_circle": 1e-4, "material.hardness": 3e9 / 7 };
+    state.rail = { ...state.rail, values: changed(state.rail.values), shape, more };
+    const found = (await back(state)).rail;
+    assert.deepEqual(found, state.rail);
+  }
+});
+
+test("states come back from their links with every number", async () => {
+  const state = initialState();
+  state.contact = { ...state.contact, values: changed(state.contact.values), given: "ellipse", law: "rational", theory: "fastsim2", elements: [20, 31], cut: 1 / 3 };
+  state.contact.values["body1.rolling_radius"] = -Infinity;
+  state.contact.more = { "solution.discretisation": "classical", "solution.slope_reduction.initial": 1 / 3 };
+  state.rail = { ...state.rail, values: changed(state.rail.values), shape: "conformal", profiles: { rail: "a.txt", wheel: "b.txt" }, files: { "a.txt": "1 2" }, more: { "rail.unit": "in", "rail.trim": [-0.034, 1 / 30], "wheel.roll": 1 / 3 } };
+  state.start = { ...state.start, values: changed(state.start.values), given: { longitudinal: "creepage", lateral: "force" }, elements: [20, 31], frame: 7 };
+  assert.deepEqual(await decode(await encode(state)), state);
+  state.contact.values["motion.creepage_lateral"] = 50;
+  await assert.rejects(async () => decode(await encode(state)), /motion\.creepage_lateral = 50: must be in \[-2, 2\]/);
+});
+
+test("what the page does not have is named", async () => {
+  const rolling = example("hertzian_contact.toml"), wheel = example("wheel_on_rail.toml");
+  const classical = replaced(rolling, '"second_order"', '"classical"'), lacking = "the page does not have this of the case: ";
+  for (const [text, why] of [
+    [replaced(classical, 'poisson_ratio = 0.28\n\n# [layer]', 'poisson_ratio = 0.3\n\n# [layer]'), `${lacking}body2.poisson_ratio`],
+    [replaced(classical, 'spin = "0.4 1/m"', 'spin = "0.4 1/m"\nstep = "0.3 mm"'), `${lacking}motion.step`],
+    [replaced(replaced(classical, 'coefficient = 0.3 ', 'kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1\nsecond_drop = 0.1\nsecond_half_velocity = 2 #'), 'law = "coulomb"', 'law = "linear"'), `${lacking}friction.second_drop, friction.second_half_velocity`],
+    [replaced(rolling, "creepage_longitudinal = 0.0018", "creepage_longitudinal = 50"), "motion.creepage_longitudinal = 50: must be in [-2, 2]"],
+    [replaced(wheel, 'side = "left"', 'side = "right"'), `${lacking}wheel.side`],
+    [replaced(wheel, 'coefficient = 0.3', 'coefficient = [0.3, 0.2]\nangle = [0.1, 0.2]'), `${lacking}friction.angle, friction.coefficient`],
+    [replaced(wheel, "[friction]", "[interior]\nx = [0.0]\ny = [0.0]\nz = [-0.004]\n[friction]"), `${lacking}interior.x, interior.y, interior.z`],
+    [replaced(wheel, "profiles/s1002.prw", "profiles/worn.prw"), 'wheelset.profile = "profiles/worn.prw": not here; such a file goes along with the case'],
+  ] as const) assert.ok((await refusal(text)).includes(why), `${await refusal(text)} instead of ${why}`);
+});
+
+test("a profile that goes along with a case is that of the state, under the end of its path", async () => {
+  const text = replaced(example("wheel_on_rail.toml"), "profiles/s1002.prw", "../worn.prw"), content = example("profiles/s1002.prw");
+  const { rail } = await stateOfCase(core, { case: text, files: { "../worn.prw": content } });
+  assert.deepEqual([rail.profiles, rail.files], [{ rail: "60e1.prr", wheel: "worn.prw" }, { "worn.prw": content }]);
+});
