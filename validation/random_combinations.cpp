@@ -47,7 +47,7 @@ class Composer {
 public:
   explicit Composer(Draw& draw) : draw_(draw) {}
 
-  Combination compose() {
+  const Combination& compose() {
     choose_contact();
     choose_motion();
     choose_bodies();
@@ -55,7 +55,7 @@ public:
     choose_friction();
     choose_creepage();
     choose_forces();
-    return std::move(out_);
+    return out_;
   }
 
 private:
@@ -67,7 +67,7 @@ private:
     strain_ = draw_.power(5e-4, 1e-2), friction_ = draw_.number(0.05, 0.6);
     force_ = 2.0 / 3 * std::numbers::pi * a_ * b_ * strain_ * modulus_;
     out_.method.mx = draw_.count(6, most_elements_across), out_.method.my = draw_.count(6, most_elements_across);
-    out_.problem.geometry = Ellipse{a_, b_};
+    std::get<Ellipse>(out_.problem.geometry) = {a_, b_};
     out_.problem.load = {NormalLoad::Given::force, force_};
   }
 
@@ -216,8 +216,9 @@ bool is_beyond_friction(const ContactSolution& s, const RollingProblem& p) {
 
 Ending solve_number(std::size_t n, const Progress& progress) {
   Draw draw(7000003 + n);
-  Combination c = Composer(draw).compose();
-  Ending end{.kind = std::move(c.kind)};
+  Composer composer(draw);
+  const Combination& c = composer.compose();
+  Ending end{.kind = c.kind};
   const double begin = processor_time();
   const auto watch = [&](double done) {
     end.hangs = end.hangs || processor_time() - begin > longest;

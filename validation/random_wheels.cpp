@@ -149,6 +149,8 @@ Outcome outcome_of(WheelRailBodies bodies, const Group& group, std::span<const L
       out.remarkable.push_back({group, state, what});
     }
     if (s.status != Status::not_converged && s.status != Status::no_solution) continue;
+    // A scan at the exact level takes seconds: there those that give up are looked at, not those that say why.
+    if (s.status == Status::no_solution && levels[group.level] == WheelRailLevel::exact) continue;
     const Status status = s.status;
     const double residual = s.residual;
     const std::string reason(to_string(s.reason));

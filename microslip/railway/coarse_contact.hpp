@@ -65,8 +65,8 @@ public:
   /// Forces and patches of the last solve, with profile ends.
   void sum(WheelRailSolution& out);
   /// By how much the horizontal force of the last solve would change if each patch were flat, with the normal and the
-  /// creepages of its frame's plane, over mu times the load [-]: an estimate, of which half the limit is warned of, since
-  /// a plane also changes the rows' loads. Allocates nothing.
+  /// creepages of its frame's plane, over mu times the load [-]: an estimate, of which half the limit is warned of,
+  /// since a plane also changes the rows' loads. Allocates nothing.
   double change_by_planes();
   /// The fields of its patches, on evenly spaced rows. Allocates.
   void add_fields(WheelRailSolution& out);

@@ -53,8 +53,9 @@ StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nomin
   pitch_is_given_ = has("pitch_velocity");
 }
 
-void PythonWheelRail::for_batch(const StateArrays& states, int threads,
-                                const std::function<void(WheelRail& solver, std::size_t index)>& solve) const {
+void PythonWheelRail::for_batch(
+    const StateArrays& states, int threads,
+    const std::function<void(WheelRail& solver, std::size_t index, const Progress& progress)>& solve) const {
   const std::size_t chunk = method.level == WheelRailLevel::exact ? 1 : 16;
   run_batch(states.count(), chunk, thread_count(threads), [&]() -> BatchWorker {
     return [&, solver = std::make_shared<WheelRail>(bodies, method)](std::size_t first, std::size_t n,
