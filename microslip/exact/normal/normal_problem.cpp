@@ -253,7 +253,7 @@ NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid
     coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress, plans);
 }
 
-void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load, double tolerance) {
+void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load) {
   if (gap.size() != grid.count())
     throw Error("gap: must have mx times my = " + std::to_string(grid.count()) + " values");
   for (std::size_t k = 0; k < gap.size(); ++k)
@@ -262,12 +262,12 @@ void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoa
     require_positive("normal_force", load.value, "N");
   else
     require_finite("approach", load.value, "m");
-  require_between("tolerance", tolerance, "-", smallest_tolerance, largest_tolerance);
 }
 
 NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoad& load, double tolerance,
                                     const Progress& progress) {
-  check(grid_, gap, load, tolerance);
+  check(grid_, gap, load);
+  require_between("tolerance", tolerance, "-", smallest_tolerance, largest_tolerance);
   double coarser_products = 0;
   NormalSolution s = solve_nested(gap, load, tolerance, progress, coarser_products);
   s.products += std::lround(coarser_products);
@@ -276,7 +276,8 @@ NormalSolution NormalProblem::solve(std::span<const double> gap, const NormalLoa
 
 NormalSolution NormalProblem::solve_from(std::vector<double> pressure, std::span<const double> gap,
                                          const NormalLoad& load, double tolerance) {
-  check(grid_, gap, load, tolerance);
+  check(grid_, gap, load);
+  require_between("tolerance", tolerance, "-", smallest_tolerance, largest_tolerance);
   return Iteration(operator_, grid_, gap, load).run(std::move(pressure), tolerance, {});
 }
 
