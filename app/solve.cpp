@@ -256,13 +256,18 @@ void print_table(const RollingCase& input, const RollingContactResult& result) {
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
   ProgressBar bar(name);
-  auto result = solve_case(input, [&](double fraction) {
+  const auto progress = [&](double fraction) {
     bar.update(fraction);
     InterruptGuard::throw_if_interrupted();
     return true;
-  });
-  InterruptGuard::throw_if_interrupted();
-  return result;
+  };
+  try {
+    auto result = solve_case(input, progress);
+    InterruptGuard::throw_if_interrupted();
+    return result;
+  } catch (const Error& error) { // what follows from the file's numbers, as an ellipse beyond all sizes
+    throw Error(name + ": " + error.what());
+  }
 }
 
 template <class Input>

@@ -344,7 +344,7 @@ TEST(EllipticContact, DeformedGapIsRefusedAsTheSolutionIs) {
 TEST(EllipticContact, RefusesOptionsOutOfRange) {
   expect_error([] { EllipticContactSolver({.mx = 0}); }, "mx", "[-]: must be in [1, 4000]");
   expect_error([] { EllipticContactSolver({.my = 4001}); }, "my", "[-]: must be in [1, 4000]");
-  expect_error([] { EllipticContactSolver({.tolerance = 0}); }, "tolerance", "[-]: must be in [1e-14, 1]");
+  expect_error([] { EllipticContactSolver({.tolerance = 0}); }, "tolerance", "[-]: must be in [1e-14, 0.1]");
 }
 
 } // namespace

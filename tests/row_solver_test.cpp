@@ -79,7 +79,7 @@ TEST(RowSolver, SinglePrecision) {
       options.precision = Precision::single;
       RowSolver single(scheme, options);
       for (const double force_unit : {1.0, 1e-12, 1e12})
-        for (const double slip : {1.0, 1e9, 1e60, 0.0}) {
+        for (const double slip : {1.0, 1e9, 1e20, 0.0}) {
           std::vector<EllipticContact> contacts = every_nth_case(7);
           for (EllipticContact& c : contacts) {
             c.normal_force *= force_unit, c.shear_modulus *= force_unit;

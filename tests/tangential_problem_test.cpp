@@ -418,7 +418,7 @@ TEST(TangentialProblem, RefusesInputThatMakesNoSense) {
   for (const double bad : {0.0, -2.0, nan, infinite})
     expect([&](auto& in) { in.rolling_speed = bad; }, "rolling_speed", "[m/s]: must be positive and finite");
   for (const double bad : {0.0, -1e-6, 2.0, nan})
-    expect([&](auto& in) { in.tolerance = bad; }, "tolerance", "[-]: must be in [1e-14, 1]");
+    expect([&](auto& in) { in.tolerance = bad; }, "tolerance", "[-]: must be in [1e-14, 0.1]");
 }
 
 TEST(TangentialProblem, RefusesFieldsThatMakeNoSense) {

@@ -616,6 +616,10 @@ class EllipticContact:
     def check_simplified(self) -> None:
         """The same for the simplified theory, in which dissimilarity must be 0."""
     @property
+    def warnings(self) -> list[str]:
+        """What makes the contact doubtful, as texts with its numbers: the peak pressure beside Young's modulus, a
+        modulus that may be in MPa; empty where check() raises."""
+    @property
     def a(self) -> float:
         """Semi-axis along the rolling direction [m], > 0."""
     @a.setter
@@ -798,6 +802,9 @@ class ForceArrays:
     @property
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
+    @property
+    def warning_code(self) -> NDArray[numpy.float64]:
+        """What makes contacts doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
     @property
     def inputs(self) -> dict[str, Any]:
         """What was given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],
@@ -1441,14 +1448,15 @@ class Status(enum.IntEnum):
     """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are
     NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;
     no_solution, the force given is beyond friction and the result slides fully; out_of_range, beyond
-    the range of a creep-force table, the forces are those of limits. An IntEnum: arrays of codes
-    compare with it."""
+    the range of a creep-force table, the forces are those of limits; implausible, solved, but it
+    cannot be meant, as its warnings say. An IntEnum: arrays of codes compare with it."""
     ok = 0
     invalid_input = 1
     not_converged = 2
     no_contact = 3
     no_solution = 4
     out_of_range = 5
+    implausible = 6
 
 class SurfaceFields:
     """The fields of a ContactSolution: read-only views of shape (my, mx), y ascending with the rows, x
@@ -1868,6 +1876,9 @@ class WheelRailArrays:
     def patch_turn(self) -> NDArray[numpy.float64]:
         """Of each patch: by how much the rail's surface turns across the patch, shape (..., k) [rad]."""
     @property
+    def patch_conformity(self) -> NDArray[numpy.float64]:
+        """Of each patch: how it was solved: 0 as a curved (or flat) patch, 1 as a conformal one, in between where it turns by 10 to 18 degrees, shape (..., k) [-]."""
+    @property
     def patch_approach(self) -> NDArray[numpy.float64]:
         """Of each patch: greatest overlap of the undeformed bodies along the normal, shape (..., k) [m]."""
     @property
@@ -1945,6 +1956,9 @@ class WheelRailArrays:
     @property
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
+    @property
+    def warning_code(self) -> NDArray[numpy.float64][numpy.uint32]:
+        """What makes results doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
     @property
     def inputs(self) -> dict[str, Any]:
         """The states that were given, by keyword:
@@ -2056,6 +2070,9 @@ class WheelRailPatch:
     @property
     def turn(self) -> float | None:
         """By how much the rail's surface turns across the patch [rad]."""
+    @property
+    def conformity(self) -> float | None:
+        """How it was solved: 0 as a curved (or flat) patch, 1 as a conformal one, in between where it turns by 10 to 18 degrees [-]."""
     @property
     def approach(self) -> float | None:
         """Greatest overlap of the undeformed bodies along the normal [m]."""
@@ -2204,6 +2221,13 @@ class WheelRailSolution:
     @property
     def at_profile_end(self) -> bool:
         """Whether a patch ends where a profile ends: its forces are too small."""
+    @property
+    def warnings(self) -> list[str]:
+        """What makes the result doubtful, as texts: pressures beyond elasticity, a profile's end, a flange that
+        climbs, numbers that look like other units."""
+    @property
+    def reason(self) -> str:
+        """Why the status is not ok; else empty."""
     @property
     def status(self) -> Status:
         """How the calculation ended."""
@@ -2457,6 +2481,12 @@ class WheelsetSolution:
     @property
     def status(self) -> Status:
         """How the calculation ended."""
+    @property
+    def warnings(self) -> list[str]:
+        """What makes the result doubtful, as texts; those of both wheels, and a wheel that has lifted off."""
+    @property
+    def reason(self) -> str:
+        """Why the status is not ok; else empty."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -2561,6 +2591,9 @@ def viscoelastic(body1: Material, creep1: MaterialCreep, body2: Material, creep2
     """Two standard linear solids that roll steadily, as Bodies: their Material of instantaneous
     deformation and MaterialCreep, the velocity V [m/s], positive along +x, negative with direction
     'backward', and an InterfaceLayer between them or none. Error for constants out of range."""
+
+def warning_texts() -> dict[str, str]:
+    """What makes results doubtful [-]: name and text of each warning, in the order of the bits of `warning_code`."""
 
 def wear_depth(solution: ContactSolution, *, hardness: float, rolling_speed: float, wear_map: WearMap = WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)) -> NDArray[numpy.float64]:
     """Depth [m] that each element of a contact wears off a surface that runs through it once, by Archard's law,
