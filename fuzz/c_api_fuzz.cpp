@@ -274,7 +274,9 @@ void fastsim2(Draw& draw) {
   options.slope_decay = draw.is_odd() ? draw.number(1) : 0.5;
   if (draw.is_odd()) options.struct_size = draw.pick<std::size_t>({0, 7, sizeof options - 8, 100000});
   microslip_fastsim2* made = nullptr;
-  said.of(microslip_fastsim2_create(draw.pointer(&options), &made, said.pointer), "fastsim2_create");
+  const microslip_fastsim2_options* const chosen = draw.pointer(&options);
+  if (chosen == nullptr) options.mx = options.my = 10; // the defaults
+  said.of(microslip_fastsim2_create(chosen, &made, said.pointer), "fastsim2_create");
   const std::unique_ptr<microslip_fastsim2, decltype(&microslip_fastsim2_destroy)> own(made,
                                                                                        microslip_fastsim2_destroy);
   microslip_fastsim2* const solver = draw.pointer(made);

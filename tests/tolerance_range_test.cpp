@@ -49,7 +49,8 @@ template <class Take> void expect_range(double low, double high, const std::stri
 const std::string two_bodies =
     "[body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
     "[body2]\nrolling_radius = inf\ntransverse_radius = 0.3\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
-    "[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n[motion]\nrolling_speed = 20\ncreepage_longitudinal = 0.001\n[solution]\n";
+    "[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n[motion]\nrolling_speed = 30\ncreepage_longitudinal = "
+    "0.001\n[solution]\n";
 
 TEST(ToleranceRange, OfTheExactTheoryIsOne) {
   constexpr double low = smallest_tolerance, high = largest_tolerance;

@@ -10,8 +10,7 @@
 
 namespace microslip {
 
-/// A Hertzian contact: an ellipse with load, material, friction and creepages. Numbers that must be > 0 are in [1e-30,
-/// 1e30], creepages in [-1e30, 1e30].
+/// A Hertzian contact: an ellipse with load, material, friction and creepages.
 struct EllipticContact {
   double a = 0;             ///< semi-axis along the rolling direction [m], > 0
   double b = 0;             ///< lateral semi-axis [m], > 0
@@ -33,7 +32,8 @@ inline constexpr double largest_dissimilarity = 0.5;
 /// Whether everything is in range, and what is not: field, value, unit and range.
 bool is_valid(const EllipticContact& contact) noexcept;
 void check(const EllipticContact& contact); ///< throws Error
-/// The same for the simplified theory, which has no dissimilarity.
+/// The same for the simplified theory and creep-force tables, which have no dissimilarity: numbers that are > 0 lie in
+/// [1e-30, 1e30] for them, creepages in [-1e30, 1e30].
 bool is_valid_simplified(const EllipticContact& contact) noexcept;
 void check_simplified(const EllipticContact& contact);
 
