@@ -160,9 +160,9 @@ TEST(HotCall, AWheelOnARailTakesNoMemory) {
           if (k == 3) there.yaw = std::numeric_limits<double>::quiet_NaN();
           if (k == 4) there.vertical = 0.1;
           contact.solve(there, k == 4 ? std::nullopt : std::optional(20e3 + 5e3 * k * k), found);
-          solved += found.status == Status::ok;
+          solved += is_solved(found.status);
           contact.differentiate(there, k == 4 ? std::nullopt : std::optional(50e3), found, derivatives);
-          solved += found.status == Status::ok;
+          solved += is_solved(found.status);
         }
       });
       EXPECT_GE(solved, 30);

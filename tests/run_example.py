@@ -41,8 +41,9 @@ SWEEPS = ("[grid]", "[list]", "[sample]")
 BUILT = {"c/*.c": "c_{stem}", "fortran/*.f90": "fortran_{stem}", "libcontact/*.f90": "libcontact_{stem}_fortran",
          "libcontact/*.c": "libcontact_{stem}_c", "wheelset/main.cpp": "wheelset", "wheelset/*.cpp": "{stem}"}
 
-# What a test of its own runs, in a script that names the file.
-ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh"}
+# What a test of its own runs, in a script that names the file; and what takes minutes, which the figures of a page run.
+ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh",
+             "wheelset/wheelset_on_profiles.cpp": "docs/embedding.md", "wheelset/wheelset_levels.cpp": "docs/embedding.md"}
 
 # What is run before an example, for the files that it reads.
 BEFORE = {
@@ -168,7 +169,7 @@ class Runner:
     def elsewhere(self, name):
         """What another test's script is to name."""
         script = ELSEWHERE[matches(name, ELSEWHERE)]
-        if pathlib.Path(name).name not in (ROOT / script).read_text():
+        if pathlib.Path(name).stem not in (ROOT / script).read_text():
             raise Failed(f"{script} does not run examples/{name}")
 
     def example(self, name):

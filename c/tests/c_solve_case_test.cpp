@@ -94,7 +94,7 @@ TEST(CSolveCase, WarnsAndTellsWhy) {
   const Answer soft = solve_in_c(with(with(wheel_on_rail, "210e9", "210e3"), "210e9", "210e3")); // in MPa
   ASSERT_FALSE(soft.json.is_null()) << soft.error;
   ASSERT_FALSE(soft.json.at("warnings").empty());
-  EXPECT_NE(soft.json.at("warnings").at(0).get<std::string>().find("contact ellipse"), std::string::npos);
+  EXPECT_NE(soft.json.at("warnings").dump().find("contact ellipse"), std::string::npos);
   const Answer beyond = solve_in_c(with(wheel_on_rail, "creepage_longitudinal = 0.0018", "force_longitudinal = -30e3"));
   EXPECT_EQ(beyond.code, MICROSLIP_NO_SOLUTION);
   EXPECT_EQ(beyond.error, "prescribed force exceeds mu Fn; the result shown is full sliding");

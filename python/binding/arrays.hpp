@@ -37,7 +37,8 @@ void broadcast(Shape& shape, const char* field, const RealArray& array);
 /// The array spread over a shape that broadcast() has found.
 RealArray spread(const RealArray& array, const Shape& shape);
 
-/// Values of a function at arrays of arguments that broadcast; a number for numbers. Ctrl-C ends it.
+/// Values of a function, which may not touch Python objects, at arrays of arguments that broadcast; a number for
+/// numbers. Ctrl-C ends it.
 template <class Function>
 pybind11::object mapped(const char* name_x, const pybind11::object& x, const char* name_y, const pybind11::object& y,
                         const Function& function) {
@@ -48,11 +49,15 @@ pybind11::object mapped(const char* name_x, const pybind11::object& x, const cha
   a = spread(a, shape);
   b = spread(b, shape);
   RealArray out(shape);
-  SignalCheck signals;
-  for (pybind11::ssize_t i = 0; i < out.size(); ++i) {
-    if (i % 32 == 0) signals();
-    out.mutable_data()[i] = function(a.data()[i], b.data()[i]);
-  }
+  const double *first = a.data(), *second = b.data();
+  double* const value = out.mutable_data();
+  const pybind11::ssize_t count = out.size();
+  long_work([&](const Progress& progress) {
+    for (pybind11::ssize_t i = 0; i < count; ++i) {
+      if (i % 32 == 0) progress(0);
+      value[i] = function(first[i], second[i]);
+    }
+  });
   return shape.empty() ? pybind11::object(pybind11::float_(*out.data())) : pybind11::object(std::move(out));
 }
 

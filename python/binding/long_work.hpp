@@ -42,7 +42,7 @@ template <class Work> auto long_work(const Work& work) {
 /// An object whose calls change it, made safe from many Python threads: one long call at a time.
 template <class Object> struct OneAtATime {
   template <class... Arguments>
-    requires std::constructible_from<Object, Arguments...>
+  requires std::constructible_from<Object, Arguments...>
   explicit OneAtATime(Arguments&&... arguments) : object(std::forward<Arguments>(arguments)...) {}
 
   /// long_work as work(object, progress). Ctrl-C ends the wait for others as well.
