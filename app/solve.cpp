@@ -256,18 +256,13 @@ void print_table(const RollingCase& input, const RollingContactResult& result) {
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
   ProgressBar bar(name);
-  const auto progress = [&](double fraction) {
+  auto result = solve_case(input, [&](double fraction) {
     bar.update(fraction);
     InterruptGuard::throw_if_interrupted();
     return true;
-  };
-  try {
-    auto result = solve_case(input, progress);
-    InterruptGuard::throw_if_interrupted();
-    return result;
-  } catch (const Error& error) { // what follows from the file's numbers, as an ellipse beyond all sizes
-    throw Error(name + ": " + error.what());
-  }
+  });
+  InterruptGuard::throw_if_interrupted();
+  return result;
 }
 
 template <class Input>
