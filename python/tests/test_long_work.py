@@ -133,15 +133,16 @@ class SignalTest(unittest.TestCase):
     def test_wheels(self):
         state = {"lateral": 6e-3, "yaw": 2e-3, "forward_velocity": 30.0}
         for shape in ("flat", "conformal"):
-            wheel = microslip.WheelRail(**s1002_on_60e1(), theory="exact", shape=shape, grid=80)
+            wheel = microslip.WheelRail(**s1002_on_60e1(), theory="exact", shape=shape, grid=240)
             self.expect_heard(lambda: wheel.solve(vertical_force=80e3, **state))
             self.expect_heard(lambda: wheel.differentiate(vertical_force=80e3, **state))
-        wheelset = microslip.WheelsetOnTrack(**s1002_on_60e1(), theory="exact", grid=24)
+        wheelset = microslip.WheelsetOnTrack(**s1002_on_60e1(), theory="exact", grid=100)
         self.expect_heard(lambda: wheelset.solve(vertical_force=160e3, roll_moment=0.0, **state))
 
     def test_planes_inside(self):
-        grid = microslip.ElementGrid.across_ellipse(1, 1, 200, 200)
-        field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, px=np.ones((200, 200)), pn=np.ones((200, 200)))
+        ones = np.ones((800, 800))
+        grid = microslip.ElementGrid.across_ellipse(1, 1, 800, 800)
+        field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, px=ones, pn=ones)
         layers = microslip.InteriorLayers(field)
         self.expect_heard(lambda: layers.at_depth(0.5))
         self.expect_heard(lambda: layers.find_largest(np.linspace(0.1, 1, 20)))

@@ -15,8 +15,8 @@ namespace {
 using Field = std::vector<double>;
 
 /// Of a step, with all that is tried on the way: nearly all take some tens, those of the study random-problems that
-/// have a solution at most 200.
-constexpr int most_newton_steps_of_a_step = 400;
+/// have a solution at most 200, nearly frictionless unlike cylinders that roll freely more than 400.
+constexpr int most_newton_steps_of_a_step = 800;
 constexpr long most_products_of_a_step = 20L * most_newton_steps_of_a_step;
 constexpr double tolerance_of_pressure = 1e-10; // of viscoelastic bodies; Newton's last steps cost little
 
