@@ -28,6 +28,7 @@
 #include <initializer_list>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -177,24 +178,27 @@ public:
     TableRows rows = reader_.parse(chunk);
     if (bad_rows_ == BadRows::stop && !rows.bad.empty()) throw Error(reader_.message(rows.bad.front()));
     if (!rows.bad.empty()) has_bad_ = true;
-    if (rows.implausible.count > 0) remember(rows.implausible);
+    if (!rows.implausible.empty()) remember(rows.implausible);
     if (bad_rows_ == BadRows::list && has_bad_) return {.bad = std::move(rows.bad)};
     return rows;
   }
-  const ImplausibleRows& implausible() const { return implausible_; }
+  const std::map<Warning, ImplausibleRows>& implausible() const { return implausible_; }
 
 private:
-  void remember(const ImplausibleRows& rows) {
+  void remember(const std::map<Warning, ImplausibleRows>& found) {
     const std::lock_guard lock(implausible_mutex_);
-    if (implausible_.count == 0 || rows.first.line < implausible_.first.line) implausible_.first = rows.first;
-    implausible_.count += rows.count;
+    for (const auto& [warning, rows] : found) {
+      ImplausibleRows& all = implausible_[warning];
+      if (all.count == 0 || rows.first.line < all.first.line) all.first = rows.first;
+      all.count += rows.count;
+    }
   }
 
   const ContactTableReader& reader_;
   BadRows bad_rows_;
   std::atomic<bool> has_bad_ = false;
   std::mutex implausible_mutex_;
-  ImplausibleRows implausible_;
+  std::map<Warning, ImplausibleRows> implausible_;
 };
 
 /// What a chunk of a table becomes.
@@ -435,11 +439,13 @@ public:
                        errors_file_.empty() ? "" : ", listed in " + errors_file_);
   }
 
-  /// Of the contacts that are hardly what is meant: the first and their number; else empty.
-  std::string implausible_message() const {
-    const auto& [count, first] = parser_.implausible();
-    if (count == 0) return {};
-    return fmt::format("{}; {} such {} in all", reader_.message(first), count, count == 1 ? "row" : "rows");
+  /// Of the contacts that are hardly what is meant: the first and their number for each reason.
+  std::vector<std::string> implausible_messages() const {
+    std::vector<std::string> all;
+    for (const auto& [warning, rows] : parser_.implausible())
+      all.push_back(fmt::format("{}; {} such {} in all", reader_.message(rows.first), rows.count,
+                                rows.count == 1 ? "row" : "rows"));
+    return all;
   }
 
 private:
@@ -499,8 +505,7 @@ int batch(const BatchArguments& arguments) {
   Batch work(arguments);
   const bool all_solved = work.run();
   if (arguments.json) print_document(arguments, work);
-  if (const std::string text = work.implausible_message(); !text.empty())
-    fmt::print(stderr, "microslip: warning: {}\n", text);
+  for (const std::string& text : work.implausible_messages()) fmt::print(stderr, "microslip: warning: {}\n", text);
   if (work.bad_count() > 0)
     fmt::print(stderr, "microslip: warning: {}: left out: {}\n", arguments.output.string(), work.bad_message());
   if (all_solved) return work.bad_count() > 0 ? ExitCode::not_met : ExitCode::done;

@@ -139,9 +139,9 @@ public:
   }
   static void check(const TomlSection& root, const CreepTables& tables) { read_wheel_rail_case(root, tables); }
 
-  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress&) {
+  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress& progress) {
     const LoadedWheelState& s = cases_.state(root, tables, is_new, read_wheel_rail_case);
-    return cases_.solver().solve(s.state, s.vertical_force);
+    return cases_.solver().solve(s.state, s.vertical_force, progress);
   }
   static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
 
@@ -176,9 +176,9 @@ public:
   }
   static void check(const TomlSection& root, const CreepTables& tables) { read_wheelset_case(root, tables); }
 
-  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress&) {
+  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress& progress) {
     const LoadedWheelsetState& s = cases_.state(root, tables, is_new, read_wheelset_case);
-    return cases_.solver().solve(s.state, s.load);
+    return cases_.solver().solve(s.state, s.load, progress);
   }
   static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
 

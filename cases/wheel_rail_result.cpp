@@ -48,10 +48,13 @@ void add_profile_warnings(const PlacedProfile& profile, std::vector<std::string>
   for (const auto& warning : profile.report.warnings) warnings.push_back(profile.report.source + ": " + warning);
 }
 
-/// What makes results doubtful, and how many of them; `which` wheel, if there are two.
+/// What makes results doubtful, and how many of them; `which` wheel, if there are two; `only` one of the warnings, of
+/// which wheels by themselves do not know.
 template <class Solutions>
-void add_warnings(const Solutions& solutions, const std::string& which, std::vector<std::string>& warnings) {
+void add_warnings(const Solutions& solutions, const std::string& which, std::vector<std::string>& warnings,
+                  std::optional<Warning> only = {}) {
   for (const WarningInfo& one : warning_table()) {
+    if (only && one.warning != *only) continue;
     const auto some = static_cast<std::size_t>(
         std::count_if(solutions.begin(), solutions.end(), [&](const auto* s) { return s->warnings.has(one.warning); }));
     if (some > 0) warnings.push_back(which + std::string(one.text) + of_states(some, solutions.size()));
@@ -345,7 +348,9 @@ WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
     if (*profile) add_profile_warnings(**profile, result.warnings);
   std::vector<const WheelsetSolution*> wheelsets;
   for (const WheelsetSolution& solution : result.solutions) wheelsets.push_back(&solution);
-  add_warnings(wheelsets, "", result.warnings);
+  add_warnings(solutions_of(result, &WheelsetSolution::left), "left wheel: ", result.warnings);
+  add_warnings(solutions_of(result, &WheelsetSolution::right), "right wheel: ", result.warnings);
+  add_warnings(wheelsets, "", result.warnings, Warning::wheel_lifted);
   return result;
 }
 

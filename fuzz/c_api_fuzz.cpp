@@ -100,7 +100,7 @@ bool is_refusal(int code) {
 template <class Result> class Results {
 public:
   explicit Results(std::size_t count) : values_(count) {
-    std::memset(static_cast<void*>(values_.data()), garbage, count * sizeof(Result));
+    std::fill_n(reinterpret_cast<unsigned char*>(values_.data()), count * sizeof(Result), garbage);
   }
   Result* data() { return values_.data(); }
   const Result& operator[](std::size_t k) const { return values_[k]; }
@@ -469,12 +469,20 @@ struct Options {
 
 Options options_of(int count, char** words) {
   Options options;
-  for (int k = 1; k + 1 < count; k += 2) {
-    const std::string_view name = words[k];
-    if (name == "--seed") options.seed = std::strtoul(words[k + 1], nullptr, 10);
-    if (name == "--calls") options.calls = std::strtoul(words[k + 1], nullptr, 10);
-    if (name == "--seconds") options.seconds = std::strtod(words[k + 1], nullptr);
-    if (name == "--call") options.call = std::strtol(words[k + 1], nullptr, 10);
+  for (int k = 1; k < count; k += 2) {
+    const std::string name = words[k];
+    if (k + 1 == count) throw std::invalid_argument(name + ": needs a number");
+    const std::string number = words[k + 1];
+    if (name == "--seed")
+      options.seed = std::stoul(number);
+    else if (name == "--calls")
+      options.calls = std::stoul(number);
+    else if (name == "--seconds")
+      options.seconds = std::stod(number);
+    else if (name == "--call")
+      options.call = std::stol(number);
+    else
+      throw std::invalid_argument(name + ": is not --seed, --calls, --seconds or --call");
   }
   if (std::isinf(options.seconds) && options.calls == std::numeric_limits<unsigned long>::max()) options.calls = 1000;
   return options;
@@ -482,7 +490,7 @@ Options options_of(int count, char** words) {
 
 } // namespace
 
-int main(int count, char** words) {
+int main(int count, char** words) try {
   const Options options = options_of(count, words);
   if (options.call >= 0) {
     make_call(options.seed, static_cast<unsigned long>(options.call));
@@ -503,7 +511,7 @@ int main(int count, char** words) {
     std::exit(0);
   }
   int status = 0;
-  waitpid(child, &status, 0);
+  if (child < 0 || waitpid(child, &status, 0) != child) throw std::runtime_error("no process for the calls");
   if (status == 0) {
     std::printf("%lu calls with seed %lu: no fault found\n", made.load(), options.seed);
     return 0;
@@ -511,4 +519,7 @@ int main(int count, char** words) {
   std::fprintf(stderr, "a fault in call %lu; again: microslip_c_api_fuzz --seed %lu --call %lu\n", made.load(),
                options.seed, made.load());
   return 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "microslip_c_api_fuzz: %s\n", error.what());
+  return 2;
 }

@@ -203,9 +203,11 @@ TableRows ContactTableReader::parse(const TextChunk& chunk) const {
                          ? "; decimal commas need semicolons between fields"
                          : ""));
       parse_row(fields, rows);
-      if (ContactWarnings found = contact_warnings(rows.contacts.back());
-          !found.empty() && rows.implausible.count++ == 0)
-        rows.implausible.first = {line_number, std::move(found.texts.front())};
+      const ContactWarnings found = contact_warnings(rows.contacts.back());
+      for (std::size_t k = 0; k < found.kinds.size(); ++k) {
+        ImplausibleRows& others = rows.implausible[found.kinds[k]];
+        if (others.count++ == 0) others.first = {line_number, found.texts[k]};
+      }
     } catch (const Error& error) {
       rows.bad.push_back({line_number, error.what()});
       rows.text.resize(begin);

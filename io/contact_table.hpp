@@ -2,9 +2,11 @@
 
 #include "io/units.hpp"
 #include "microslip/contact/elliptic_contact.hpp"
+#include "microslip/contact/warnings.hpp"
 
 #include <cstddef>
 #include <istream>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,7 +27,7 @@ struct BadRow {
   std::string reason; ///< `column friction: "abc" is not a number`
 };
 
-/// Rows whose contacts are valid and yet hardly what is meant.
+/// Rows whose contacts are valid and yet hardly what is meant, all for the same reason.
 struct ImplausibleRows {
   std::size_t count = 0;
   BadRow first;
@@ -37,7 +39,7 @@ struct TableRows {
   std::string text = {};              ///< the rows' fields as they were, joined by commas, rows without separator
   std::vector<std::size_t> ends = {}; ///< where in `text` each row ends
   std::vector<BadRow> bad = {};
-  ImplausibleRows implausible = {};
+  std::map<Warning, ImplausibleRows> implausible = {};
 };
 
 /// Reads a table of contacts from CSV, a chunk at a time, in constant memory. The first line names the columns, in any

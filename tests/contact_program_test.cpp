@@ -223,7 +223,7 @@ TEST(ContactProgram, NamesWhatIsNotRunAndRunsTheRest) {
   save(folder / "a.inp", wheel + approximate + contact_program::first_shift + " 0 MODULE\n");
   const auto outcome = run(folder, "a.inp -o out");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.output.find("Case 1 (line 2): not run\n  wheel.prw: cannot be read: No such file or directory\n"),
+  EXPECT_NE(outcome.output.find("Case 1 (line 2): not run\n  rail.prr: cannot be read: No such file or directory\n"),
             std::string::npos)
       << outcome.output;
   EXPECT_NE(outcome.output.find(

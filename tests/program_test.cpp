@@ -404,8 +404,12 @@ TEST(Program, BatchWarnsOfImplausibleContacts) {
   const auto outcome = run_program(folder, "batch in.csv -o out.csv");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors,
+            "microslip: warning: in.csv:4: peak pressure 1.27324e+09 Pa beside Young's modulus, 209920 Pa, is far "
+            "beyond linear elasticity: check units, lengths in m, moduli in Pa, forces in N; 1 such row in all\n"
             "microslip: warning: in.csv:3: peak pressure 1273.24 Pa beside the shear modulus, 8.2e+10 Pa, is "
-            "implausible: check units, lengths in m, moduli in Pa, forces in N; 2 such rows in all\n");
+            "implausible: check units, lengths in m, moduli in Pa, forces in N; 1 such row in all\n"
+            "microslip: warning: in.csv:4: Young's modulus of both bodies combined, 209920 Pa, is very small: is it in "
+            "MPa? Numbers are in Pa; 1 such row in all\n");
 }
 
 TEST(Program, BatchDoesNotDependOnThreads) {
@@ -472,6 +476,9 @@ TEST(Program, BatchByTheExactTheory) {
   save(folder / "in.csv", rows);
   const auto one = run_program(folder, "batch in.csv -o one.csv --theory exact --grid 8x12 --threads 1");
   EXPECT_EQ(one.exit_code, 1);
+  EXPECT_NE(one.errors.find("microslip: warning: in.csv:12: peak pressure 0 Pa beside the shear modulus"),
+            std::string::npos)
+      << one.errors;
   EXPECT_NE(one.errors.find("microslip: warning: one.csv: 1 of 12 contacts are not solved, see their status\n"),
             std::string::npos);
   EXPECT_EQ(run_program(folder, "batch in.csv -o two.csv --theory exact --grid 8x12 --threads 2").exit_code, 1);

@@ -143,7 +143,6 @@ TEST(WheelStatus, RandomStatesOnWornAndMeasuredProfiles) {
 /// States whose vertical force is continuous in the height have a solution.
 TEST(WheelStatus, ContinuousForcesAreFound) {
   WheelRailBodies bodies = pairs().front().bodies;
-  bodies.track.cant = 0.025;
   WheelRail wheel(bodies);
   WheelState<double> state;
   state.lateral = 7.1330335e-3, state.yaw = 36.776778e-3, state.forward_velocity = -30;

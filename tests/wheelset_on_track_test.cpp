@@ -316,5 +316,15 @@ TEST(WheelsetOnTrack, SaysWhatCannotBe) {
   EXPECT_EQ(wheelset.solve(state).status, Status::invalid_input);
 }
 
+/// At the exact level a shape is that of the exact patches; rows, with which it begins, follow the surface.
+TEST(WheelsetOnTrack, TakesAnyShapeAtTheExactLevel) {
+  for (const PatchShape shape : {PatchShape::flat, PatchShape::curved, PatchShape::conformal}) {
+    WheelsetOnTrack wheelset(pair(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 12});
+    const auto s = wheelset.solve(running(1e-3, 1e-3), axle_load(100e3));
+    EXPECT_EQ(s.status, Status::ok) << static_cast<int>(shape) << ": " << to_string(s.reason);
+    EXPECT_NEAR(s.force.z, 100e3, 2);
+  }
+}
+
 } // namespace
 } // namespace microslip

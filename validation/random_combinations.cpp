@@ -184,7 +184,6 @@ private:
 struct Ending {
   std::string kind;
   Status status = Status::ok;
-  double time = 0; ///< processor time [s]
   int newton_steps = 0;
   bool hangs = false, unnamed = false, not_a_number = false, beyond_friction = false;
 };
@@ -230,7 +229,6 @@ Ending solve_number(std::size_t n, const Progress& progress) {
   } catch (const Error& refusal) {
     s = solution_without_result(Status::invalid_input, refusal.what());
   }
-  end.time = processor_time() - begin;
   end.status = s.report.status;
   end.newton_steps = s.report.newton_steps;
   end.unnamed = to_string(s.report.status).empty() || (s.report.status == Status::ok) != s.report.reason.empty();
@@ -256,7 +254,7 @@ void report_statuses(Report& report, const std::vector<Ending>& all) {
   report.line(line);
 }
 
-/// The kinds that most of those that are not solved, or take longest, are of.
+/// Those with the most Newton steps.
 void report_hardest(Report& report, const std::vector<Ending>& all) {
   constexpr std::size_t shown = 5;
   std::vector<const Ending*> order;

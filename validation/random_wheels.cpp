@@ -6,6 +6,7 @@
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/table/creep_force_table.hpp"
+#include "validation/draw.hpp"
 #include "validation/report.hpp"
 #include "validation/worn_profiles.hpp"
 
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -201,15 +201,15 @@ std::string line_of(const Remarkable& one, const std::string& pair) {
 
 LoadedState random_state(std::uint64_t seed) {
   constexpr double speed = 20; // [m/s]
-  std::mt19937_64 engine(seed);
-  const auto any = [&engine] { return static_cast<double>(engine() >> 10U) * 0x1p-53 - 1; }; // in [-1, 1)
+  Draw draw(seed);
   LoadedState s;
   WheelState<double>& state = s.state;
-  state.lateral = 20e-3 * any(), state.yaw = 50e-3 * any(), state.roll = 5e-3 * any();
-  state.forward_velocity = any() < 0 ? -speed : speed;
-  state.pitch_velocity = state.forward_velocity / 0.46 * (1 + 0.02 * any());
-  state.lateral_velocity = 0.1 * any(), state.yaw_velocity = 0.02 * any();
-  s.force = 1e3 * std::pow(200, (any() + 1) / 2);
+  state.lateral = draw.number(-20e-3, 20e-3), state.yaw = draw.number(-50e-3, 50e-3);
+  state.roll = draw.number(-5e-3, 5e-3);
+  state.forward_velocity = draw.sign() * speed;
+  state.pitch_velocity = state.forward_velocity / 0.46 * (1 + draw.number(-0.02, 0.02));
+  state.lateral_velocity = draw.number(-0.1, 0.1), state.yaw_velocity = draw.number(-0.02, 0.02);
+  s.force = draw.power(1e3, 200e3);
   return s;
 }
 

@@ -16,6 +16,7 @@
 #include "validation/falling_friction.hpp"
 #include "validation/fastsim2_table1.hpp"
 #include "validation/fastsim2_table2.hpp"
+#include "validation/frictional_power.hpp"
 #include "validation/hertz.hpp"
 #include "validation/kalker_coefficients.hpp"
 #include "validation/manchester.hpp"
@@ -66,6 +67,8 @@ constexpr std::array all_studies = {
           run_fastsim2_table1},
     Study{"fastsim2-table2", "Table 2 of the FASTSIM2 paper: discretisation errors on 3,220 cases",
           run_fastsim2_table2},
+    Study{"frictional-power", "power of the classical discretisation on refined elements, for bodies of all kinds",
+          run_frictional_power},
     Study{"hertz", "the normal problem against Hertz's closed form, and its order", run_hertz},
     Study{"kalker-coefficients", "creepage coefficients without slip beside Kalker's table, and a finer table",
           run_kalker_coefficients},

@@ -2,6 +2,8 @@
 
 #include "microslip/batch/batch.hpp"
 #include "microslip/railway/wheel_rail.hpp"
+#include "validation/draw.hpp"
+#include "validation/random_wheels.hpp"
 #include "validation/report.hpp"
 #include "validation/worn_profiles.hpp"
 
@@ -11,7 +13,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -40,21 +41,14 @@ std::array<Way, 5> ways() {
            {"by itself, 24", exact({}, 24)}}};
 }
 
-/// A state of running on straight track and in curves, and its vertical force [N].
-struct RunningState {
-  WheelState<double> state;
-  double force = 0;
-};
-
-/// The same with every standard library.
-RunningState running_state(std::uint64_t seed) {
+/// A state of running on straight track and in curves. The same with every standard library.
+LoadedState running_state(std::uint64_t seed) {
   constexpr double speed = 20; // [m/s]
-  std::mt19937_64 engine(seed);
-  const auto any = [&engine] { return static_cast<double>(engine() >> 10U) * 0x1p-53 - 1; }; // in [-1, 1)
-  RunningState s;
-  s.state.lateral = 6e-3 * any(), s.state.yaw = 10e-3 * any();
-  s.state.forward_velocity = speed, s.state.pitch_velocity = speed / 0.46 * (1 + 0.003 * any());
-  s.force = 20e3 * std::pow(7.5, (any() + 1) / 2);
+  Draw draw(seed);
+  LoadedState s;
+  s.state.lateral = draw.number(-6e-3, 6e-3), s.state.yaw = draw.number(-10e-3, 10e-3);
+  s.state.forward_velocity = speed, s.state.pitch_velocity = speed / 0.46 * (1 + draw.number(-0.003, 0.003));
+  s.force = draw.power(20e3, 150e3);
   return s;
 }
 
@@ -65,7 +59,7 @@ struct Compared {
   bool warned = false; ///< of the planes
 };
 
-Compared compare(std::vector<WheelRail>& by, const RunningState& s) {
+Compared compare(std::vector<WheelRail>& by, const LoadedState& s) {
   Compared out;
   Vec3<double> right{};
   for (std::size_t k = 0; k < by.size(); ++k) {
@@ -82,7 +76,7 @@ Compared compare(std::vector<WheelRail>& by, const RunningState& s) {
 
 bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
   constexpr std::size_t count = 200, kinds = 3;
-  constexpr double warned_from = 0.02; // of mu Fn: the warning goes by the fast level, from .01 on
+  constexpr double warned_from = 0.02; // of mu Fn: the warning goes by the fast level
   const auto all = ways();
   const std::vector<ProfilePair> pairs = worn_pairs();
   std::vector<Compared> found(kinds * count);

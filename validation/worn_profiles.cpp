@@ -2,13 +2,13 @@
 
 #include "io/profile_file.hpp"
 #include "microslip/railway/profile_preparation.hpp"
+#include "validation/draw.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <numbers>
-#include <random>
 #include <utility>
 
 namespace microslip::validation {
@@ -47,15 +47,14 @@ Profile worn(const Profile& rail, double depth) {
 /// Normally distributed numbers that are the same with every standard library (Box and Muller 1958).
 class Noise {
 public:
-  explicit Noise(std::uint64_t seed) : engine_(seed) {}
+  explicit Noise(std::uint64_t seed) : draw_(seed) {}
   double operator()() {
-    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-    return radius * std::cos(2 * std::numbers::pi * uniform());
+    const double radius = std::sqrt(-2 * std::log(1 - draw_.number(0, 1)));
+    return radius * std::cos(2 * std::numbers::pi * draw_.number(0, 1));
   }
 
 private:
-  double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-  std::mt19937_64 engine_;
+  Draw draw_;
 };
 
 /// As measured: points every 0.25 mm with white noise of `deviation` [m], smoothed.

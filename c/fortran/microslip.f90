@@ -535,6 +535,7 @@ module microslip
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
   public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate
   public :: microslip_wheelset_contacts, microslip_equivalent_conicity
+  public :: microslip_warning
   public :: microslip_version, microslip_abi, microslip_code_text, microslip_error_text, microslip_text
 
 contains
@@ -575,6 +576,20 @@ contains
       end function
     end interface
     text = microslip_text(c_code_text(code))
+  end function
+
+  !> The text of the k-th warning, counted from 0: bit k of a warning code; empty from the first that there is not.
+  function microslip_warning(k) result(text)
+    integer(c_int), intent(in) :: k
+    character(:), allocatable :: text
+    interface
+      function c_warning(k) bind(c, name='microslip_warning') result(text)
+        import
+        integer(c_int), value :: k
+        type(c_ptr) :: text
+      end function
+    end interface
+    text = microslip_text(c_warning(k))
   end function
 
   !> The words of an error.

@@ -21,15 +21,15 @@ constexpr std::array<WarningInfo, warning_count> table = {{
     {plastic_flow, "plastic_flow", 4, "peak pressure over the yield strength in shear [-]",
      "the peak pressure is beyond four times the yield strength in shear: each passage deforms the surfaces further"},
     {soft_material, "soft_material", 3e5, "Young's modulus [Pa], not below; of wheels 1e9 Pa",
-     "Young's modulus is very small: is it in MPa? Numbers are in Pa"},
+     "Young's modulus is very small: is it in MPa? Numbers are in Pa", false, 1e9},
     {large_radius, "large_radius", 100, "radius of a body that is not straight [m]",
      "a radius of curvature is very large: is it in mm? Numbers are in m, a straight line is inf"},
     {wide_contact, "wide_contact", 0.5, "semi-axis of the contact over a radius of curvature [-]",
      "the contact is too large beside a radius of curvature for a half-space: check units, lengths in m, moduli in Pa, "
      "forces in N"},
     {deep_approach, "deep_approach", 0.1, "approach over the smallest radius [-]; of wheels 0.01 of the rolling radius",
-     "the approach is too large beside a radius for a half-space: check units, lengths in m, moduli in Pa, forces in "
-     "N"},
+     "the approach is too large beside a radius for a half-space: check units, lengths in m, moduli in Pa, forces in N",
+     false, 0.01},
     {light_load, "light_load", 500, "vertical force of a wheel larger than 0.3 m in radius [N], not below",
      "the vertical force is below 500 N: is it in kN? Numbers are in N"},
     {profile_end, "profile_end", 0, "", "a patch reaches the end of a profile: its forces are too small"},
@@ -72,6 +72,17 @@ bool Warnings::is_decisive() const {
   for (const WarningInfo& one : table)
     if (one.is_decisive && has(one.warning)) return true;
   return false;
+}
+
+Warnings pressure_warnings(double peak_pressure, double shear_modulus, double poisson_ratio) {
+  constexpr double stiff = 1e10;
+  const double young = young_modulus(shear_modulus, poisson_ratio);
+  Warnings found;
+  if (peak_pressure > limit(extreme_pressure) * young && (young > stiff || peak_pressure > shear_modulus))
+    found.add(extreme_pressure);
+  else if (peak_pressure > limit(high_pressure) * young && young > stiff)
+    found.add(high_pressure);
+  return found;
 }
 
 std::vector<std::string_view> Warnings::texts() const {

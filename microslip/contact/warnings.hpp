@@ -33,10 +33,11 @@ inline constexpr std::size_t warning_count = 15;
 struct WarningInfo {
   Warning warning;
   std::string_view name;
-  double limit;             ///< a result whose value is beyond it is warned of; 0 of what is or is not
-  std::string_view of;      ///< what the limit is of, with its unit
-  std::string_view text;    ///< for people
-  bool is_decisive = false; ///< a wheel's result cannot be meant: its status is implausible
+  double limit;               ///< a result whose value is beyond it is warned of; 0 of what is or is not
+  std::string_view of;        ///< what the limit is of, with its unit
+  std::string_view text;      ///< for people
+  bool is_decisive = false;   ///< a wheel's result cannot be meant: its status is implausible
+  double limit_of_wheels = 0; ///< where wheels have another one
 };
 
 /// The table in the order of Warning.
@@ -44,6 +45,9 @@ std::span<const WarningInfo> warning_table();
 const WarningInfo& info(Warning warning);
 inline double limit(Warning warning) {
   return info(warning).limit;
+}
+inline double limit_of_wheels(Warning warning) {
+  return info(warning).limit_of_wheels;
 }
 
 /// A set of warnings.
@@ -66,6 +70,14 @@ struct Warnings {
 private:
   static std::uint32_t bit(Warning warning) { return std::uint32_t{1} << static_cast<unsigned>(warning); }
 };
+
+/// Young's modulus E = 2 (1 + nu) G [Pa] that pressures are compared with.
+constexpr double young_modulus(double shear_modulus, double poisson_ratio) {
+  return 2 * (1 + poisson_ratio) * shear_modulus;
+}
+/// Whether a peak pressure [Pa] is beyond what the materials bear: high_pressure of those stiffer than 10 GPa, metals,
+/// glass, ceramics; extreme_pressure of these, of softer ones where it is beyond G as well.
+Warnings pressure_warnings(double peak_pressure, double shear_modulus, double poisson_ratio);
 
 /// What the code means, as files of results state it.
 inline constexpr const char* warning_codes = "sum of 2^k of the warnings k, see the table of warnings; 0: none";

@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/numerics/bracketed_root.hpp"
+#include "microslip/railway/wheel_status.hpp"
 
 #include <algorithm>
 #include <cmath>

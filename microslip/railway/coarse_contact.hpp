@@ -17,13 +17,6 @@ namespace microslip {
 /// Patches of a wheel for which a solution takes memory at once.
 inline constexpr std::size_t most_patches = 8;
 
-/// The vertical force jumps over the one given: the better side's result is near it, or no height bears it.
-inline void mark_jump(WheelRailSolution& out) {
-  constexpr double near = 0.01; // of the force
-  out.status = out.residual < near ? Status::not_converged : Status::no_solution;
-  out.reason = Unsolved::force_jumps;
-}
-
 /// A patch that was found by its rows.
 struct ContactPatch {
   PatchOutline outline;

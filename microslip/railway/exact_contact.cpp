@@ -3,6 +3,7 @@
 #include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/railway/exact_patch.hpp"
 #include "microslip/railway/patch_group.hpp"
+#include "microslip/railway/wheel_status.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -413,7 +414,7 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
     }
     out.residual = vertical_force ? std::abs(vertical / *vertical_force - 1) : 0;
     for (const Loaded& one : loaded) out.residual = std::max(out.residual, one.exact.unsettled());
-    if (out.residual <= std::max(method.tolerance, 1e-6) && tolerance <= 1e-6) {
+    if (out.residual <= method.solved_tolerance() && tolerance <= 1e-6) {
       out.status = Status::ok;
       break;
     }
@@ -469,7 +470,7 @@ public:
       const double height = std::max(before.at + step, least);
       const RootSide here{height, excess(height)};
       if ((here.value > 0) != (before.value > 0)) {
-        const double tolerance = std::max(method_.tolerance, least_exact_tolerance);
+        const double tolerance = method_.solved_tolerance();
         BracketedRoot root = find_bracketed_root(before, here, tolerance, precision, excess);
         if (!root.found && !is_jump(root)) root = find_bracketed_root(root.side, root.other, tolerance, finest, excess);
         out_.residual = std::max(out_.residual, std::abs(root.side.value));

@@ -5,9 +5,6 @@
 
 namespace microslip {
 
-/// A smaller tolerance of the vertical force counts as this at the exact level.
-inline constexpr double least_exact_tolerance = 1e-6;
-
 /// The exact theory on the patches that the coarse level has found in a state, whose forces are so near that few steps
 /// remain: fills in forces, patches, fields, height and status. Patches that are about to become one are one
 /// (group_patches); others lift each other by the far fields of their pressures. The forces of a state solved for a

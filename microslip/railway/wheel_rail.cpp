@@ -235,7 +235,7 @@ private:
     } catch (const Error&) {
       out.status = Status::not_converged, out.residual = std::numeric_limits<double>::quiet_NaN();
     }
-    conclude(out, state.vertical, solved_tolerance());
+    conclude(out, state.vertical, method.solved_tolerance());
     assess(out);
     if (method.level != WheelRailLevel::exact && !method.fields) out.fields.clear();
   }
@@ -248,11 +248,6 @@ private:
       solve_exact(contact->coarse, state, contact->bodies, method, vertical_force, out, progress);
     else if (method.level == WheelRailLevel::fastsim2 && (method.fields || bodies.strength.hardness))
       contact->coarse.add_fields(out);
-  }
-
-  /// Of the residual.
-  double solved_tolerance() const {
-    return method.level == WheelRailLevel::exact ? std::max(method.tolerance, least_exact_tolerance) : method.tolerance;
   }
 
   /// What the forces of a left wheel do to the surfaces and to its guidance, and what makes them doubtful.

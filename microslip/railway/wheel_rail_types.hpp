@@ -11,6 +11,7 @@
 #include "microslip/railway/unsolved.hpp"
 #include "microslip/railway/wheelset.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -60,6 +61,8 @@ struct WheelRailMethod {
 
   /// Which surface gaps and creepages are those of: that of the shape that is given, or the true one.
   PatchShape surface() const { return shape.value_or(PatchShape::curved); }
+  /// The largest residual of a solution: the tolerance that counts.
+  double solved_tolerance() const { return level == WheelRailLevel::exact ? std::max(tolerance, 1e-6) : tolerance; }
   /// How much counts of what the angles of a patch's rows change in their displacements: 0 of a curved patch, 1 of a
   /// conformal one. Unless the shape is given it rises smoothly, 1/2 where the rail's surface turns by 14 degrees
   /// [rad] across the patch, where a cosine differs by 3 %.

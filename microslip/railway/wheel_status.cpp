@@ -33,16 +33,18 @@ void unsolved(WheelRailSolution& s, Unsolved reason) {
   s.reason = reason;
 }
 
-Unsolved usual_reason(Status status) {
+} // namespace
+
+Unsolved usual_reason(Status status, Unsolved of_no_contact, Unsolved of_no_solution) {
   switch (status) {
   case Status::ok:
     return Unsolved::none;
   case Status::invalid_input:
     return Unsolved::out_of_range;
   case Status::no_contact:
-    return Unsolved::apart;
+    return of_no_contact;
   case Status::no_solution:
-    return Unsolved::no_height;
+    return of_no_solution;
   case Status::implausible:
     return Unsolved::implausible;
   default:
@@ -50,7 +52,11 @@ Unsolved usual_reason(Status status) {
   }
 }
 
-} // namespace
+void mark_jump(WheelRailSolution& s) {
+  constexpr double near = 0.01; // of the force
+  s.status = s.residual < near ? Status::not_converged : Status::no_solution;
+  s.reason = Unsolved::force_jumps;
+}
 
 bool is_in_range(WheelState<double> state) noexcept {
   const auto all = state_quantities();

@@ -8,13 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr double softest_wheel = 1e9;      ///< Young's modulus [Pa]
-constexpr double deepest_of_wheels = 0.01; ///< approach over the rolling radius
-constexpr double heavy_wheel = 0.3;        ///< radius [m] from which on loads are some kN
-
-double young_modulus(const CombinedMaterial& material) {
-  return 2 * (1 + material.poisson_ratio) * material.shear_modulus;
-}
+constexpr double heavy_wheel = 0.3; ///< radius [m] from which on loads are some kN
 
 /// By how much the curve is lower (sign 1) or higher (-1) inside than at both of its ends [m].
 double inner_depth(const Profile& profile, double sign) {
@@ -33,7 +27,9 @@ bool looks_exchanged(const Profile& profile) {
 
 Warnings warnings_of(const WheelRailBodies& bodies) {
   Warnings found;
-  found.add_if(young_modulus(bodies.material) < softest_wheel, Warning::soft_material);
+  found.add_if(young_modulus(bodies.material.shear_modulus, bodies.material.poisson_ratio) <
+                   limit_of_wheels(Warning::soft_material),
+               Warning::soft_material);
   found.add_if(looks_exchanged(bodies.rail) || looks_exchanged(bodies.wheel), Warning::exchanged_profile);
   return found;
 }
@@ -50,7 +46,6 @@ std::optional<double> flange_nose(const Profile& wheel) {
 Warnings warnings_of(const WheelRailBodies& bodies, const WheelRailSolution& s, const std::optional<double>& nose) {
   Warnings found;
   if (s.patches.empty()) return found;
-  const double modulus = young_modulus(bodies.material);
   double peak = 0, depth = 0, on_nose = 0, whole = 0;
   for (const WheelRailPatch& patch : s.patches) {
     peak = std::max(peak, patch.peak_pressure);
@@ -59,11 +54,10 @@ Warnings warnings_of(const WheelRailBodies& bodies, const WheelRailSolution& s, 
     whole += vertical;
     if (nose && patch.wheel_y <= *nose) on_nose += vertical;
   }
-  found.add_if(peak > limit(Warning::high_pressure) * modulus && modulus > 1e10, Warning::high_pressure);
-  found.add_if(peak > limit(Warning::extreme_pressure) * modulus, Warning::extreme_pressure);
+  found = pressure_warnings(peak, bodies.material.shear_modulus, bodies.material.poisson_ratio);
   if (const auto& strength = bodies.strength.shear_yield_strength)
     found.add_if(peak > limit(Warning::plastic_flow) * *strength, Warning::plastic_flow);
-  found.add_if(depth > deepest_of_wheels, Warning::deep_approach);
+  found.add_if(depth > limit_of_wheels(Warning::deep_approach), Warning::deep_approach);
   found.add_if(s.force.z > 0 && s.force.z < limit(Warning::light_load) && bodies.wheelset.nominal_radius > heavy_wheel,
                Warning::light_load);
   if (s.y_over_q && s.nadal_limit)

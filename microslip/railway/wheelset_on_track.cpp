@@ -93,23 +93,6 @@ Status find_zero(double& x, double step, const Range& range, double tolerance, c
   return find_bracketed_root(low, high, tolerance, precision, at).found ? Status::ok : Status::not_converged;
 }
 
-Unsolved usual_reason(Status status) {
-  switch (status) {
-  case Status::ok:
-    return Unsolved::none;
-  case Status::no_contact:
-    return Unsolved::off_its_rail;
-  case Status::invalid_input:
-    return Unsolved::out_of_range;
-  case Status::no_solution:
-    return Unsolved::no_balance;
-  case Status::implausible:
-    return Unsolved::implausible;
-  default:
-    return Unsolved::residual;
-  }
-}
-
 struct Wheels {
   WheelRail left, right;
 };
@@ -156,9 +139,9 @@ struct WheelsetOnTrack::Workspace {
       : method(how), left_place(nominal_placement(l.track, l.rail, l.wheelset, l.wheel)),
         right_place(nominal_placement(r.track, r.rail, r.wheelset, r.wheel)),
         rigid(l.track, l.wheelset, {l.rail, l.wheel}, {r.rail, r.wheel}), wheels{{l, how}, {r, how}} {
-    WheelRailMethod fast = how;
-    fast.level = WheelRailLevel::fastsim2;
-    if (how.level == WheelRailLevel::exact) coarse.emplace(Wheels{{l, fast}, {r, fast}});
+    if (how.level != WheelRailLevel::exact) return;
+    const WheelRailMethod fast{.tolerance = how.tolerance}; // whose rows follow the surface, whatever shape is given
+    coarse.emplace(Wheels{{l, fast}, {r, fast}});
   }
 
   /// Brackets within brackets end after some hundred times as many evaluations as Newton's method takes.
@@ -421,6 +404,7 @@ struct WheelsetOnTrack::Workspace {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     if (out.status == Status::invalid_input) {
       out.force = out.moment = {none, none, none};
+      out.residual = none;
     } else if (!is_finite(out)) {
       out.left = out.right = {};
       out.force = out.moment = {}, out.vertical = out.roll = out.pitch_velocity = 0;
@@ -429,7 +413,12 @@ struct WheelsetOnTrack::Workspace {
     if (load.vertical && is_solved(out.status))
       for (const WheelRailSolution* wheel : {&out.left, &out.right})
         out.warnings.add_if(wheel->force.z < limit(Warning::wheel_lifted) * out.force.z / 2, Warning::wheel_lifted);
-    out.reason = usual_reason(out.status);
+    // What was not solved has a residual that says so, and the reason that a wheel has.
+    if (out.status == Status::not_converged && out.residual <= tolerance()) out.residual = 1;
+    out.reason = usual_reason(out.status, Unsolved::off_its_rail, Unsolved::no_balance);
+    for (const WheelRailSolution* wheel : {&out.left, &out.right})
+      if (out.status == Status::not_converged && wheel->status == out.status && out.reason == Unsolved::residual)
+        out.reason = wheel->reason;
   }
 
   void find_balance(WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& out) {
@@ -475,6 +464,10 @@ struct WheelsetOnTrack::Workspace {
     const Warnings warnings = out.warnings;
     differentiate(wheels, state, out);
     out.residual = residual, out.iterations = iterations, out.warnings = warnings;
+    if (!is_solved(out.status)) {
+      out.residual = 1, out.reason = Unsolved::derivatives;
+      return;
+    }
     hold(target_of(state, load, out), state, out, derivatives);
   }
 

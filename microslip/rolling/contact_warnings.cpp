@@ -18,23 +18,23 @@ public:
     (text << ... << parts);
     found_.all.add(warning);
     found_.texts.push_back(text.str());
+    found_.kinds.push_back(warning);
   }
 
   /// The peak pressure [Pa] beside the moduli.
   void compare(double pressure, double shear_modulus, double poisson_ratio) {
-    constexpr double stiff = 1e10; // metals, glass, ceramics
-    const double young = 2 * (1 + poisson_ratio) * shear_modulus;
-    const double largest = limit(Warning::high_pressure), extreme = limit(Warning::extreme_pressure);
+    const double young = young_modulus(shear_modulus, poisson_ratio);
+    const Warnings beyond = pressure_warnings(pressure, shear_modulus, poisson_ratio);
     if (young < limit(Warning::soft_material))
       add(Warning::soft_material, "Young's modulus of both bodies combined, ", young,
           " Pa, is very small: is it in MPa? Numbers are in Pa");
     if (pressure < limit(Warning::faint_pressure) * shear_modulus)
       add(Warning::faint_pressure, "peak pressure ", pressure, " Pa beside the shear modulus, ", shear_modulus,
           " Pa, is implausible", check);
-    else if (pressure > extreme * young && (young > stiff || pressure > shear_modulus))
+    else if (beyond.has(Warning::extreme_pressure))
       add(Warning::extreme_pressure, "peak pressure ", pressure, " Pa beside Young's modulus, ", young,
           " Pa, is far beyond linear elasticity", check);
-    else if (pressure > largest * young && young > stiff)
+    else if (beyond.has(Warning::high_pressure))
       add(Warning::high_pressure, "peak pressure ", pressure, " Pa is beyond a hundredth of Young's modulus, ", young,
           " Pa: metals yield below that", check);
   }

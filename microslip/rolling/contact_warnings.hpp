@@ -13,6 +13,7 @@ namespace microslip {
 struct ContactWarnings {
   Warnings all;
   std::vector<std::string> texts; ///< with its numbers, and which inputs to check; one for each that is found
+  std::vector<Warning> kinds;     ///< of each of the texts
 
   bool empty() const { return texts.empty(); }
 };

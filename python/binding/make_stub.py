@@ -62,6 +62,8 @@ TYPES_OF_PROPERTIES = {
     "ForceArrays.status": "NDArray[numpy.uint8]",
     "WheelRailArrays.status": "NDArray[numpy.uint8]",
     "WheelsetContacts.status": "NDArray[numpy.uint8]",
+    "ForceArrays.warning_code": "NDArray[numpy.uint32]",
+    "WheelRailArrays.warning_code": "NDArray[numpy.uint32]",
     "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
 }
 RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "angle": "Any", "curvature": "Any", "derivative": "Any",

@@ -803,7 +803,7 @@ class ForceArrays:
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     @property
-    def warning_code(self) -> NDArray[numpy.float64]:
+    def warning_code(self) -> NDArray[numpy.uint32]:
         """What makes contacts doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
     @property
     def inputs(self) -> dict[str, Any]:
@@ -1957,7 +1957,7 @@ class WheelRailArrays:
     def status(self) -> NDArray[numpy.uint8]:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     @property
-    def warning_code(self) -> NDArray[numpy.float64][numpy.uint32]:
+    def warning_code(self) -> NDArray[numpy.uint32]:
         """What makes results doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
     @property
     def inputs(self) -> dict[str, Any]:

@@ -148,8 +148,7 @@ constexpr int most_steps = 60;
 constexpr double least_step = 1e-12;
 
 /// Whether a search ends: what it looks for is there, or cannot be brought any nearer.
-bool ends(const PrescribedForce& force, int step, const std::optional<RootSearch>& search, double least_width) {
-  const auto width = search ? search->width() : std::nullopt;
+bool ends(const PrescribedForce& force, int step, std::optional<double> width, double least_width) {
   return force.is_reached() || step == most_steps || (width && *width < least_width);
 }
 
@@ -217,8 +216,9 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
 /// The wheel over its rail, deflected so far.
 WheelGeometry WheelRailSolver::geometry_over(const Case& right, const RailDeflection& deflection) {
   const WheelRailData& data = *right.wheel_rail;
-  WheelGeometry geometry(data, profile(data.rail, ProfileRole::rail), profile(data.wheel, ProfileRole::wheel),
-                         origin_of(right.digits), right.solver.npot_max, deflection);
+  // In this order, so that of two files that are missing always the same one is named.
+  const auto rail = profile(data.rail, ProfileRole::rail), wheel = profile(data.wheel, ProfileRole::wheel);
+  WheelGeometry geometry(data, rail, wheel, origin_of(right.digits), right.solver.npot_max, deflection);
   if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
   return geometry;
 }
@@ -248,7 +248,7 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
                           : find_settlement(right, dy, depth, progress);
     if (!outcome.wheel) return outcome;
     const PrescribedForce force = side_spring(right, *outcome.wheel);
-    if (ends(force, k, search, least_step)) return outcome;
+    if (ends(force, k, search ? search->width() : std::nullopt, least_step)) return outcome;
     if (!search) search.emplace(std::copysign(support.first_step, force.missing()));
     dy = search->next(dy, force.missing());
   }
@@ -289,13 +289,13 @@ Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& 
   const double speed = data.digits.is_roller() ? data.velocity.vs * data.track.roller_radius : data.velocity.vs;
   double& vpitch = data.velocity.vpitch;
   vpitch = -speed / data.wheelset.nominal_radius;
-  std::optional<RootSearch> search(1e-4 * vpitch);
+  RootSearch search(1e-4 * vpitch);
   for (int k = 0;; ++k) {
     Outcome outcome = solve_placed(now, {}, progress);
     if (!outcome.wheel) return outcome;
     const PrescribedForce force = pulling_force(right, *outcome.wheel);
-    if (ends(force, k, search, least_step * std::abs(vpitch))) return outcome;
-    vpitch = search->next(vpitch, force.missing());
+    if (ends(force, k, search.width(), least_step * std::abs(vpitch))) return outcome;
+    vpitch = search.next(vpitch, force.missing());
   }
 }
 
