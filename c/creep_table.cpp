@@ -21,8 +21,8 @@ microslip_code worse(microslip_code so_far, Status status) {
 
 } // namespace
 
-microslip_code microslip_creep_table_read(const char* file, microslip_direction direction,
-                                          microslip_creep_table** table, microslip_error* error) {
+microslip_code microslip_creep_table_read(const char* file, int direction, microslip_creep_table** table,
+                                          microslip_error* error) {
   return guarded(error, [&] {
     require_pointer("table", table);
     const auto rolling = choice<RollingDirection>("direction", direction, 2);

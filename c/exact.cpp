@@ -263,7 +263,7 @@ microslip_code microslip_exact_differentiate(microslip_exact* solver, const micr
   });
 }
 
-microslip_code microslip_exact_get(const microslip_exact* solver, microslip_field field, size_t count, double* values,
+microslip_code microslip_exact_get(const microslip_exact* solver, int field, size_t count, double* values,
                                    microslip_error* error) {
   return guarded_use(error, "solver", solver, [&] {
     copy_field(solution_of(*solver), field_name(field), {require_pointer("values", values), count});

@@ -272,8 +272,8 @@ microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_ra
   });
 }
 
-microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll, double yaw,
-                                           size_t count, const double* lateral, microslip_wheelset_contact* contacts,
+microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, int roll, double yaw, size_t count,
+                                           const double* lateral, microslip_wheelset_contact* contacts,
                                            microslip_error* error) {
   return guarded_use(error, "wheel_rail", wheel_rail, [&] {
     if (count > 0) require_pointer("lateral", lateral), require_pointer("contacts", contacts);
@@ -292,9 +292,9 @@ microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, mic
   });
 }
 
-microslip_code microslip_equivalent_conicity(microslip_wheel_rail* wheel_rail, microslip_roll_rule roll,
-                                             double contact_distance, size_t count, const double* amplitudes,
-                                             double* conicity, microslip_error* error) {
+microslip_code microslip_equivalent_conicity(microslip_wheel_rail* wheel_rail, int roll, double contact_distance,
+                                             size_t count, const double* amplitudes, double* conicity,
+                                             microslip_error* error) {
   return guarded_use(error, "wheel_rail", wheel_rail, [&] {
     if (count == 0) return;
     require_pointer("amplitudes", amplitudes), require_pointer("conicity", conicity);

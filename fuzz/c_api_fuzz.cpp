@@ -253,9 +253,7 @@ void get_results(Draw& draw, const Said& said, Handle* handle, std::size_t cells
                  Field field) {
   std::vector<double> values(cells + 1);
   const std::size_t count = draw.is_odd() ? cells + 1 : cells;
-  said.of(get(draw.pointer(handle), static_cast<microslip_field>(draw.choice(12)), count, draw.pointer(values.data()),
-              said.pointer),
-          "get");
+  said.of(get(draw.pointer(handle), draw.choice(12), count, draw.pointer(values.data()), said.pointer), "get");
   const char* const name =
       draw.pick<const char*>({"fx", "frictional_power", "px", "gap", "state", "ux", "", "no such"});
   said.of(field(handle, draw.pointer(name), count, draw.pointer(values.data()), said.pointer), "field");
@@ -302,8 +300,7 @@ void creep_table(Draw& draw) {
   const std::string shipped = MICROSLIP_SOURCE_DIR "/python/microslip/hertz.creep";
   const std::string file = draw.is_odd() ? draw.pick<const char*>({"", "/", "/dev/null", "no such file"}) : shipped;
   microslip_creep_table* table = nullptr;
-  said.of(microslip_creep_table_read(draw.pointer(file.c_str()), static_cast<microslip_direction>(draw.choice(2)),
-                                     draw.pointer(&table), said.pointer),
+  said.of(microslip_creep_table_read(draw.pointer(file.c_str()), draw.choice(2), draw.pointer(&table), said.pointer),
           "creep_table_read");
   const std::vector<microslip_contact> all = contacts(draw);
   on_many<microslip_forces>(draw, all, "creep_table_solve", [&](auto count, auto given, auto results) {
@@ -427,7 +424,7 @@ void wheel_rail(Draw& draw) {
   std::vector<double> lateral(4), conicity(4);
   for (double& y : lateral) y = draw.number(0.004);
   Results<microslip_wheelset_contact> contacts(lateral.size());
-  const auto roll = static_cast<microslip_roll_rule>(draw.choice(2));
+  const int roll = draw.choice(2);
   int code = said.of(microslip_wheelset_contacts(handle, roll, draw.number(1e-3), lateral.size(),
                                                  draw.pointer(lateral.data()), contacts.data(), said.pointer),
                      "wheelset_contacts");

@@ -31,7 +31,8 @@ std::shared_ptr<const CreepForceTable> CreepTables::get(const fs::path& file, st
   if (found != entries_.end()) {
     std::rotate(found, found + 1, entries_.end());
   } else {
-    const auto same_file = std::ranges::find(entries_, file, &Entry::file);
+    const auto same_file =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.file == file; });
     const CreepTableSource source = same_file != entries_.end() ? same_file->source : creep_table_source(file);
     entries_.push_back({file, source, poisson_ratio, direction, make(source, poisson_ratio, direction)});
   }

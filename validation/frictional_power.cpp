@@ -76,8 +76,7 @@ bool run_frictional_power(const StudyOptions& options, std::ostream& out) {
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       const ContactSolution s = roll_discs(kind, sizes[k]);
       power[k] = s.totals.frictional_power, summed[k] = power_of_fields(s);
-      if (options.progress &&
-          !options.progress(++done / static_cast<double>(sizes.size() * disc_kinds().size())))
+      if (options.progress && !options.progress(++done / static_cast<double>(sizes.size() * disc_kinds().size())))
         return false;
     }
     const double limit = 2 * power[3] - power[2];

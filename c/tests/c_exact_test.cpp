@@ -141,13 +141,11 @@ TEST(CExact, FieldsAreThoseOfTheLibrary) {
                                          &f.traction.x, &f.traction.y, &f.slip.x,         &f.slip.y,
                                          &state,        &f.pressure,   &f.displacement.x, &f.displacement.y};
   for (int name = MICROSLIP_FIELD_X; name <= MICROSLIP_FIELD_UY; ++name) {
-    ASSERT_EQ(microslip_exact_get(solver.get(), static_cast<microslip_field>(name), count, found.data(), nullptr),
-              MICROSLIP_OK);
+    ASSERT_EQ(microslip_exact_get(solver.get(), name, count, found.data(), nullptr), MICROSLIP_OK);
     EXPECT_EQ(found, *fields[name]) << name;
   }
   microslip_error error;
-  EXPECT_EQ(microslip_exact_get(solver.get(), static_cast<microslip_field>(12), count, found.data(), &error),
-            MICROSLIP_NO_RESULT);
+  EXPECT_EQ(microslip_exact_get(solver.get(), 12, count, found.data(), &error), MICROSLIP_NO_RESULT);
   EXPECT_EQ(microslip_exact_get(solver.get(), MICROSLIP_FIELD_PRESSURE, count + 1, found.data(), &error),
             MICROSLIP_WRONG_SIZE);
 }

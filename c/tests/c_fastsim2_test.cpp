@@ -162,9 +162,7 @@ TEST(CFastsim2, FieldsSumUpToTheForces) {
   ASSERT_EQ(microslip_fastsim2_solve_fields(solver.get(), &contact, &forces, nullptr), MICROSLIP_OK);
   std::vector<std::vector<double>> field(9, std::vector<double>(100));
   for (int name = MICROSLIP_FIELD_X; name <= MICROSLIP_FIELD_STATE; ++name)
-    ASSERT_EQ(
-        microslip_fastsim2_get(solver.get(), static_cast<microslip_field>(name), 100, field[name].data(), nullptr),
-        MICROSLIP_OK);
+    ASSERT_EQ(microslip_fastsim2_get(solver.get(), name, 100, field[name].data(), nullptr), MICROSLIP_OK);
   const auto& [x, y, area, bound, px, py, sx, sy, state] =
       std::tie(field[0], field[1], field[2], field[3], field[4], field[5], field[6], field[7], field[8]);
   double fx = 0, fy = 0, mz = 0;

@@ -127,7 +127,7 @@ struct CreepTableSource::Data {
     Materials made = make_materials(nodes, missing);
     const auto& known = nodes.axes.poisson_ratios;
     for (const auto& one : made)
-      if (std::ranges::find(known, one->poisson_ratio) != known.end())
+      if (std::find(known.begin(), known.end(), one->poisson_ratio) != known.end())
         own.push_back(one);
       else
         of_others.push_back(one);

@@ -295,6 +295,7 @@ test("a contact by its ellipse: the program finds that ellipse under any load, l
   await page.getByText(/a\/b = .* must be in/).waitFor({ state: "hidden" });
   await page.getByLabel("given by").selectOption("radii");
   assert.equal(await page.locator("#contact-body2-rolling_radius").inputValue(), "inf");
+  await settled(page);
   assert.equal((await row(page, "longitudinal force Fx"))[0], fx);
   assert.deepEqual(errors, []);
   await page.close();
