@@ -284,8 +284,8 @@ MICROSLIP_API microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2*
                                                              microslip_error* error);
 /* Copies a field, a microslip_field, of the contact last solved by microslip_fastsim2_solve_fields; `count` must be
  * mx my. */
-MICROSLIP_API microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, int field,
-                                                    size_t count, double* values, microslip_error* error);
+MICROSLIP_API microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, int field, size_t count,
+                                                    double* values, microslip_error* error);
 /* The same by names, for all numbers and fields of microslip_quantity_info and microslip_field_info, and "state".
  * MICROSLIP_NO_RESULT for one that the simplified theory does not have. */
 MICROSLIP_API microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name,
@@ -295,11 +295,11 @@ MICROSLIP_API microslip_code microslip_fastsim2_field(const microslip_fastsim2* 
 
 /* A creep-force table: results of the exact theory, between which it interpolates. */
 typedef struct microslip_creep_table microslip_creep_table;
-/* Reads a table made by `microslip table make` for a microslip_direction, such as share/microslip/python/microslip/hertz.creep of microslip,
- * which is read once: handles of it share its numbers. MICROSLIP_INVALID_OPTION for a file that is no table, of another
- * version or byte order, cut short or corrupted. */
-MICROSLIP_API microslip_code microslip_creep_table_read(const char* file, int direction,
-                                                        microslip_creep_table** table, microslip_error* error);
+/* Reads a table made by `microslip table make` for a microslip_direction, such as
+ * share/microslip/python/microslip/hertz.creep of microslip, which is read once: handles of it share its numbers.
+ * MICROSLIP_INVALID_OPTION for a file that is no table, of another version or byte order, cut short or corrupted. */
+MICROSLIP_API microslip_code microslip_creep_table_read(const char* file, int direction, microslip_creep_table** table,
+                                                        microslip_error* error);
 /* NULL is allowed. */
 MICROSLIP_API void microslip_creep_table_destroy(microslip_creep_table* table);
 /* Forces of `count` contacts. Real-time safe: no allocation, no lock, no input or output, about 1 us a contact; from
@@ -425,8 +425,8 @@ MICROSLIP_API microslip_code microslip_exact_differentiate(microslip_exact* solv
                                                            size_t count, double* jacobian,
                                                            microslip_exact_result* result, microslip_error* error);
 /* Copies a field, a microslip_field, of the contact last solved; `count` must be mx my of its result. */
-MICROSLIP_API microslip_code microslip_exact_get(const microslip_exact* solver, int field, size_t count,
-                                                 double* values, microslip_error* error);
+MICROSLIP_API microslip_code microslip_exact_get(const microslip_exact* solver, int field, size_t count, double* values,
+                                                 microslip_error* error);
 /* A number of the contact last solved by its name, one of microslip_quantity_info. With an accuracy given it is that of
  * the finest grid, like the fields. MICROSLIP_NO_RESULT for one that this contact does not have, such as temperatures
  * without heat data. */
@@ -578,10 +578,10 @@ typedef struct microslip_wheelset_contact {
 } microslip_wheelset_contact;
 
 /* Contacts of a rigid wheelset with the profiles, track and wheelset of the case at `count` lateral displacements [m]
- * of a yaw angle [rad], each in [-1, 1], by a microslip_roll_rule: all of `contacts` is written. The code is that of the first that is not
- * MICROSLIP_OK. */
-MICROSLIP_API microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, int roll,
-                                                         double yaw, size_t count, const double* lateral,
+ * of a yaw angle [rad], each in [-1, 1], by a microslip_roll_rule: all of `contacts` is written. The code is that of
+ * the first that is not MICROSLIP_OK. */
+MICROSLIP_API microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, int roll, double yaw,
+                                                         size_t count, const double* lateral,
                                                          microslip_wheelset_contact* contacts, microslip_error* error);
 /* Equivalent conicity [-] by EN 15302 at `count` amplitudes [m], in (0, 0.9]; contact_distance e [m], > 0, is that of
  * both contacts, usually 1.5. NaN where no periodic motion exists, and for an amplitude out of range, for which the
