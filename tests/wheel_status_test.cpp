@@ -175,5 +175,20 @@ TEST(WheelStatus, NumbersBeyondAllBoundsGiveAStatus) {
   }
 }
 
+/// A wheel at a large angle of attack whose throat wraps the gauge corner: a patch that turns by some 75 degrees.
+TEST(WheelStatus, PatchesBeyondTheirElementsHaveThatAsReason) {
+  WheelRailBodies bodies = pairs().front().bodies;
+  bodies.friction = {{0, 0.1}};
+  WheelRail wheel(bodies, {.level = WheelRailLevel::exact});
+  WheelState<double> state;
+  state.lateral = 0.0073855, state.yaw = 0.0162745, state.roll = -0.0019794;
+  state.forward_velocity = 20, state.pitch_velocity = 43.49095;
+  state.lateral_velocity = -0.06368, state.yaw_velocity = -0.0064114;
+  const WheelRailSolution s = wheel.solve(state, 140359.65);
+  EXPECT_EQ(s.status, Status::not_converged);
+  EXPECT_EQ(s.reason, Unsolved::beyond_elements) << to_string(s.reason);
+  EXPECT_EQ(contradiction(s, 140359.65), "");
+}
+
 } // namespace
 } // namespace microslip

@@ -62,6 +62,7 @@ struct Loaded {
   std::optional<double> force_before = {}; ///< what it was in the last step
   double approach_before = 0;              ///< [m], likewise
   ContactSolution solution = {};
+  bool covers_overlap = false; ///< the elements do
 
   double cosine() const { return std::cos(group.outline.frame.angle); }
 };
@@ -145,7 +146,11 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
     if (force > 0 && method.surface() == PatchShape::flat)
       for (const PointLoad& row : loads)
         share += row.force / force * (std::cos(group.outline.frame.angle) - std::cos(row.angle));
+    const PatchOutline& overlap = group.outline;
+    const bool covers = covered.x_low == overlap.x_low && covered.x_high == overlap.x_high &&
+                        covered.s_low == overlap.s_low && covered.s_high == overlap.s_high;
     loaded.push_back({std::move(group), *rows, std::move(loads), std::move(exact), force, share});
+    loaded.back().covers_overlap = covers;
   }
   return loaded;
 }
@@ -359,11 +364,15 @@ bool hold_contacts(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); });
 }
 
+bool cover_overlap(const std::vector<Loaded>& loaded) {
+  return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.covers_overlap; });
+}
+
 /// No load of these patches bears the vertical force: that is for other heights to find.
-bool no_balance(WheelRailSolution& out) {
+bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
   out.patches.clear(), out.fields.clear();
   out.force = out.moment = {};
-  out.status = Status::not_converged, out.residual = 1;
+  out.status = Status::not_converged, out.residual = 1, out.reason = reason;
   return true;
 }
 
@@ -385,7 +394,7 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
     const std::optional<double> found = share_load(loaded, vertical_force, 0, true);
     if (!found) return no_balance(out);
     lowering = *found;
-    if (hold_contacts(loaded)) break;
+    if (hold_contacts(loaded) || cover_overlap(loaded)) break;
   }
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   for (int round = 0; round < most_rounds; ++round) {
@@ -398,8 +407,10 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
       out.vertical -= lowering;
       return false;
     }
+    const bool held = hold_contacts(loaded);
+    if (!held && round == 0) return no_balance(out, Unsolved::beyond_elements);
     out.status = Status::not_converged;
-    if (!hold_contacts(loaded)) break;
+    if (!held) break;
     // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
     const double same_elements = round < 2 ? 5e-4 : 1e-2;
     // The first round is to tell how much of the weight the tangential forces bear.
@@ -446,13 +457,16 @@ public:
       : coarse_(coarse), state_(state), bodies_(bodies), method_(method), vertical_force_(vertical_force), out_(out),
         progress_(progress) {}
 
-  /// Solves at a height [m]. By how much the vertical force is too large, relative.
+  /// Solves at a height [m]. By how much the vertical force is too large, relative; not a number once patches have been
+  /// beyond their elements in too many heights.
   double excess_at(double height) {
+    if (beyond_elements_ >= most_beyond_elements) return std::numeric_limits<double>::quiet_NaN();
     state_.vertical = height;
     out_.patches.clear(), out_.fields.clear();
-    out_.force = out_.moment = {};
+    out_.force = out_.moment = {}, out_.reason = Unsolved::none;
     coarse_.solve(state_, {}, out_);
     if (out_.status != Status::no_contact) solve_from_coarse(coarse_, state_, bodies_, method_, {}, out_, progress_);
+    if (out_.reason == Unsolved::beyond_elements) ++beyond_elements_;
     return out_.force.z / vertical_force_ - 1;
   }
 
@@ -472,19 +486,28 @@ public:
       if ((here.value > 0) != (before.value > 0)) {
         const double tolerance = method_.solved_tolerance();
         BracketedRoot root = find_bracketed_root(before, here, tolerance, precision, excess);
-        if (!root.found && !is_jump(root)) root = find_bracketed_root(root.side, root.other, tolerance, finest, excess);
+        if (!root.found && beyond_elements_ == 0 && !is_jump(root))
+          root = find_bracketed_root(root.side, root.other, tolerance, finest, excess);
         out_.residual = std::max(out_.residual, std::abs(root.side.value));
-        if (!root.found) mark_jump(out_);
+        if (root.found) return;
+        if (beyond_elements_ > 0) break;
+        mark_jump(out_);
         return;
       }
       before = here;
       if (std::abs(here.value) < std::abs(nearest.value)) nearest = here;
+    }
+    if (beyond_elements_ > 0) { // a force there may be the one given
+      no_balance(out_, Unsolved::beyond_elements);
+      return;
     }
     out_.residual = std::abs(excess(nearest.at));
     out_.status = Status::no_solution, out_.reason = Unsolved::no_height;
   }
 
 private:
+  static constexpr int most_beyond_elements = 6;
+
   /// Whether the force changes more steeply than any contact would let it.
   bool is_jump(const BracketedRoot& root) const {
     const double stiffest = bodies_.material.shear_modulus * bodies_.wheelset.nominal_radius; // [N/m]
@@ -499,6 +522,7 @@ private:
   double vertical_force_;
   WheelRailSolution& out_;
   const Progress& progress_;
+  int beyond_elements_ = 0; ///< heights in which patches were beyond their elements
 };
 
 } // namespace

@@ -15,6 +15,7 @@ enum class Unsolved : std::uint8_t {
   too_many_patches,
   pressures,
   tractions,
+  beyond_elements,
   residual,
   numbers,
   derivatives,
@@ -44,6 +45,8 @@ constexpr std::string_view to_string(Unsolved reason) {
     return "the pressures have not converged: see the residual";
   case Unsolved::tractions:
     return "the tangential problem of a patch has not converged: see its status";
+  case Unsolved::beyond_elements:
+    return "the contact reaches beyond the elements of its patch, whose surfaces bend too much for the exact theory";
   case Unsolved::residual:
     return "not converged: see the residual";
   case Unsolved::numbers:
