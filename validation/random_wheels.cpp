@@ -181,11 +181,16 @@ double median(std::vector<double> times) {
 }
 
 void add_line(Report& report, const std::string& name, const char* level, const Outcome& out) {
+  report.line(fmt::format("{:16} {:8} {:7} {:7} {:7} {:7} {:7} {:7} {:7} {:7}", name, level, out.states,
+                          out.of(Status::ok), out.of(Status::implausible), out.of(Status::no_solution),
+                          out.of(Status::not_converged), out.thrown, out.contradictions, out.roots));
+}
+
+/// The longest processor time over the median.
+double add_times(Report& report, const std::string& name, const char* level, const Outcome& out) {
   const double usual = median(out.times), slowest = *std::max_element(out.times.begin(), out.times.end());
-  report.line(fmt::format("{:16} {:8} {:7} {:7} {:6} {:6} {:6} {:6} {:6} {:6} {:6} {:8.0f} {:7.1f}", name, level,
-                          out.states, out.of(Status::ok), out.of(Status::no_contact), out.of(Status::no_solution),
-                          out.of(Status::not_converged), out.thrown, out.contradictions, out.roots,
-                          out.of(Status::invalid_input), 1e6 * usual, slowest / usual));
+  report.line(fmt::format("processor time of {:16} {:8} {:8.0f} {:7.1f}", name, level, 1e6 * usual, slowest / usual));
+  return slowest / usual;
 }
 
 std::string line_of(const Remarkable& one, const std::string& pair) {
@@ -248,18 +253,17 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   report.heading(fmt::format("{} random states: y to 20 mm, yaw to 50 mrad, roll to 5 mrad, friction 0.1 to 0.6, 1 to "
                              "200 kN, both sides and directions",
                              each * all.size()));
-  report.line(
-      "profiles         level     states      ok no con no sol no cnv thrown contra  roots invalid median us  slowest");
+  report.line("profiles         level     states      ok implaus  no sol  no cnv  thrown  contra   roots");
   Outcome total;
-  double ratio = 0;
+  std::vector<Outcome> sums;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair)
     for (std::size_t level = 0; level < levels.size(); ++level) {
       Outcome sum;
       for (std::size_t k = 0; k < all.size(); ++k)
         if (all[k].pair == pair && all[k].level == level) sum += found[k];
       add_line(report, pairs[pair].name, names[level], sum);
-      ratio = std::max(ratio, *std::max_element(sum.times.begin(), sum.times.end()) / median(sum.times));
       total += sum;
+      sums.push_back(std::move(sum));
     }
   const auto none = [&](const char* name, int value) {
     report.figure(name, fmt::format("{}", value), "0", value == 0);
@@ -269,6 +273,10 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   none("unsolved states that a height would solve", total.roots);
   const double share = static_cast<double>(total.of(Status::not_converged)) / total.states;
   report.figure("share that does not converge", fmt::format("{:.1e}", share), "at most 5e-4", share <= 5e-4);
+  report.heading("Processor time of a state: median [us], longest over the median");
+  double ratio = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    ratio = std::max(ratio, add_times(report, pairs[k / levels.size()].name, names[k % levels.size()], sums[k]));
   report.figure("longest processor time over the median of its line", fmt::format("{:.0f}", ratio), "at most 100",
                 ratio <= 100);
   if (options.thorough) {

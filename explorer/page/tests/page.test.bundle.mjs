@@ -1,0 +1,581 @@
+// ../../../../explorer/page/tests/page.test.ts
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+
+// ../../../../explorer/page/src/row_edge.ts
+var leastReach = 0.02;
+var mostReach = 1.1;
+var tipParts = 4;
+function steps(outer, inner) {
+  return Math.min(Math.max(outer / (inner - outer), leastReach), mostReach);
+}
+function run({ x, y, width, pressure }, cells) {
+  const reach = (outer, inner) => {
+    const [p, q] = [pressure[outer], inner === void 0 ? 0 : pressure[inner]];
+    return inner === void 0 || q <= p ? width[outer] / 2 : steps(p * p, q * q) * Math.abs(x[inner] - x[outer]);
+  };
+  const first = cells[0], last = cells.at(-1);
+  return { cells, y: y[first], left: x[first] - reach(first, cells[1]), right: x[last] + reach(last, cells.at(-2)) };
+}
+function runsOf(f) {
+  const rows = /* @__PURE__ */ new Map();
+  f.y.forEach((y, k) => {
+    if (!rows.has(y)) rows.set(y, []);
+    if (f.state[k] !== 0) rows.get(y).push(k);
+  });
+  return [...rows].sort(([one], [other]) => one - other).map(([, cells]) => {
+    const runs = [];
+    for (const k of cells.sort((one, other) => f.x[one] - f.x[other])) {
+      const before2 = runs.at(-1)?.at(-1);
+      const isNext = before2 !== void 0 && f.x[k] - f.x[before2] < 0.75 * (f.width[k] + f.width[before2]);
+      if (isNext) runs.at(-1).push(k);
+      else runs.push([k]);
+    }
+    return runs.map((found) => run(f, found));
+  });
+}
+function chords(here, next, before2, height) {
+  const start = [here.y, here.left, here.right];
+  if (next) return [start, [here.y + height / 2, (here.left + next.left) / 2, (here.right + next.right) / 2]];
+  const length = (of) => of.right - of.left;
+  const rows = before2 && length(before2) > length(here) ? steps(length(here) ** 2, length(before2) ** 2) : 0.5;
+  const middle = (here.left + here.right) / 2, half = length(here) / 2;
+  return Array.from({ length: tipParts + 1 }, (_, i) => {
+    const share = 1 - i / tipParts;
+    return [here.y + height * rows * (1 - share ** 2), middle - half * share, middle + half * share];
+  });
+}
+function parts({ x, width }, { cells }, from, to) {
+  const [low, high] = from[0] < to[0] ? [from, to] : [to, from];
+  return cells.flatMap((k, i) => {
+    const left = i === 0 ? -Infinity : x[k] - width[k] / 2, right = i === cells.length - 1 ? Infinity : x[k] + width[k] / 2;
+    const within = ([, l, r]) => [Math.min(Math.max(left, l), r), Math.max(Math.min(right, r), l)];
+    const [a, b] = [within(low), within(high)];
+    return a[1] > a[0] || b[1] > b[0] ? [{ k, low: a, high: b, y: [low[0], high[0]] }] : [];
+  });
+}
+function cellsUpToTheEdge(f, height) {
+  const rows = runsOf(f);
+  const beside = (row2, here) => row2?.find(({ left, right }) => left < here.right && right > here.left);
+  return rows.flatMap((row2, j) => row2.flatMap((here) => {
+    const above = beside(rows[j + 1], here), below = beside(rows[j - 1], here);
+    return [chords(here, above, below, height), chords(here, below, above, -height)].flatMap((line) => line.slice(1).flatMap((to, i) => parts(f, here, line[i], to)));
+  }));
+}
+
+// ../../../../explorer/page/tests/page.test.ts
+import { chromium } from "playwright-core";
+var { MICROSLIP_PAGE: folder = "", MICROSLIP: named = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
+var program = path.resolve(named);
+var address = `file://${path.resolve(folder)}/index.html`;
+var scratch = mkdtempSync(path.join(tmpdir(), "explorer-"));
+var browser;
+before(async () => {
+  browser = await chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+  });
+});
+after(async () => {
+  await browser.close();
+  rmSync(scratch, { recursive: true });
+});
+async function opened(link = "", size = { width: 1400, height: 900 }, script, colorScheme = "light") {
+  const page = await browser.newPage({ viewport: size, colorScheme });
+  const errors = [], requests = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("request", (request) => requests.push(request.url()));
+  if (script) await page.addInitScript(script);
+  await page.goto(address + link);
+  return { page, errors, requests };
+}
+async function row(page, name, columns = 2) {
+  const cells = page.locator("section:not([hidden]) .numbers tr", { hasText: name }).locator("td:not(.unit)");
+  await page.waitForFunction(([text, count]) => {
+    const found = [...document.querySelectorAll("section:not([hidden]) .numbers tr")].find((tr) => tr.textContent?.includes(text));
+    const values = [...found?.querySelectorAll("td:not(.unit)") ?? []].map((cell) => cell.textContent);
+    return values.length >= count && !values.includes("\u2026");
+  }, [name, columns], { timeout: 6e4 });
+  return (await cells.allTextContents()).map(Number);
+}
+async function field(page, key, text) {
+  const input = page.locator(`#contact-${key.replaceAll(".", "-")}`);
+  await input.fill(text);
+  await input.press("Enter");
+  await input.blur();
+}
+async function railField(page, key, text) {
+  const input = page.locator(`#rail-${key.replaceAll(".", "-")}`);
+  await input.fill(text);
+  await input.press("Enter");
+}
+async function settled(page) {
+  const quiet = await page.evaluateHandle(() => ({ since: performance.now() }));
+  await page.waitForFunction((at) => {
+    if (document.body.ariaBusy === "true") at.since = performance.now();
+    return performance.now() - at.since > 700;
+  }, quiet, { polling: 20, timeout: 12e4 });
+}
+async function saved(page, name) {
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name, exact: true }).click();
+  const to = path.join(scratch, (await download).suggestedFilename());
+  await (await download).saveAs(to);
+  return to;
+}
+function near(found, wanted) {
+  assert.ok(Math.abs(found - wanted) <= 6e-4 * Math.abs(wanted) + 1e-12, `${found} on the page, ${wanted} by the program`);
+}
+function solvedByProgram(file) {
+  return JSON.parse(execFileSync(program, ["solve", file, "--json"], { cwd: scratch, encoding: "utf8", stdio: "pipe", maxBuffer: 1e9 }));
+}
+test("cells are drawn up to the edge of their contact: of Hertz's pressure on rows up to his ellipse", () => {
+  const a = 6, b = 4, n = 40, [dx, dy] = [2 * a / n, 2 * b / n];
+  for (const [shift, rise] of [[0, 0], [0.3, 0.2], [-0.45, 0.49]]) {
+    const at = Array.from({ length: (n + 2) ** 2 }, (_, k) => [(k % (n + 2) - n / 2 - 0.5 + shift) * dx, (Math.floor(k / (n + 2)) - n / 2 - 0.5 + rise) * dy]);
+    const level = (x, y) => 1 - (x / a) ** 2 - (y / b) ** 2;
+    const parts2 = cellsUpToTheEdge({
+      x: at.map(([x]) => x),
+      y: at.map(([, y]) => y),
+      width: at.map(() => dx),
+      pressure: at.map(([x, y]) => Math.sqrt(Math.max(level(x, y), 0))),
+      state: at.map(([x, y]) => level(x, y) > 0 ? 1 : 0)
+    }, dy);
+    const area = parts2.reduce((sum, { low, high, y }) => sum + (low[1] - low[0] + high[1] - high[0]) / 2 * (y[1] - y[0]), 0);
+    assert.ok(Math.abs(area / (Math.PI * a * b) - 1) < 5e-3, `${area} of ${Math.PI * a * b}`);
+    const outmost = Math.min(...parts2.flatMap(({ low, high, y }) => [...low.map((x) => level(x, y[0])), ...high.map((x) => level(x, y[1]))]));
+    assert.ok(outmost > -0.02, `a corner at level ${outmost}`);
+  }
+});
+test("opens from a file, asks nothing of a network, and its forces are the program's", async () => {
+  const { page, errors, requests } = await opened();
+  const [fx, fast] = await row(page, "longitudinal force Fx"), [mz] = await row(page, "spin moment Mz");
+  const result = solvedByProgram(await saved(page, "case as TOML"));
+  near(fx * 1e3, result.exact.fx);
+  near(fast * 1e3, result.fastsim2.fx);
+  near(mz, result.exact.mz);
+  assert.deepEqual(requests.filter((url) => !/^(file|blob|data):/.test(url)), []);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("a wheel on a rail has the program's forces", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  const [lateral] = await row(page, "lateral force");
+  const file = await saved(page, "case as TOML");
+  for (const name of ["60e1.prr", "s1002.prw"]) writeFileSync(path.join(scratch, name), readFileSync(path.join(profiles, name)));
+  near(lateral * 1e3, solvedByProgram(file).wheel.force_y[0]);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("the transient plays from rest to steady rolling", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Start and stop" }).click();
+  await page.getByText("at rest, forces put on").waitFor({ timeout: 6e4 });
+  await page.getByRole("button", { name: "play or stop" }).click();
+  await page.getByText(/2\.\d* lengths of the contact/).waitFor({ timeout: 6e4 });
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("a link restores the state; others are refused in words", async () => {
+  const first = await opened();
+  await field(first.page, "load.normal_force", "55,5 kN");
+  await first.page.waitForFunction(() => location.hash.length > 10);
+  await settled(first.page);
+  const link = new URL(first.page.url()).hash;
+  const before2 = await row(first.page, "longitudinal force Fx");
+  const second = await opened(link);
+  assert.equal(await second.page.locator("#contact-load-normal_force").inputValue(), "55.5");
+  assert.deepEqual(await row(second.page, "longitudinal force Fx"), before2);
+  for (const [other, why] of [["#7.abc", "version 7"], ["#2.AAAA", "damaged"], ["#1.AAAA", "version 1"], ["#nonsense", "not one of the explorer"]]) {
+    const { page } = await opened(other);
+    await page.getByText(why).waitFor();
+    await row(page, "longitudinal force Fx");
+    await page.close();
+  }
+  await first.page.close();
+  await second.page.close();
+});
+async function dropped(page, files) {
+  await page.evaluate((given) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, text] of given) dataTransfer.items.add(new File([text], name));
+    document.querySelector("header").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, files);
+}
+test("case files that are dropped have the program's numbers, or are refused by what the page does not have", async () => {
+  const { page, errors } = await opened(), folder2 = path.join(profiles, "..");
+  const example = (name) => readFileSync(path.join(folder2, name), "utf8");
+  const solved = (name) => solvedByProgram(path.join(path.resolve(folder2), name));
+  await row(page, "longitudinal force Fx");
+  await dropped(page, [["hertzian_contact.toml", example("hertzian_contact.toml")]]);
+  await page.getByText("ms on 40 \xD7 40 elements").waitFor();
+  await settled(page);
+  const contact = solved("hertzian_contact.toml"), [fx, fast] = await row(page, "longitudinal force Fx");
+  near(fx * 1e3, contact.exact.fx);
+  near(fast * 1e3, contact.fastsim2.fx);
+  await dropped(page, [["starting_to_roll.toml", example("starting_to_roll.toml")]]);
+  await page.getByRole("tab", { name: "Start and stop", selected: true }).waitFor();
+  await settled(page);
+  assert.equal(await page.locator("#start-motion-creepage_lateral").inputValue(), "0.05");
+  assert.ok(await page.locator("#start-motion-force_longitudinal").isHidden());
+  const last = readFileSync(await saved(page, "forces as CSV"), "utf8").trim().split("\n").at(-1).split(",").map(Number);
+  near(last[1] * 1e3, solved("starting_to_roll.toml").exact.fx);
+  await dropped(page, [["wheel_on_rail.toml", example("wheel_on_rail.toml")]]);
+  await page.getByText("material.hardness = 3000000000").waitFor();
+  await settled(page);
+  near((await row(page, "lateral force"))[0] * 1e3, solved("wheel_on_rail.toml").wheel.force_y[0]);
+  await dropped(page, [["two_rollers.toml", example("two_rollers.toml")]]);
+  await page.getByText(/two_rollers.toml is not taken: the page does not have this of the case: .*load.approach/).waitFor();
+  await dropped(page, [["worn.toml", example("wheel_on_rail.toml").replace("profiles/s1002.prw", "worn/s1.prw")]]);
+  await page.getByText('worn.toml is not taken: wheelset.profile = "worn/s1.prw": not here').waitFor();
+  await dropped(page, [["worn.toml", example("wheel_on_rail.toml").replace("profiles/s1002.prw", "worn/s1.prw")], ["s1.prw", example("profiles/s1002.prw")]]);
+  await page.getByText("Wheel s1.prw on rail 60e1.prr").waitFor();
+  await settled(page);
+  near((await row(page, "lateral force"))[0] * 1e3, solved("wheel_on_rail.toml").wheel.force_y[0]);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("the program opens the page with a case, and what the page does not have is named", async () => {
+  const explore = (file) => {
+    const to = path.join(scratch, "leads.html");
+    execFileSync(program, ["explore", file, "--no-browser", "-o", to], { stdio: "pipe" });
+    return `file://${to}`;
+  };
+  const page = await browser.newPage();
+  await page.goto(explore(path.join(profiles, "../wheel_on_rail.toml")));
+  await page.waitForFunction(() => document.querySelector("#rail-wheel-lateral")?.value === "6.04", void 0, { timeout: 6e4 });
+  await row(page, "lateral force");
+  await page.goto(explore(path.join(profiles, "../starting_to_roll.toml")));
+  await page.getByRole("tab", { name: "Start and stop", selected: true }).waitFor({ timeout: 6e4 });
+  const layered = path.join(scratch, "layered.toml");
+  writeFileSync(layered, readFileSync(path.join(profiles, "../hertzian_contact.toml"), "utf8").replace("# [layer] ", "[layer] ").replace('# shear_modulus = "8.2 GPa"', 'shear_modulus = "8.2 GPa"').replace("# thickness = ", "thickness = ").replace('"second_order"', '"classical"'));
+  await page.goto(explore(layered));
+  await page.getByText(/the page does not have this of the case: layer.shear_modulus, layer.thickness.* The page shows its own example instead/).waitFor({ timeout: 6e4 });
+  await page.close();
+});
+test("empty, absurd and misread fields are refused where they stand, and results are faint as long as they are", async () => {
+  const { page, errors } = await opened();
+  const faint = page.locator("section.old:not([hidden])"), inWords = page.locator("section:not([hidden]) .panel .message").first();
+  await row(page, "longitudinal force Fx");
+  assert.equal(await faint.count(), 0);
+  await field(page, "load.normal_force", "");
+  await inWords.getByText("Load, normal force: needs a number. Faint pictures and numbers are those of the last case").waitFor();
+  await field(page, "load.normal_force", "55 t");
+  await inWords.getByText('Load, normal force: "t" is not one of its units: kN, N, MN.').waitFor();
+  await faint.waitFor();
+  await field(page, "motion.spin", "0.5");
+  await settled(page);
+  assert.ok(await inWords.getByText("not one of its units").isVisible(), "a text that is no number stays refused");
+  assert.equal(await faint.count(), 1);
+  await field(page, "load.normal_force", "abc");
+  await inWords.getByText('"abc" is not a number').waitFor();
+  assert.ok(await page.locator("#contact-load-normal_force[aria-invalid]").isVisible());
+  await field(page, "load.normal_force", "80");
+  await faint.waitFor({ state: "detached" });
+  await field(page, "motion.creepage_longitudinal", "5000 %");
+  await inWords.getByText('Creepages, longitudinal: "5000 %" is not between -200 and 200 %').waitFor();
+  await faint.waitFor();
+  await field(page, "motion.creepage_longitudinal", "0.1 %");
+  await faint.waitFor({ state: "detached" });
+  await field(page, "friction.coefficient", "-0.3");
+  await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").first().waitFor();
+  await field(page, "friction.coefficient", "0.3");
+  await settled(page);
+  assert.equal(await page.getByText("must be in").filter({ visible: true }).count(), 0);
+  for (const [tab, key, label] of [["Wheel on rail", "rail-wheel-lateral", "Wheelset, lateral position, to the left"], ["Start and stop", "start-motion-steps", "Motion, steps"]]) {
+    await page.getByRole("tab", { name: tab }).click();
+    await settled(page);
+    await page.locator(`#${key}`).fill("abc");
+    await page.locator(`#${key}`).press("Enter");
+    await inWords.getByText(`${label}: "abc" is not a number.`).waitFor();
+    await faint.waitFor();
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("a contact by its ellipse: the program finds that ellipse under any load, links keep it, others are refused", async () => {
+  const { page, errors } = await opened();
+  await row(page, "longitudinal force Fx");
+  const [a] = await row(page, "half length a", 1);
+  await page.getByLabel("given by").selectOption("ellipse");
+  near(Number(await page.locator("#contact-ellipse-a").inputValue()), a);
+  assert.ok(await page.locator("#contact-body1-rolling_radius").isHidden());
+  await field(page, "ellipse.a", "7.5");
+  await field(page, "ellipse.b", "3 mm");
+  await field(page, "load.normal_force", "60");
+  await page.waitForFunction(() => [...document.querySelectorAll("section:not([hidden]) .numbers tr")].some((tr) => tr.textContent === "ellipse, half length a7.5mm"));
+  await settled(page);
+  const [fx] = await row(page, "longitudinal force Fx");
+  const result = solvedByProgram(await saved(page, "case as TOML"));
+  near(result.hertz.a, 75e-4);
+  near(result.hertz.b, 3e-3);
+  near(result.hertz.normal_force, 6e4);
+  near(fx * 1e3, result.exact.fx);
+  await settled(page);
+  const second = await opened(new URL(page.url()).hash);
+  assert.equal(await second.page.getByLabel("given by").inputValue(), "ellipse");
+  assert.equal(await second.page.locator("#contact-ellipse-b").inputValue(), "3");
+  assert.equal((await row(second.page, "longitudinal force Fx"))[0], fx);
+  await second.page.close();
+  await field(page, "ellipse.a", "-1");
+  await page.getByText("ellipse.a = -0.001 [m]: must be positive and finite").waitFor();
+  await field(page, "ellipse.a", "100 m");
+  await page.getByText("ellipse.a = -0.001").waitFor({ state: "hidden" });
+  await field(page, "ellipse.a", "1000 m");
+  await page.getByText(/a\/b = .* must be in/).waitFor();
+  await field(page, "ellipse.a", "7.5");
+  await page.getByText(/a\/b = .* must be in/).waitFor({ state: "hidden" });
+  await page.getByLabel("given by").selectOption("radii");
+  assert.equal(await page.locator("#contact-body2-rolling_radius").inputValue(), "inf");
+  await settled(page);
+  assert.equal((await row(page, "longitudinal force Fx"))[0], fx);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("warnings of results stand beside them, in all views, as long as they hold", async () => {
+  const { page, errors } = await opened();
+  const warned = page.locator("section:not([hidden]) .remarks");
+  await row(page, "longitudinal force Fx");
+  assert.equal(await warned.textContent(), "");
+  await field(page, "load.normal_force", "800 MN");
+  await warned.getByText(/approach .* is too large for a half-space/).waitFor();
+  await field(page, "load.normal_force", "80");
+  await warned.waitFor({ state: "hidden" });
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await railField(page, "wheel.lateral", "12");
+  await warned.getByText("beyond a hundredth of Young's modulus").waitFor();
+  await page.getByLabel("shape, of the exact theory").selectOption("flat");
+  await warned.getByText("patches are solved as flat where the surfaces are not").waitFor();
+  await page.getByLabel("shape, of the exact theory").selectOption("true");
+  await warned.getByText("patches are solved as flat").waitFor({ state: "detached" });
+  await railField(page, "wheel.lateral", "30");
+  await warned.getByText("it has derailed").waitFor();
+  await railField(page, "wheel.lateral", "-300");
+  await warned.getByText("no contact: wheel and rail do not touch").waitFor();
+  await railField(page, "wheel.lateral", "3");
+  await warned.waitFor({ state: "hidden" });
+  await page.getByRole("tab", { name: "Start and stop" }).click();
+  await page.locator("#start-load-normal_force").fill("800 MN");
+  await page.locator("#start-load-normal_force").press("Enter");
+  await warned.getByText("is too large for a half-space").waitFor({ timeout: 6e4 });
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("what is refused leaves no picture that looks like the answer", async () => {
+  const { page, errors } = await opened("", void 0, countRequests);
+  const panel = (name) => page.locator("section:not([hidden]) .panel", { hasText: name });
+  const old = page.locator("section.old:not([hidden])");
+  await panel("Creep curves").locator("canvas").waitFor();
+  await panel("Stresses").locator("canvas[aria-label*=von_mises]").waitFor();
+  await field(page, "friction.coefficient", "-0.3");
+  await page.getByText("those of the last case without errors").waitFor();
+  await old.waitFor();
+  await page.getByLabel("over").selectOption("spin");
+  await panel("Creep curves").getByText(/FASTSIM2: friction.coefficient = -0.3/).waitFor();
+  assert.equal(await panel("Creep curves").locator("canvas").count(), 0);
+  await panel("Stresses").getByText(/No stresses: friction.coefficient = -0.3/).waitFor();
+  await panel("Stresses").locator("canvas[aria-label='no stresses']").waitFor();
+  await field(page, "friction.coefficient", "0.3");
+  await panel("Creep curves").locator("canvas").waitFor();
+  await panel("Stresses").locator("canvas[aria-label*=von_mises]").waitFor();
+  assert.equal(await old.count(), 0);
+  assert.equal(await page.getByText("No stresses").count(), 0);
+  await page.getByRole("button", { name: /add the creep-force table/ }).click();
+  await row(page, "longitudinal force Fx", 3);
+  await field(page, "body2.transverse_radius", "3");
+  await page.locator("section:not([hidden]) .remarks").getByText(/^table: out of range: a\/b = .* is beyond the creep-force table's range/).waitFor();
+  await panel("Creep curves").getByText("table: 41 of 41 points are left out, out of range").waitFor();
+  await panel("Creep curves").locator("canvas").waitFor();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await panel("Equivalent conicity").locator("canvas").waitFor();
+  await railField(page, "track.gauge", "1420");
+  await panel("Equivalent conicity").getByText("fewer than two values").waitFor();
+  assert.equal(await panel("Equivalent conicity").locator("canvas").count(), 0);
+  await railField(page, "track.gauge", "1435");
+  await panel("Equivalent conicity").locator("canvas").waitFor();
+  await page.getByRole("tab", { name: "Start and stop" }).click();
+  await page.getByText("at rest, forces put on").waitFor({ timeout: 6e4 });
+  await page.locator("#start-friction-coefficient").fill("-1");
+  await page.locator("#start-friction-coefficient").press("Enter");
+  await old.getByText("those of the last case without errors").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("conicity is asked anew only where what it depends on changes", async () => {
+  const { page } = await opened("", void 0, countRequests);
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await page.locator("section:not([hidden]) .panel", { hasText: "Equivalent conicity" }).locator("canvas").waitFor();
+  const asked = () => page.evaluate(() => window.asked.splice(0));
+  await asked();
+  for (const [key, text] of [["wheel.vertical_force", "60"], ["wheel.forward_velocity", "200"], ["friction.coefficient", "0.4"], ["wheel.lateral", "1"], ["wheel.yaw", "1"]])
+    await railField(page, key, text);
+  await settled(page);
+  const others = await asked();
+  assert.ok(others.includes("solve") && !others.includes("conicity"), others.join(", "));
+  await railField(page, "track.gauge", "1433");
+  await page.waitForFunction(() => window.asked.includes("conicity"));
+  await page.close();
+});
+test("profiles from files: a good one is taken, others are refused in the reader's words", async () => {
+  const { page } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  const give = (name, content) => page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: content });
+  await give("bad.prw", Buffer.from("x y z"));
+  await page.getByText(/bad\.prw:1: /).waitFor();
+  await give("noise.prw", Buffer.from(Array.from({ length: 4e3 }, (_, i) => i * 7919 % 256)));
+  await page.getByText(/noise\.prw/).waitFor();
+  await give("huge.prw", Buffer.alloc(21e6, "1 2\n"));
+  await page.getByText("huge.prw has 21 MB").waitFor();
+  await give("long.prw", Buffer.alloc(1e7, "1.0 2.0\n"));
+  await page.getByText(/long\.prw/).waitFor({ timeout: 12e4 });
+  await give("worn.prw", readFileSync(path.join(profiles, "s1002.prw")));
+  await page.getByText("Wheel worn.prw on rail 60e1.prr").waitFor();
+  await page.close();
+});
+function points(name) {
+  return [...readFileSync(path.join(profiles, name), "utf8").matchAll(/^\s*(-?[\d.]+)\s+(-?[\d.]+)/gm)].map(([, y, z]) => [Number(y), Number(z)]);
+}
+test("a reversed or mirrored profile is the same one, and the page tells what was done to it", async () => {
+  const { page } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  const lateral = (await row(page, "lateral force"))[0];
+  const text = (of) => Buffer.from(of.map((point) => point.join(" ")).join("\n"));
+  const wheel = points("s1002.prw");
+  for (const [name, of, told] of [
+    ["mirrored.txt", wheel.map(([y, z]) => [-y, z]), "mirrored: the file's y runs to the gauge side"],
+    ["reversed.txt", [...wheel].reverse(), "y runs to the field side, by the place of the flange"]
+  ]) {
+    await page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: text(of) });
+    await page.getByText(told).waitFor();
+    await settled(page);
+    near((await row(page, "lateral force"))[0], lateral);
+  }
+  await page.close();
+});
+test("profiles dropped together are both taken; one of the same name takes the place of the last", async () => {
+  const { page } = await opened("", void 0, countRequests);
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  const first = (await row(page, "lateral force"))[0];
+  const drop = (files) => page.evaluate((given) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, text] of given) dataTransfer.items.add(new File([text], name));
+    const lateral = document.querySelector("#rail-wheel-lateral");
+    lateral.value = "4";
+    lateral.dispatchEvent(new Event("change"));
+    document.querySelector("section:not([hidden]) canvas.map").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, files);
+  const own = (name) => readFileSync(path.join(profiles, name), "utf8");
+  await drop([["own.prw", own("s1002.prw")], ["own.prr", own("60e1.prr")]]);
+  await page.getByText("Wheel own.prw on rail own.prr").waitFor();
+  await settled(page);
+  await page.evaluate(() => {
+    window.asked.length = 0;
+  });
+  const steeper = own("s1002.prw").replace(/^(\s*)(-?[\d.]+)(\s+)(-?[\d.]+)/gm, (_, before2, y, between, z) => `${before2}${y}${between}${Number(z) + 0.02 * Number(y)}`);
+  const give = (name) => page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(steeper) });
+  await give("own.prw");
+  await page.waitForFunction(() => window.asked.includes("conicity"), void 0, { timeout: 2e4 });
+  await give("s1002.prw");
+  await page.getByText("Wheel s1002.prw on rail own.prr").waitFor();
+  await page.getByRole("button", { name: "S1002 on 60E1 again" }).click();
+  await page.getByText("Wheel s1002.prw on rail 60e1.prr").waitFor();
+  await page.locator("#rail-wheel-lateral").fill("3");
+  await page.locator("#rail-wheel-lateral").press("Enter");
+  await settled(page);
+  near((await row(page, "lateral force"))[0], first);
+  await page.close();
+});
+var countRequests = `
+  window.asked = [];
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message) { window.asked.push(message.request ? JSON.parse(message.request).call : "put"); return post.call(this, message); };`;
+test("a hidden page computes nothing, and what was asked meanwhile once it is seen again", async () => {
+  const { page, errors } = await opened("", void 0, `${countRequests}
+    window.hiddenNow = false;
+    Object.defineProperty(document, "hidden", { get: () => window.hiddenNow });`);
+  const first = (await row(page, "longitudinal force Fx"))[0];
+  await settled(page);
+  const hide = (hidden) => page.evaluate((now) => {
+    const counting = window;
+    const asked = counting.asked.splice(0);
+    counting.hiddenNow = now;
+    document.dispatchEvent(new Event("visibilitychange"));
+    return asked;
+  }, hidden);
+  assert.ok((await hide(true)).length > 0);
+  for (const load of ["90", "100", "110"]) await field(page, "load.normal_force", load);
+  await page.waitForTimeout(1500);
+  assert.deepEqual(await hide(false), []);
+  await page.waitForFunction((old) => {
+    const cells = document.querySelector("section:not([hidden]) .numbers tbody tr td");
+    return cells && Number(cells.textContent) !== old;
+  }, first);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("without vector instructions and without WebGL all is there", async () => {
+  const { page, errors } = await opened("", void 0, `
+    WebAssembly.validate = () => false;
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : get.call(this, kind, ...more); };`);
+  await page.getByText("no vector instructions").waitFor();
+  await row(page, "longitudinal force Fx");
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  await page.getByText("no WebGL").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("the wheel follows keys and the mouse; times are printed, not checked", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  const wheel = page.locator("section:not([hidden]) canvas.map").first();
+  await wheel.focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await page.locator("#rail-wheel-lateral").inputValue(), "3.05");
+  const box = await wheel.boundingBox();
+  await page.evaluate(() => {
+    const times2 = [];
+    window.frameTimes = times2;
+    let last = performance.now();
+    const frame = (now) => {
+      times2.push(now - last);
+      last = now;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  });
+  await page.mouse.move(box.x + 500, box.y + 150);
+  await page.mouse.down();
+  for (let i = 0; i < 60; ++i) await page.mouse.move(box.x + 500 - 2 * i, box.y + 150);
+  await page.mouse.up();
+  const times = (await page.evaluate(() => window.frameTimes)).sort((one, other) => one - other);
+  console.log(`while dragging: ${times.length} frames, median ${times[times.length >> 1].toFixed(1)} ms, longest ${times.at(-1).toFixed(1)} ms`);
+  assert.ok(Number(await page.locator("#rail-wheel-lateral").inputValue()) > 5);
+  await row(page, "lateral force");
+  for (const shown of await page.locator("section:not([hidden]) .time").allTextContents()) console.log(shown);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+test("every control has a name; nothing is wider than a narrow screen", async () => {
+  for (const view of ["Contact", "Wheel on rail", "Start and stop"])
+    for (const [width, scheme] of [[400, "dark"], [1400, "light"]]) {
+      const { page, errors } = await opened("", { width, height: 900 }, void 0, scheme);
+      await page.getByRole("tab", { name: view }).click();
+      await settled(page);
+      if (shots) await page.waitForTimeout(4e3);
+      const unnamed = await page.evaluate(() => [...document.querySelectorAll("input, select, button, canvas[role=img]")].filter((at) => at.offsetParent && !(at.getAttribute("aria-label") ?? at.textContent ?? "").trim() && !document.querySelector(`label[for="${at.id}"]`)).map((at) => at.outerHTML));
+      assert.deepEqual(unnamed, []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is wider than ${width}`);
+      if (shots) await page.screenshot({ path: path.join(shots, `${view.replaceAll(" ", "_")}_${width}.png`), fullPage: true });
+      assert.deepEqual(errors, []);
+      await page.close();
+    }
+});
