@@ -148,7 +148,7 @@ class SignalTest(unittest.TestCase):
         self.expect_heard(lambda: layers.find_largest(np.linspace(0.1, 1, 20)))
 
     def test_coefficients(self):
-        _, pair, grid, _ = self.grid(900)
+        _, pair, grid, _ = self.grid(1800)
         self.expect_heard(lambda: microslip.NormalProblem(pair, grid))
 
     def test_patches(self):
