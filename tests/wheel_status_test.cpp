@@ -175,7 +175,7 @@ TEST(WheelStatus, NumbersBeyondAllBoundsGiveAStatus) {
   }
 }
 
-/// A wheel at a large angle of attack whose throat wraps the gauge corner: a patch that turns by some 75 degrees.
+/// The throat of a heavily loaded wheel on the gauge corner, at a large angle of attack.
 TEST(WheelStatus, PatchesBeyondTheirElementsHaveThatAsReason) {
   WheelRailBodies bodies = pairs().front().bodies;
   bodies.friction = {{0, 0.1}};

@@ -547,8 +547,8 @@ MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wh
                                                         microslip_wheel_forces* forces);
 /* The text of the k-th warning, counted from 0; NULL from the first that there is not. It lasts. Any thread. */
 MICROSLIP_API const char* microslip_warning(int k);
-/* The same with derivatives, which hold where no patch comes or goes; those of a state that is not MICROSLIP_OK are
- * zero. With the theory "fastsim2" some three solves, and no memory either. */
+/* The same with derivatives, which hold where no patch comes or goes; those of a state that is neither MICROSLIP_OK
+ * nor MICROSLIP_IMPLAUSIBLE are zero. With the theory "fastsim2" some three solves, and no memory either. */
 MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
                                                                 const microslip_wheel_state* states,
                                                                 microslip_wheel_derivatives* derivatives);

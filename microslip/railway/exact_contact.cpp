@@ -62,7 +62,7 @@ struct Loaded {
   std::optional<double> force_before = {}; ///< what it was in the last step
   double approach_before = 0;              ///< [m], likewise
   ContactSolution solution = {};
-  bool covers_overlap = false; ///< the elements do
+  bool covers_overlap = false; ///< the elements cover all of the group's overlap
 
   double cosine() const { return std::cos(group.outline.frame.angle); }
 };
@@ -364,6 +364,7 @@ bool hold_contacts(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); });
 }
 
+/// Whether elements further out are of no use: there are none in the overlap.
 bool cover_overlap(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.covers_overlap; });
 }
@@ -497,7 +498,7 @@ public:
       before = here;
       if (std::abs(here.value) < std::abs(nearest.value)) nearest = here;
     }
-    if (beyond_elements_ > 0) { // a force there may be the one given
+    if (beyond_elements_ > 0) { // one of these heights may bear the force
       no_balance(out_, Unsolved::beyond_elements);
       return;
     }
@@ -506,7 +507,7 @@ public:
   }
 
 private:
-  static constexpr int most_beyond_elements = 6;
+  static constexpr int most_beyond_elements = 6; ///< fewer lose states that `validate random-wheels` has solved
 
   /// Whether the force changes more steeply than any contact would let it.
   bool is_jump(const BracketedRoot& root) const {

@@ -46,7 +46,7 @@ constexpr std::string_view to_string(Unsolved reason) {
   case Unsolved::tractions:
     return "the tangential problem of a patch has not converged: see its status";
   case Unsolved::beyond_elements:
-    return "the contact reaches beyond the elements of its patch, whose surfaces bend too much for the exact theory";
+    return "the contact reaches beyond the elements of its patch";
   case Unsolved::residual:
     return "not converged: see the residual";
   case Unsolved::numbers:

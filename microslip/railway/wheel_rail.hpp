@@ -83,7 +83,7 @@ public:
   /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
   /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
   /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
-  /// places differ by up to 5e-3, and by velocities by 1e-3. Derivatives of a solution that is not ok are zero.
+  /// places differ by up to 5e-3, and by velocities by 1e-3. Derivatives of what is not solved are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives, const Progress& progress = {});
 

@@ -93,8 +93,8 @@ public:
              const Progress& progress = {});
   WheelsetSolution solve(const WheelsetState& state, const WheelsetLoad& load = {}, const Progress& progress = {});
 
-  /// The same with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of a
-  /// solution that is not ok are zero.
+  /// The same with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of
+  /// what is not solved are zero.
   void differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
                      WheelsetDerivatives& derivatives, const Progress& progress = {});
 

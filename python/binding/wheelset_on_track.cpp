@@ -252,7 +252,7 @@ void bind_wheelset_on_track(py::module_& module) {
           state_text().c_str())
       .def("differentiate", &differentiate,
            "The WheelsetDerivatives in a state given as for solve [SI units], with what is prescribed held. They hold\n"
-           "where no patch comes or goes; those of a state that is not ok are zero.");
+           "where no patch comes or goes; those of what is not solved are zero.");
 }
 
 } // namespace microslip::python

@@ -2432,7 +2432,7 @@ class WheelsetOnTrack:
         contact, forces that nothing gives and not converging are statuses. Error for unknown names."""
     def differentiate(self, **kwargs) -> WheelsetDerivatives:
         """The WheelsetDerivatives in a state given as for solve [SI units], with what is prescribed held. They hold
-        where no patch comes or goes; those of a state that is not ok are zero."""
+        where no patch comes or goes; those of what is not solved are zero."""
 
 class WheelsetSolution:
     """Forces on a wheelset in track axes: x forward, y to the left, z up; and its wheels."""
