@@ -381,7 +381,7 @@ ContactPatch CoarseContact::patch_of(const ContactRegion& region, std::size_t fi
     vertical += loaded_[k].load * std::cos(angle) + forces_[k].fy * std::sin(angle);
   }
   if (patch.normal_force > 0) patch.vertical_share = vertical / patch.normal_force;
-  patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region, equivalent_);
+  patch.outline = find_outline(placement_, bodies_.rail, bodies_.wheel, region, method_.surface(), equivalent_);
   patch.speed = rolling_speed(placement_, patch.outline.frame.origin);
   for (const ContactPoint& point : points_.subspan(region.first, region.count))
     patch.least_gap = std::min(patch.least_gap, (point.gap - clearance_ - depth_) * std::cos(point.inclination));

@@ -118,7 +118,8 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
   const PatchSurface surface = coarse.surface();
   const RollingDirection direction = coarse.rolls_forward() ? RollingDirection::forward : RollingDirection::backward;
   std::vector<Loaded> loaded;
-  for (PatchGroup& group : group_patches(surface.placement(), bodies.rail, bodies.wheel, outlines, depth)) {
+  for (PatchGroup& group :
+       group_patches(surface.placement(), bodies.rail, bodies.wheel, outlines, method.surface(), depth)) {
     double force = 0, vertical = 0;
     std::vector<PointLoad> loads;
     std::optional<Rows> rows; // of its own patches first

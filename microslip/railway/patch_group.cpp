@@ -16,7 +16,8 @@ double nearness(double clearance) {
 } // namespace
 
 std::vector<PatchGroup> group_patches(const WheelPlacement<double>& placement, const Profile& rail,
-                                      const Profile& wheel, std::span<const PatchOutline> patches, double depth) {
+                                      const Profile& wheel, std::span<const PatchOutline> patches, PatchShape surface,
+                                      double depth) {
   std::vector<double> to_next;
   for (std::size_t k = 0; k + 1 < patches.size(); ++k)
     to_next.push_back(nearness(clearance_between(placement, rail, wheel, patches[k], patches[k + 1]) / depth));
@@ -27,7 +28,7 @@ std::vector<PatchGroup> group_patches(const WheelPlacement<double>& placement, c
     for (std::size_t k = first; k-- > 0;) group.shares[k] = std::min(group.shares[k + 1], to_next[k]);
     for (std::size_t k = after; k < patches.size(); ++k)
       group.shares[k] = std::min(group.shares[k - 1], to_next[k - 1]);
-    group.outline = joined(placement, rail, patches, group.shares);
+    group.outline = joined(placement, rail, patches, group.shares, surface);
     groups.push_back(std::move(group));
   }
   return groups;

@@ -19,6 +19,7 @@ struct PatchGroup {
 /// the greatest overlap of the wheel. (Not by their distance, which changes by millimetres in a micrometre of height
 /// where profiles are nearly parallel.)
 std::vector<PatchGroup> group_patches(const WheelPlacement<double>& placement, const Profile& rail,
-                                      const Profile& wheel, std::span<const PatchOutline> patches, double depth);
+                                      const Profile& wheel, std::span<const PatchOutline> patches, PatchShape surface,
+                                      double depth);
 
 } // namespace microslip

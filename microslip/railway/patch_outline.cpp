@@ -59,6 +59,13 @@ PatchFrame frame_at(const WheelPlacement<double>& placement, const Profile& rail
   return frame;
 }
 
+/// The coordinate s that rows of a frame have at a point of the rail: along the plane, or along the rail's surface.
+double s_of(const WheelPlacement<double>& placement, const Profile& rail, const PatchFrame& frame, PatchShape surface,
+            double rail_s) {
+  if (surface != PatchShape::flat) return rail_s - frame.rail_s;
+  return dot(frame.tangent(), rail_point(placement, rail, rail_s) - frame.origin);
+}
+
 /// The least distance of a line across the track, and how far the bodies overlap there along it [m].
 struct Alongside {
   double x = 0, low = 0, high = 0;
@@ -91,7 +98,7 @@ double clearance_between(const WheelPlacement<double>& placement, const Profile&
 }
 
 PatchOutline joined(const WheelPlacement<double>& placement, const Profile& rail,
-                    std::span<const PatchOutline> outlines, std::span<const double> shares) {
+                    std::span<const PatchOutline> outlines, std::span<const double> shares, PatchShape surface) {
   PatchOutline out;
   double x = 0, angle = 0, rail_s = 0, wheel_s = 0;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
@@ -109,11 +116,10 @@ PatchOutline joined(const WheelPlacement<double>& placement, const Profile& rail
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     if (shares[k] < 1) continue;
     const PatchOutline& one = outlines[k];
-    const Vec3<double> to = one.frame.origin - out.frame.origin, along = out.frame.tangent();
-    const double cosine = dot(one.frame.tangent(), along);
-    out.x_low = std::min(out.x_low, to.x + one.x_low), out.x_high = std::max(out.x_high, to.x + one.x_high);
-    out.s_low = std::min(out.s_low, dot(to, along) + cosine * one.s_low);
-    out.s_high = std::max(out.s_high, dot(to, along) + cosine * one.s_high);
+    const double ahead = one.frame.origin.x - out.frame.origin.x;
+    out.x_low = std::min(out.x_low, ahead + one.x_low), out.x_high = std::max(out.x_high, ahead + one.x_high);
+    out.s_low = std::min(out.s_low, s_of(placement, rail, out.frame, surface, one.inner.s_rail));
+    out.s_high = std::max(out.s_high, s_of(placement, rail, out.frame, surface, one.outer.s_rail));
     least_angle = std::min(least_angle, one.frame.angle - one.turn / 2);
     largest_angle = std::max(largest_angle, one.frame.angle + one.turn / 2);
   }
@@ -122,7 +128,7 @@ PatchOutline joined(const WheelPlacement<double>& placement, const Profile& rail
 }
 
 PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
-                          const ContactRegion& region, const EquivalentRail* equivalent) {
+                          const ContactRegion& region, PatchShape surface, const EquivalentRail* equivalent) {
   PatchOutline out;
   out.inner = region.inner, out.outer = region.outer;
   const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
@@ -149,9 +155,8 @@ PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile
   out.weight = sum * (region.outer.s_wheel - region.inner.s_wheel) / 4;
   out.x_low = x_low - out.frame.origin.x, out.x_high = x_high - out.frame.origin.x;
 
-  const Vec3<double> along = out.frame.tangent();
-  out.s_low = dot(along, rail_point(placement, rail, region.inner.s_rail) - out.frame.origin);
-  out.s_high = dot(along, rail_point(placement, rail, region.outer.s_rail) - out.frame.origin);
+  out.s_low = s_of(placement, rail, out.frame, surface, region.inner.s_rail);
+  out.s_high = s_of(placement, rail, out.frame, surface, region.outer.s_rail);
   out.turn =
       std::abs(inclination(placement, rail, region.outer.s_rail) - inclination(placement, rail, region.inner.s_rail));
   return out;

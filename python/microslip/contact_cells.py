@@ -148,7 +148,7 @@ class ContactCells:
         place = mesh.place(self.x, self.y)
         mine = self.inside & (place < (NEAR_EDGE if vanishes else 1.0))
         if not mine.any():
-            mine = self.inside & (place < 1.5)
+            mine = self.inside & (place <= max(1.5, place[self.inside].min()))  # a splinter may have no centre of a cell
         factor = np.sqrt(np.clip(1 - place**2, 1 - NEAR_EDGE**2, None)) if vanishes else np.ones(place.shape)
         smooth = self._interpolated(values / factor, mine, mesh.x, mesh.y)
         return mesh.x, mesh.y, smooth * mesh.edge_factor() if vanishes else smooth

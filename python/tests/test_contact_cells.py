@@ -74,6 +74,18 @@ class OutlineTest(unittest.TestCase):
         np.testing.assert_allclose(areas, area_of(one.outline.parts[0]), rtol=1e-9)
 
 
+class SplinterTest(unittest.TestCase):
+    def test_parts_without_the_centre_of_a_cell_have_a_surface(self):
+        def crescent(x, y):
+            return np.sqrt(np.clip(0.2**2 - (np.hypot(x, y + 3) - 4) ** 2, 0, None)) * (y > -1)
+
+        cells = square_cells(25, pressed=crescent)
+        self.assertEqual(len(cells.outline.parts), 4)
+        for vanishes in (True, False):
+            for _, _, values in cells.surface(np.ones(cells.x.shape), vanishes):
+                self.assertTrue(np.isfinite(values).all())
+
+
 class ContactCellsTest(unittest.TestCase):
     def test_every_point_within_the_outline_has_the_cell_that_holds_it(self):
         for mx, my in ((1, 1), (1, 7), (7, 1), (10, 10)):
