@@ -1,6 +1,7 @@
 #include "microslip/railway/exact_contact.hpp"
 
 #include "microslip/numerics/bracketed_root.hpp"
+#include "microslip/numerics/elimination.hpp"
 #include "microslip/railway/exact_patch.hpp"
 #include "microslip/railway/patch_group.hpp"
 #include "microslip/railway/wheel_status.hpp"
@@ -176,21 +177,18 @@ double approach_of(const Loaded& one, std::span<const PointLoad> loads, double z
   return approach;
 }
 
-/// Changes of the normal forces by `rise` [N] of each patch on its own, when each lifts the others off.
+/// Changes of the normal forces by `rise` [N] of each patch on its own, when each lifts the others off. Those of each
+/// on its own where together they have none.
 std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const std::vector<double>& rise) {
-  constexpr int sweeps = 30; // each reduces the error to a third or less
-  if (loaded.size() == 1) return rise;
-  std::vector<PointLoad> unit;
-  for (const Loaded& one : loaded) unit.push_back(one.exact.load()), unit.back().force = 1;
-  std::vector<double> change = rise;
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (std::size_t k = 0; k < loaded.size(); ++k) {
-      double lift = 0;
-      for (std::size_t l = 0; l < loaded.size(); ++l)
-        if (l != k) lift += loaded[k].exact.lift_by(unit[l]) * change[l];
-      change[k] = rise[k] - loaded[k].stiffness * lift;
+  const std::size_t count = loaded.size();
+  std::vector<double> matrix, change = rise;
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t l = 0; l < count; ++l) {
+      PointLoad unit = loaded[l].exact.load();
+      unit.force = 1;
+      matrix.push_back(k == l ? 1 : loaded[k].stiffness * loaded[k].exact.lift_by(unit));
     }
-  return change;
+  return eliminate(matrix, {change}) ? change : rise;
 }
 
 /// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that bear a vertical force
